@@ -1,0 +1,29 @@
+#pragma once
+#include <optional>
+#include <string_view>
+
+namespace nipref::data {
+
+/// Closed interval [lower, upper] of doubles.
+struct Interval {
+  double lower;
+  double upper;
+};
+
+/// A number as printed in a table, with the scaling of its column undone.
+struct PrintedNumber {
+  double value;       ///< the double nearest to printed / scale
+  Interval rounding;  ///< all values that round to the printed digits, divided by scale
+};
+
+/// Reads a plain decimal: optional sign, digits, optional point and digits; no exponent, no blanks.
+/// `scale_exponent` is s of the column's printed scale 10^s, so the value is text * 10^-s and the rounding
+/// interval is (text -+ half a unit of the last printed digit) * 10^-s. Value and ends are correctly rounded
+/// (formed in decimal, converted once). Anything that is not a plain decimal, or leaves the range of double,
+/// gives nullopt.
+[[nodiscard]] std::optional<PrintedNumber> read_printed_number(std::string_view text, int scale_exponent);
+
+/// Reads a whole field as one finite number, exponent allowed (1e-3); nullopt if anything else is there.
+[[nodiscard]] std::optional<double> read_exact_number(std::string_view text);
+
+}  // namespace nipref::data

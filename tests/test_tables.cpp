@@ -1,0 +1,141 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "data/bad_input.hpp"
+#include "data/table_index.hpp"
+
+// What the tables hold as a whole: none is missing, none has lost a row, and the errata fit them.
+
+using namespace nipref::data;
+
+TEST_CASE("all tables of the seeds are there, in the order of the seeds") {
+  const auto ids = table_ids();
+  REQUIRE(ids.size() == 24 + 5);
+  CHECK(ids[0] == "thesis-III");
+  CHECK(ids[1] == "thesis-IV");
+  CHECK(ids[4] == "thesis-VII");
+  CHECK(ids[6] == "thesis-IX");
+  CHECK(ids[16] == "thesis-XIX");
+  CHECK(ids[23] == "thesis-XXVI");
+  CHECK(ids[24] == "brock2012-1");
+  CHECK(ids[28] == "brock2013-3");
+}
+
+TEST_CASE("no row of the thesis and no cell of the Brock tables is missing") {
+  std::size_t thesis_rows = 0;
+  std::map<std::string, std::size_t> brock_cells;
+  for (const auto& summary : summarize_tables()) {
+    if (summary.id.starts_with("thesis-")) {
+      thesis_rows += summary.rows;
+    } else {
+      CHECK(summary.empty == 0);
+      brock_cells[summary.id] = summary.cells;
+    }
+  }
+  CHECK(thesis_rows == 224);
+  CHECK(brock_cells == std::map<std::string, std::size_t>{{"brock2012-1", 18},
+                                                          {"brock2012-2", 6},
+                                                          {"brock2013-1", 15},
+                                                          {"brock2013-2", 15},
+                                                          {"brock2013-3", 45}});
+}
+
+TEST_CASE("the row labels run as the text of the thesis says") {
+  for (const auto& id : table_ids()) {
+    const Table table = load_table_by_id(id);
+    const std::string_view key = table.has_column("W") ? "W" : "F0_tau";
+    if (!table.has_column(key)) continue;
+    CAPTURE(id);
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const std::string expected =
+          key == "W" ? std::to_string(25 * (row + 1)) : "1e" + std::to_string(3 - static_cast<int>(row));
+      CHECK(table.cell(row, key).read_as == expected);
+    }
+  }
+}
+
+TEST_CASE("the span along the direction of sliding is the unit of its own ratio") {
+  const Table table = load_table_by_id("brock2013-3");
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.cell(row, "phi").number->value != 0) continue;
+    for (const auto& column : table.columns) {
+      if (!column.is_key) CHECK(table.cell(row, column.name).number->value == 1);
+    }
+  }
+}
+
+TEST_CASE("a cell has no value only if its erratum says unreadable, and is empty only if it has an erratum") {
+  for (const auto& id : table_ids()) {
+    const Table table = load_table_by_id(id);
+    for (const auto& row : table.rows) {
+      for (const auto& cell : row) {
+        CAPTURE(id);
+        CAPTURE(cell.printed);
+        if (!cell.is_readable()) CHECK((cell.erratum && cell.erratum->kind == ErratumKind::unreadable));
+        if (!cell.is_printed()) CHECK(cell.erratum.has_value());
+      }
+    }
+  }
+}
+
+TEST_CASE("every erratum belongs to a table, and every one is found again in its cell") {
+  const auto ids = table_ids();
+  const auto errata = load_errata(tables_directory() / "errata.csv");
+  std::size_t attached = 0;
+  for (const auto& id : ids) {
+    for (const auto& row : load_table_by_id(id).rows) {
+      attached += static_cast<std::size_t>(std::count_if(
+          row.begin(), row.end(), [](const TableCell& cell) { return cell.erratum.has_value(); }));
+    }
+  }
+  for (const auto& erratum : errata) {
+    CAPTURE(erratum.table);
+    CHECK(std::find(ids.begin(), ids.end(), erratum.table) != ids.end());
+  }
+  CHECK(attached == errata.size());
+}
+
+TEST_CASE("the summary counts each cell once") {
+  for (const auto& summary : summarize_tables()) {
+    CAPTURE(summary.id);
+    CHECK(summary.cells == summary.rows * summary.columns);
+    // Cells without a value are unreadable, and so are the doubtful ones; there are no others.
+    CHECK(summary.without_value + summary.doubtful ==
+          summary.errata[static_cast<std::size_t>(ErratumKind::unreadable)]);
+  }
+}
+
+TEST_CASE("an id is looked up, never used as a path") {
+  CHECK_THROWS_AS((void)load_table_by_id("thesis-I"), BadInput);
+  CHECK_THROWS_AS((void)load_table_by_id("../tables/thesis-III"), BadInput);
+  CHECK_THROWS_AS((void)load_table_by_id("errata"), BadInput);
+}
+
+TEST_CASE("what a table does not have is refused by name") {
+  const Table table = load_table_by_id("thesis-VII");
+  CHECK_THROWS_WITH_AS((void)table.cell(0, "q_max"), "column = q_max: must be a column of thesis-VII",
+                       BadInput);
+  CHECK_THROWS_AS((void)table.cell(8, "L"), BadInput);
+  CHECK_THROWS_AS((void)table.parameter("W"), BadInput);
+  CHECK(table.parameter("R").value == 6);
+}
+
+TEST_CASE("a chosen data folder without tables is refused, not replaced by another") {
+  const char* const before = std::getenv("NIPREF_DATA");
+  const std::string saved = before ? before : "";
+  setenv("NIPREF_DATA", "no-such-folder", 1);
+  CHECK_THROWS_WITH_AS((void)tables_directory(),
+                       "NIPREF_DATA = no-such-folder: must be a folder with a folder 'tables' in it",
+                       BadInput);
+  if (before) {
+    setenv("NIPREF_DATA", saved.c_str(), 1);
+  } else {
+    unsetenv("NIPREF_DATA");
+  }
+}

@@ -1,0 +1,195 @@
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "data/bad_input.hpp"
+#include "data/table.hpp"
+
+// The reader of the tables: numbers with their rounding, and files that are not as they should be.
+
+using namespace nipref::data;
+
+namespace {
+
+/// A folder of its own for one test, removed afterwards.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / unique_name()) {
+    std::filesystem::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name) << text;
+    return path_ / name;
+  }
+
+ private:
+  /// Unlike any other folder of this process or of another that runs the tests at the same time.
+  static std::string unique_name() {
+    static int folders = 0;
+    return "nipref-tables-" + std::to_string(getpid()) + "-" + std::to_string(folders++);
+  }
+
+  std::filesystem::path path_;
+};
+
+const std::string header =
+    "# title: T\n# source: S\n# after: A\n# before: B\n# parameter: B = 2 in; thickness\n"
+    "# key: W; lbf/in; load\n# column: L; 1e3; in; length\n";
+
+/// The message with which load_table refuses the file, the folder's name cut off; empty if it does not.
+std::string refusal(const std::filesystem::path& file) {
+  try {
+    (void)load_table(file);
+  } catch (const BadInput& error) {
+    const std::string message = error.what();
+    return message.substr(message.rfind('/') + 1);
+  }
+  return "";
+}
+
+std::string refusal_of(const std::string& table, const std::string& errata = "") {
+  const Folder folder;
+  if (!errata.empty()) folder.write("errata.csv", "table,row,column,printed,read_as,kind,reason\n" + errata);
+  return refusal(folder.write("t.csv", table));
+}
+
+}  // namespace
+
+TEST_CASE("a printed number stands for all values that round to it") {
+  const auto number = read_printed_number("57.9", 3);
+  REQUIRE(number);
+  CHECK(number->value == 0.0579);
+  CHECK(number->rounding.lower == 0.05785);
+  CHECK(number->rounding.upper == 0.05795);
+}
+
+TEST_CASE("trailing zeros narrow the rounding interval, signs mirror it") {
+  for (const char* const digits : {"0", "7", "100", "0.0", "999.95", "10.000", "1907", "0.3527"}) {
+    for (const int scale : {-2, 0, 3, 6}) {
+      CAPTURE(digits);
+      CAPTURE(scale);
+      const std::string text = digits;
+      const bool has_point = text.find('.') != text.npos;
+      const auto number = read_printed_number(text, scale);
+      const auto finer = read_printed_number(text + (has_point ? "0" : ".0"), scale);
+      const auto negative = read_printed_number("-" + text, scale);
+      REQUIRE((number && finer && negative));
+      const double width = number->rounding.upper - number->rounding.lower;
+      const double unit =
+          std::pow(10.0, -static_cast<double>(has_point ? text.size() - text.find('.') - 1 : 0) - scale);
+      CHECK(width == doctest::Approx(unit).epsilon(1e-9));
+      CHECK(finer->rounding.upper - finer->rounding.lower == doctest::Approx(unit / 10).epsilon(1e-9));
+      CHECK(finer->value == number->value);
+      CHECK(negative->rounding.lower == -number->rounding.upper);
+      CHECK(negative->rounding.upper == -number->rounding.lower);
+      CHECK(number->rounding.lower < number->value);
+      CHECK(number->value < number->rounding.upper);
+    }
+  }
+}
+
+TEST_CASE("what is not a plain number is not read as one") {
+  for (const char* const text :
+       {"", "-", ".5", "5.", "1e3", "5,5", " 5", "5 ", "0x5", "nan", "inf", "1.2.3", "--5", "+", "."}) {
+    CAPTURE(text);
+    CHECK_FALSE(read_printed_number(text, 0));
+  }
+  CHECK_FALSE(read_printed_number("1", 400));
+  CHECK_FALSE(read_exact_number("1e999"));
+  CHECK_FALSE(read_exact_number("1 "));
+  CHECK(read_exact_number("1e-3") == 1e-3);
+}
+
+TEST_CASE("a well-formed table is read with its errata") {
+  const Folder folder;
+  folder.write("errata.csv",
+               "table,row,column,printed,read_as,kind,reason\n"
+               "other,1,L,1,2,identity,of another table\n"
+               "t,1,L,\"5,5\",5.5,glyph,\"comma, not a \"\"point\"\"\"\n"
+               "t,2,L,,,unreadable,nothing there\n"
+               "t,3,L,7.1,7.1,unreadable,stays\n");
+  const Table table = load_table(folder.write("t.csv", header + "W,L\n1e1,\"5,5\"\n2,\n3,7.1\n"));
+  CHECK(table.id == "t");
+  CHECK(table.parameter("B").value == 2);
+  CHECK(table.cell(0, "W").number->rounding.upper == 10);
+  CHECK(table.cell(0, "L").printed == "5,5");
+  CHECK(table.cell(0, "L").number->value == 0.0055);
+  CHECK(table.cell(0, "L").erratum->reason == "comma, not a \"point\"");
+  CHECK_FALSE(table.cell(1, "L").is_printed());
+  CHECK_FALSE(table.cell(1, "L").is_readable());
+  CHECK(table.cell(2, "L").is_doubtful());
+}
+
+TEST_CASE("a coordinate in a column's name is read") {
+  const Folder folder;
+  const Table table = load_table(folder.write(
+      "t.csv",
+      "# title: T\n# source: S\n# after: A\n# before: B\n# column: c=0.25; 1; 1; ratio\nc=0.25\n1\n"));
+  CHECK(table.columns[0].coordinate == 0.25);
+}
+
+TEST_CASE("a malformed table is refused with file, line and column") {
+  CHECK(refusal_of(header + "W,L\n1,2\n3\n") == "t.csv:10:1: must have 2 fields in each record, has 1");
+  CHECK(refusal_of(header + "W,L\n1,2,3\n") == "t.csv:9:5: must have 2 fields in each record, has 3");
+  CHECK(refusal_of(header + "W,L\n1,2x\n") ==
+        "t.csv:9:3: must be a plain number or have a line in errata.csv");
+  CHECK(refusal_of(header + "W,L\n1,\n") == "t.csv:9:3: must be a plain number or have a line in errata.csv");
+  CHECK(refusal_of(header + "W,L\n1,\"2\n") == "t.csv:9:3: must close its quote on the same line");
+  CHECK(refusal_of(header + "W,L\n\"1\"x,2\n") ==
+        "t.csv:9:4: must have a comma or the end of line after a closing quote");
+  CHECK(refusal_of(header + "W,L\n1,2\"\n") == "t.csv:9:3: must have its quotes around the whole field");
+  CHECK(refusal_of(header + "W,L\n\n1,2\n") == "t.csv:9:1: must have no blank lines");
+  CHECK(refusal_of(header + "W,L\n# title: U\n") ==
+        "t.csv:9:1: must have its comment lines above the column names");
+  CHECK(refusal_of(header + "L,W\n") ==
+        "t.csv:8:1: must name the columns in the order of the '# key' and '# column' lines");
+  CHECK(refusal_of(header + "W\n") == "t.csv:8:1: must name every declared column");
+  CHECK(refusal_of(header) == "t.csv:1:1: must name its columns");
+}
+
+TEST_CASE("a malformed header is refused with file, line and column") {
+  CHECK(refusal_of("#title: T\nW\n") == "t.csv:1:2: must have a blank after #");
+  CHECK(refusal_of("# heading: T\nW\n") ==
+        "t.csv:1:3: must begin with title, source, after, before, parameter, key or column");
+  CHECK(refusal_of("# title: T\n# title: U\nW\n") == "t.csv:2:10: must be given once");
+  CHECK(refusal_of("# parameter: B = two in; x\nW\n") == "t.csv:1:18: must be a number");
+  CHECK(refusal_of("# parameter: B 2 in; x\nW\n") == "t.csv:1:14: must have a text and ' = ' here");
+  CHECK(refusal_of("# column: L; 2e3; in; x\nW\n") == "t.csv:1:14: must be 1 or 1eN");
+  CHECK(refusal_of("# column: L; 1e; in; x\nW\n") == "t.csv:1:14: must be 1 or 1eN");
+  CHECK(refusal_of(header + "# column: L; 1; in; again\nW,L\n") == "t.csv:8:11: must be given once");
+  CHECK(refusal_of("# title: T\nW\n") ==
+        "t.csv:2:1: must have title, source, after and before lines above it");
+}
+
+TEST_CASE("errata that do not fit are refused with file, line and column") {
+  const std::string table = header + "W,L\n1,2.5\n";
+  CHECK(refusal_of(table, "t,1,L,2.5,2.6,identity,why\n").empty());
+  CHECK(refusal_of(table, "t,2,L,2.5,2.6,identity,why\n") == "errata.csv:2:1: must name a row of t");
+  CHECK(refusal_of(table, "t,1,M,2.5,2.6,identity,why\n") == "errata.csv:2:1: must name a column of t");
+  CHECK(refusal_of(table, "t,1,L,2.4,2.6,identity,why\n") ==
+        "errata.csv:2:1: must quote the cell of t as '2.5'");
+  CHECK(refusal_of(table, "t,0,L,2.5,2.6,identity,why\n") == "errata.csv:2:3: must be a row number from 1");
+  CHECK(refusal_of(table, "t,1,L,2.5,2.6,guess,why\n") ==
+        "errata.csv:2:15: must be identity, trend, glyph or unreadable");
+  CHECK(refusal_of(table, "t,1,L,2.5,,trend,why\n") ==
+        "errata.csv:2:11: must not be empty unless the kind is unreadable");
+  CHECK(refusal_of(table, "t,1,L,2.5,2.6,identity,\n") == "errata.csv:2:24: must give a reason");
+  CHECK(refusal_of(table, "t,1,L,2.5,2;6,glyph,why\n") ==
+        "errata.csv:2:1: must read the cell as a plain number");
+  CHECK(refusal_of(table, "t,1,L,2.5,2.6,trend,a\nt,1,L,2.5,2.7,trend,b\n") ==
+        "errata.csv:3:1: must be the only line for its cell");
+}
+
+TEST_CASE("a file that is not there is refused") {
+  const Folder folder;
+  CHECK(refusal(folder.write("t.csv", "").parent_path() / "absent.csv") ==
+        "absent.csv:1:1: must be a readable file");
+}
