@@ -1,0 +1,36 @@
+#pragma once
+#include <functional>
+#include <string>
+
+#include "ref/interval.hpp"
+#include "ref/real.hpp"
+
+namespace nipref::ref {
+
+/// A value with a proven bound: |value - truth| <= error_bound, and error_bound <= 10^-digits min(1,
+/// |truth|). A truth that is exactly 0 comes as value 0 with error_bound 0.
+struct Enclosure {
+  Real value;
+  Real error_bound;
+  int digits;
+
+  /// Decimal text of the value, three significant digits more than were asked for (and as many more as the
+  /// value has before the point).
+  [[nodiscard]] std::string value_text() const;
+  /// Bound on |value_text() - truth|, two significant digits, rounded up: "1.2e-53".
+  [[nodiscard]] std::string bound_text() const;
+  /// Nearest double.
+  [[nodiscard]] double to_double() const;
+  /// x - value, formed exactly and rounded once: the error of an approximation x.
+  [[nodiscard]] double error_of(double x) const;
+};
+
+/// BadInput naming "digits" unless 16 <= digits <= 1000.
+void check_digits(int digits);
+
+/// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
+/// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
+/// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked.
+Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at);
+
+}  // namespace nipref::ref

@@ -1,0 +1,30 @@
+#pragma once
+#include <gmpxx.h>
+
+#include <string_view>
+
+namespace nipref::ref {
+
+/// An argument known exactly, as a rational number: the decimal 0.1 and the double 0.1 are different
+/// arguments.
+class Exact {
+ public:
+  /// The value of a double, exactly. `name` is the argument's name for the error; BadInput unless finite.
+  explicit Exact(double value, std::string_view name = "argument");
+
+  /// Decimal ("0.73", "-1e-12") or hexadecimal ("0x1.8p-3") text, exactly.
+  /// BadInput for anything else, for nan and infinities, and for decimal or binary exponents beyond +-5000.
+  static Exact parse(std::string_view text, std::string_view name = "argument");
+
+  [[nodiscard]] const mpq_class& value() const { return value_; }
+  [[nodiscard]] int sign() const { return sgn(value_); }
+  [[nodiscard]] Exact magnitude() const;
+  /// Nearest double, for choosing the work only.
+  [[nodiscard]] double approximate() const { return value_.get_d(); }
+
+ private:
+  explicit Exact(mpq_class value) : value_(std::move(value)) {}
+  mpq_class value_;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,59 @@
+#include "ref/interval.hpp"
+
+#include <algorithm>
+
+namespace nipref::ref {
+namespace {
+
+template <auto function>
+Interval apply(const Interval& x) {
+  Interval result(x.precision());
+  function(result.get(), x.get());
+  return result;
+}
+
+template <auto function>
+Interval apply(const Interval& x, const Interval& y) {
+  Interval result(std::max(x.precision(), y.precision()));
+  function(result.get(), x.get(), y.get());
+  return result;
+}
+
+}  // namespace
+
+Interval Interval::widened(const Interval& radius) const {
+  Interval both(precision());
+  Real negative(radius.precision());
+  mpfr_neg(negative.get(), radius.upper(), MPFR_RNDD);
+  mpfi_interv_fr(both.get(), negative.get(), radius.upper());
+  return *this + both;
+}
+
+Interval operator-(const Interval& x) { return apply<mpfi_neg>(x); }
+Interval operator+(const Interval& x, const Interval& y) { return apply<mpfi_add>(x, y); }
+Interval operator-(const Interval& x, const Interval& y) { return apply<mpfi_sub>(x, y); }
+Interval operator*(const Interval& x, const Interval& y) { return apply<mpfi_mul>(x, y); }
+Interval operator/(const Interval& x, const Interval& y) { return apply<mpfi_div>(x, y); }
+Interval operator+(const Interval& x, long y) { return x + Interval(y, x.precision()); }
+Interval operator-(const Interval& x, long y) { return x - Interval(y, x.precision()); }
+Interval operator*(long x, const Interval& y) { return Interval(x, y.precision()) * y; }
+Interval operator/(const Interval& x, long y) { return x / Interval(y, x.precision()); }
+Interval operator/(long x, const Interval& y) { return Interval(x, y.precision()) / y; }
+Interval exp(const Interval& x) { return apply<mpfi_exp>(x); }
+Interval expm1(const Interval& x) { return apply<mpfi_expm1>(x); }
+Interval log1p(const Interval& x) { return apply<mpfi_log1p>(x); }
+Interval sqrt(const Interval& x) { return apply<mpfi_sqrt>(x); }
+Interval square(const Interval& x) { return apply<mpfi_sqr>(x); }
+Interval cosh(const Interval& x) { return apply<mpfi_cosh>(x); }
+Interval sinh(const Interval& x) { return apply<mpfi_sinh>(x); }
+Interval acos(const Interval& x) { return apply<mpfi_acos>(x); }
+
+Interval minimum(const Interval& x, const Interval& y) {
+  Real lower(std::max(x.precision(), y.precision()));
+  Real upper(lower.precision());
+  mpfr_min(lower.get(), x.lower(), y.lower(), MPFR_RNDD);
+  mpfr_min(upper.get(), x.upper(), y.upper(), MPFR_RNDU);
+  return {lower, upper, lower.precision()};
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,26 @@
+#pragma once
+#include "ref/exact.hpp"
+#include "ref/interval.hpp"
+
+namespace nipref::ref {
+
+/// The sheet kernels as intervals of half-width about e^{-nats} (odd kernels: min(1, |x|) e^{-nats}), so that
+/// displacements can be composed of them. Definitions: sheet_kernels.hpp. Arguments of either sign; alpha !=
+/// 0 for I1 and I6.
+Interval I1_interval(const Exact& alpha, double nats);
+Interval I2_interval(const Exact& alpha, double nats);
+Interval I3_interval(const Exact& alpha, double nats);
+Interval I4_interval(const Exact& eta, double nats);
+Interval I5_interval(const Exact& eta, double nats);
+Interval I6_interval(const Exact& alpha, const Exact& eta, double nats);
+Interval I7_interval(const Exact& eta, double nats);
+
+/// The part of I6 that depends on eta alone, without its linear growth:
+/// I6(alpha, eta) = I1(alpha) + I6_alpha transform - (pi/4)(|alpha| - |eta|) - I6_eta(eta), I6_eta the
+/// transform of 2 cosh z/(z S).
+Interval I6_eta_interval(const Exact& eta, double nats);
+
+/// Bits for quantities of size up to `size` that shall be good to e^{-nats}.
+mpfr_prec_t working_precision(double nats, double size);
+
+}  // namespace nipref::ref

@@ -1,0 +1,81 @@
+#include "ref/sheet_kernels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "data/bad_input.hpp"
+#include "ref/sheet_intervals.hpp"
+
+namespace nipref::ref {
+namespace {
+
+/// Im z_1, the slowest decay of a kernel, rounded up.
+constexpr double decay = 2.1062;
+constexpr long largest_argument = 10000;
+
+Enclosure exact_zero(int digits) {
+  check_digits(digits);
+  return {Real(64), Real(64), digits};
+}
+
+/// -ln of the smaller of 1 and |x|, from the exponents alone so that it cannot underflow.
+double nats_below_one(const mpq_class& x) {
+  if (sgn(x) == 0) return INFINITY;
+  const auto bits = [](const mpz_class& integer) {
+    return static_cast<double>(mpz_sizeinbase(integer.get_mpz_t(), 2));
+  };
+  return std::max(0.0, (bits(x.get_den()) - bits(x.get_num()) + 1) * 0.6931471805599453);
+}
+
+Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)(const Exact&, double)) {
+  check_argument(x, name);
+  if (x.sign() == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) { return interval(x, nats); });
+}
+
+}  // namespace
+
+void check_argument(const Exact& argument, const char* name) {
+  if (abs(argument.value()) > largest_argument) {
+    throw data::BadInput(name, argument.approximate(),
+                         "must satisfy |argument| <= 10000 on the reference path");
+  }
+}
+
+void check_nonzero_argument(const Exact& argument, const char* name) {
+  check_argument(argument, name);
+  if (argument.sign() == 0) throw data::BadInput(name, "0", "must be nonzero: the kernel is infinite there");
+}
+
+Enclosure I1(const Exact& alpha, int digits) {
+  check_nonzero_argument(alpha, "alpha");
+  const double first = decay * std::abs(alpha.approximate());
+  return enclose(digits, first, [&](double nats) { return I1_interval(alpha, nats); });
+}
+
+Enclosure I2(const Exact& alpha, int digits) {
+  if (alpha.sign() == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) { return I2_interval(alpha, nats); });
+}
+
+Enclosure I3(const Exact& alpha, int digits) { return odd(alpha, "alpha", digits, I3_interval); }
+Enclosure I4(const Exact& eta, int digits) { return odd(eta, "eta", digits, I4_interval); }
+Enclosure I5(const Exact& eta, int digits) { return odd(eta, "eta", digits, I5_interval); }
+
+Enclosure I6(const Exact& alpha, const Exact& eta, int digits) {
+  check_nonzero_argument(alpha, "alpha");
+  check_argument(eta, "eta");
+  const double a = std::abs(alpha.approximate());
+  const double e = std::abs(eta.approximate());
+  const double first =
+      std::min(decay * std::min(a, e), nats_below_one(abs(alpha.value()) - abs(eta.value())));
+  return enclose(digits, first, [&](double nats) { return I6_interval(alpha, eta, nats); });
+}
+
+Enclosure I7(const Exact& eta, int digits) {
+  check_argument(eta, "eta");
+  const double first = decay * std::abs(eta.approximate());
+  return enclose(digits, first, [&](double nats) { return I7_interval(eta, nats); });
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,41 @@
+#pragma once
+#include "ref/enclosure.hpp"
+#include "ref/exact.hpp"
+
+namespace nipref::ref {
+
+/// Fourier kernels of the elastic sheet (half thickness b, lengths in units of b) to any accuracy.
+///
+/// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 10^4; digits 16 to
+/// 1000. Every function promises an Enclosure: error_bound <= 10^-digits min(1, |truth|), near zeros of the
+/// kernel too. The bound is proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its
+/// rounding; closed forms are in interval arithmetic. Arguments and digits outside their domain throw
+/// data::BadInput.
+
+/// int_0^inf 2 sinh^2 x cos(alpha x)/(x S) dx; alpha != 0. (thesis 4.9, AI.1)
+Enclosure I1(const Exact& alpha, int digits);
+
+/// int_0^inf sin(alpha x)/x dx = (pi/2) sign(alpha), 0 at 0. (thesis 4.9, AI.10)
+Enclosure I2(const Exact& alpha, int digits);
+
+/// int_0^inf 2 sin(alpha x)/S dx. (thesis 4.9)
+Enclosure I3(const Exact& alpha, int digits);
+
+/// int_0^inf 2 sinh x sin(eta x)/(x S) dx. (thesis 4.9)
+Enclosure I4(const Exact& eta, int digits);
+
+/// int_0^inf 2 cosh x sin(eta x)/S dx. (thesis 4.9)
+Enclosure I5(const Exact& eta, int digits);
+
+/// int_0^inf 2 cosh x (cosh x cos(alpha x) - cos(eta x))/(x S) dx; alpha != 0. (thesis 4.20)
+Enclosure I6(const Exact& alpha, const Exact& eta, int digits);
+
+/// int_0^inf 2 sinh x cos(eta x)/S dx. (thesis 4.20)
+Enclosure I7(const Exact& eta, int digits);
+
+/// BadInput naming `name` unless |argument| <= 10^4.
+void check_argument(const Exact& argument, const char* name);
+/// The same, and BadInput at 0, where the kernel is infinite.
+void check_nonzero_argument(const Exact& argument, const char* name);
+
+}  // namespace nipref::ref

@@ -1,0 +1,49 @@
+#pragma once
+#include <string_view>
+
+namespace nipref::ref {
+
+/// The functions G(z) whose Fourier transforms give the sheet kernels; S(z) = sinh 2z + 2z.
+///
+/// All are real on the real axis, of one parity, and meromorphic with poles only where S = 0 (z = 0 for those
+/// marked, all others have |Im z| > 2.1) and, for `normal`, at the poles of tanh(3z/4) (|Im z| >= 2 pi/3
+/// > 2.09).
+///
+///     normal        [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf normal cos(a x)
+///     dx I3            2/S                             odd    simple pole at 0 I4            2 sinh z/(z S)
+///     odd    simple pole at 0 I5            2 cosh z/S                      odd    simple pole at 0 I7 2
+///     sinh z/S                      even I6_alpha      2/(z S)                         even   double pole at
+///     0 I6_eta        2 cosh z/(z S)                  even   double pole at 0
+///
+/// (thesis 4.9, 4.20; the tanh term removes the 1/z tail of I1's integrand, with
+/// int_0^inf tanh(c x) cos(a x)/x dx = ln coth(pi a/(4c)).)
+enum class Symbol { normal, I3, I4, I5, I7, I6_alpha, I6_eta };
+
+/// Horizontal lines Im z = s on which the transforms are summed.
+enum class Line { real_axis, one, seven_quarters };
+constexpr double height(Line line) { return line == Line::real_axis ? 0.0 : line == Line::one ? 1.0 : 1.75; }
+
+enum class Parity { even, odd };
+/// The value is the order of the pole.
+enum class OriginPole { none = 0, simple = 1, twofold = 2 };
+
+/// Constants that bound a symbol in the strip |Im z| <= 2, each proven on an interval mesh by
+/// tests/test_ref_symbols.cpp.
+struct SymbolBounds {
+  std::string_view name;
+  Parity parity;
+  OriginPole origin;
+  double decay;         ///< r: |G(x + i s)| = O(e^{-r x})
+  double amplitude[3];  ///< C for each Line: |G(x + i s)| <= C e^{-r x} for x >= 0; where the line meets a
+                        ///< pole of order k at 0, min(1, x)^k |G(x)| <= C e^{-r x} instead; 0 where the line
+                        ///< is not used
+  double origin_value;    ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
+                          ///< without pole
+  double integral;        ///< M >= int_R |G(x + 2i)| dx
+  double moment;          ///< M' >= int_R |z G(z)| |dz| along Im z = 2; odd symbols
+  double lower_integral;  ///< M >= int_R |G(x + i/4)| dx; symbols with a double pole at 0
+};
+
+const SymbolBounds& bounds(Symbol symbol);
+
+}  // namespace nipref::ref

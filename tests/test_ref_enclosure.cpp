@@ -1,0 +1,178 @@
+#include <doctest/doctest.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "ref/sheet_displacements.hpp"
+#include "ref/sheet_kernels.hpp"
+#include "ref/sheet_roots.hpp"
+
+using namespace nipref::ref;
+using nipref::data::BadInput;
+
+namespace {
+
+using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<160>>;
+
+Exact exact(const std::string& text) { return Exact::parse(text); }
+Float value(const Enclosure& e) { return Float(e.value_text()); }
+Float bound(const Enclosure& e) { return Float(e.bound_text()); }
+
+using Kernel = Enclosure (*)(const Exact&, int);
+const std::vector<Kernel> kernels{I1, I2, I3, I4, I5, I7};
+const std::vector<std::string> arguments{
+    "1e-300", "0x0.0000000000001p-1022", "1e-12", "-0.1", "0.73", "1.3015", "2.25", "7", "-31", "250"};
+
+/// The promise: the bound is at most 10^-digits min(1, |truth|), and it holds against a far better value.
+void check_promise(const Enclosure& coarse, const Enclosure& fine) {
+  const Float truth = value(fine);
+  const Float size = abs(truth) < 1 ? Float(abs(truth)) : Float(1);
+  CHECK(bound(coarse) <= size * pow(Float(10), -coarse.digits) * Float("1.000001"));
+  CHECK(abs(value(coarse) - truth) <= bound(coarse) + bound(fine));
+}
+
+}  // namespace
+
+TEST_CASE("bounds hold and are as small as asked, for every kernel and argument") {
+  for (const std::string& text : arguments) {
+    CAPTURE(text);
+    const Exact x = exact(text);
+    for (const Kernel kernel : kernels) {
+      const Enclosure fine = kernel(x, 90);
+      for (const int digits : {16, 25, 50}) check_promise(kernel(x, digits), fine);
+    }
+    for (const char* eta : {"0", "1e-9", "-0.73", "12"}) {
+      check_promise(I6(x, exact(eta), 30), I6(x, exact(eta), 80));
+    }
+  }
+}
+
+TEST_CASE("next to a zero of the kernel the digits are those of the value") {
+  // I1 changes sign between these; the closer end of each bracket is small.
+  Float left("1");
+  Float right("2");
+  const auto at = [](const Float& x) { return value(I1(exact(x.str(60)), 20)); };
+  REQUIRE(at(left) * at(right) < 0);
+  for (int halving = 0; halving < 90; ++halving) {
+    const Float middle = (left + right) / 2;
+    (at(middle) * at(left) > 0 ? left : right) = middle;
+  }
+  const Enclosure coarse = I1(exact(left.str(60)), 30);
+  REQUIRE(abs(value(coarse)) < Float("1e-25"));
+  check_promise(coarse, I1(exact(left.str(60)), 60));
+}
+
+TEST_CASE("I6 with alpha = eta is as small as its residues, and still good") {
+  for (const char* text : {"0.73", "15", "120"})
+    check_promise(I6(exact(text), exact(text), 30), I6(exact(text), exact(text), 70));
+}
+
+TEST_CASE("parity in both arguments") {
+  const Exact x = exact("1.37");
+  const Exact minus_x = exact("-1.37");
+  for (const Kernel even : {I1, I7}) CHECK(even(x, 30).value_text() == even(minus_x, 30).value_text());
+  for (const Kernel odd : {I2, I3, I4, I5})
+    CHECK("-" + odd(x, 30).value_text() == odd(minus_x, 30).value_text());
+  CHECK(I6(x, minus_x, 30).value_text() == I6(minus_x, x, 30).value_text());
+}
+
+TEST_CASE("I6 - I1 is a kernel without singularity: it agrees with its small-argument limit") {
+  // int 2 [cos(a x) - cosh x cos(e x)]/(x S) dx is even in a and analytic at 0, so it changes by O(a^2).
+  const Exact eta = exact("0.9");
+  const auto smooth = [&](const char* a) {
+    return Float(value(I6(exact(a), eta, 80)) - value(I1(exact(a), 80)));
+  };
+  const Float change = smooth("1e-20") - smooth("2e-20");
+  CHECK(abs(change) < Float("1e-39"));
+  CHECK(abs(smooth("1e-10") - smooth("2e-10") - change * Float("1e20")) < Float("1e-38"));
+}
+
+TEST_CASE("I1 behaves like -ln alpha - 0.3516753926187 at 0 (the constant is the notes')") {
+  const Float a("1e-20");
+  CHECK(abs(value(I1(exact("1e-20"), 40)) + log(a) + Float("0.3516753926187")) < Float("1e-13"));
+}
+
+TEST_CASE("the decimal and the double 0.1 are different arguments") {
+  CHECK(I1(exact("0.1"), 30).value_text() != I1(Exact(0.1), 30).value_text());
+  CHECK(I1(exact("0x1.999999999999ap-4"), 30).value_text() == I1(Exact(0.1), 30).value_text());
+}
+
+TEST_CASE("error_of is exact: the error of a correctly rounded double is below half a unit") {
+  const Enclosure pi_half = I2(exact("1"), 40);
+  const double rounded = pi_half.to_double();
+  CHECK(pi_half.error_of(rounded) == doctest::Approx(-6.123233995736766e-17).epsilon(1e-12));
+}
+
+TEST_CASE("displacements are what their kernels make of them") {
+  const Exact alpha = exact("0.61");
+  const Exact eta = exact("-1.9");
+  const Exact young = exact("145000");
+  const Exact poisson = exact("0.25");
+  const Float pi = boost::math::constants::pi<Float>();
+  const Float theta1 = Float(1.25) / 145000;
+  const Float theta2 = theta1 / 2;
+  const Float normal = theta1 + theta2;
+  const auto k = [](const Enclosure& e) { return value(e); };
+  const auto close = [](const Enclosure& e, const Float& x) {
+    CHECK(abs(value(e) - x) <= 2 * bound(e) + abs(x) * Float("1e-45"));
+  };
+  close(un(alpha, young, poisson, 40), normal / pi * k(I1(alpha, 50)));
+  close(us(alpha, young, poisson, 40), (theta2 * k(I2(alpha, 50)) - normal * k(I3(alpha, 50))) / pi);
+  close(vn(alpha, eta, young, poisson, 40), (normal * k(I3(alpha, 50)) - theta2 * k(I2(alpha, 50)) +
+                                             theta2 * k(I4(eta, 50)) - theta1 * k(I5(eta, 50))) /
+                                                pi);
+  close(vs(alpha, eta, young, poisson, 40), (normal * k(I6(alpha, eta, 50)) + theta1 * k(I7(eta, 50))) / pi);
+  close(F1(eta, poisson, 40), (theta2 * k(I4(eta, 50)) - theta1 * k(I5(eta, 50))) / (pi * normal));
+  // F2 is what vs/N leaves when the part in alpha is taken off: the same for every alpha, and known from one.
+  const Exact other = exact("2.2");
+  const Float alpha_part = value(vs(alpha, eta, young, poisson, 50)) / normal - k(F2(eta, poisson, 50));
+  const Float same_eta0 =
+      value(vs(alpha, exact("3"), young, poisson, 50)) / normal - k(F2(exact("3"), poisson, 50));
+  CHECK(abs(alpha_part - same_eta0) < Float("1e-42"));
+  CHECK(abs(alpha_part - (value(vs(other, eta, young, poisson, 50)) / normal - k(F2(eta, poisson, 50)))) >
+        Float("0.1"));
+}
+
+TEST_CASE("exact zeros are exact") {
+  for (const Kernel odd : {I2, I3, I4, I5}) {
+    CHECK(odd(exact("0"), 20).value_text() == "0");
+    CHECK(odd(exact("0"), 20).bound_text() == "0");
+  }
+  CHECK(us(exact("0"), exact("1"), exact("0.3"), 20).bound_text() == "0");
+  CHECK(us(exact("1e-3"), exact("1"), exact("0.5"), 20).to_double() < 0);
+}
+
+TEST_CASE("bad input is refused") {
+  CHECK_THROWS_WITH_AS(I1(exact("0"), 20), "alpha = 0: must be nonzero: the kernel is infinite there",
+                       BadInput);
+  CHECK_THROWS_AS(I6(exact("0"), exact("1"), 20), BadInput);
+  CHECK_THROWS_AS(I1(exact("10001"), 20), BadInput);
+  for (const int digits : {15, 1001, -3}) {
+    CHECK_THROWS_AS(I1(exact("1"), digits), BadInput);
+    CHECK_THROWS_AS(I3(exact("0"), digits), BadInput);
+    CHECK_THROWS_AS(I2(exact("0"), digits), BadInput);
+    CHECK_THROWS_AS(sheet_root(1, digits), BadInput);
+  }
+  CHECK_THROWS_AS(un(exact("1"), exact("0"), exact("0.3"), 20), BadInput);
+  CHECK_THROWS_AS(un(exact("1"), exact("-1"), exact("0.3"), 20), BadInput);
+  CHECK_THROWS_AS(F1(exact("1"), exact("-1"), 20), BadInput);
+  CHECK_THROWS_AS(F1(exact("1"), exact("0.51"), 20), BadInput);
+  CHECK_THROWS_AS(sheet_root(0, 20), BadInput);
+}
+
+TEST_CASE("exact numbers are read exactly or not at all") {
+  CHECK((exact("0.73").value() == mpq_class(73, 100)));
+  CHECK((exact("-1.5e-3").value() == mpq_class(-3, 2000)));
+  CHECK((exact("+.5").value() == mpq_class(1, 2)));
+  CHECK((exact("0x1.8p-3").value() == mpq_class(3, 16)));
+  CHECK((exact("0X.8").value() == mpq_class(1, 2)));
+  for (const char* text : {"", "abc", "nan", "inf", "-", ".", "1e", "1e+", "1.2.3", "1,5", "0x", "0xp1", "1 ",
+                           " 1", "1e5001", "1e99999999999", "0x1p", "1p3"}) {
+    CAPTURE(text);
+    CHECK_THROWS_AS(exact(text), BadInput);
+  }
+  CHECK_THROWS_AS(Exact(std::nan("")), BadInput);
+}
