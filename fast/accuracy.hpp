@@ -1,0 +1,34 @@
+#pragma once
+
+namespace nipref::fast {
+
+/// How much error a caller accepts: a relative tolerance, from which the library picks the work.
+///
+/// `Accuracy(rtol)` promises |error| <= rtol * scale, where scale = max(|value|, envelope), the envelope
+/// being the size the value would have away from its zeros (its leading residue without the cosine); for the
+/// odd kernels as the argument goes to 0 the scale is |value|. The default promises 2 units in the last place
+/// of the scale.
+class Accuracy {
+ public:
+  /// The best that can be asked for: 2 units in the last place, 2^-51.
+  static constexpr double kBest = 0x1p-51;
+
+  /// Full double accuracy.
+  constexpr Accuracy() = default;
+
+  /// rtol: dimensionless, 2^-51 <= rtol < 1. Anything else: BadInput that names rtol and the best reachable
+  /// value.
+  explicit Accuracy(double rtol);
+
+  /// The tolerance asked for.
+  [[nodiscard]] constexpr double rtol() const { return rtol_; }
+
+  /// Position in the ladder of internal::kTiers (sheet_tiers.hpp), 0 the cheapest.
+  [[nodiscard]] constexpr int tier() const { return tier_; }
+
+ private:
+  double rtol_ = kBest;
+  int tier_ = 4;
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,11 @@
+#pragma once
+#include <span>
+
+namespace nipref::fast {
+
+/// Where an audit should look first, in ascending order: every |alpha| or |eta| at which the code for the
+/// sheet kernels changes its regime or its piece, and the first cells of those of its tables that repeat
+/// themselves (the logarithm's in each octave, the exponential's and the phase's along the tail).
+std::span<const double> branch_points();
+
+}  // namespace nipref::fast

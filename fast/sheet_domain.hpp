@@ -1,0 +1,8 @@
+#pragma once
+
+namespace nipref::fast::internal {
+
+/// Where a kernel is defined.
+enum class Domain { finite, finite_nonzero };
+
+}  // namespace nipref::fast::internal

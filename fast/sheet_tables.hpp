@@ -1,0 +1,97 @@
+#pragma once
+
+// Layout of the numbers that generator/ writes at build time. Nothing here is meant for callers of the
+// library.
+
+#include "fast/sheet_tiers.hpp"
+
+namespace nipref::fast::internal {
+
+/// Functions of one argument x >= 0 from which every sheet kernel is put together. The first five are
+/// kernels; I6(a, e) = (pi/4)(e - a) + alpha_part_of_I6(a) - eta_part_of_I6(e).
+enum class Component { I1, I3, I4, I5, I7, eta_part_of_I6, alpha_part_of_I6 };
+inline constexpr int kComponentCount = 7;
+
+/// Behaviour at x = 0, which decides what is tabulated near there.
+enum class Shape { logarithmic, odd, even };
+
+constexpr Shape shape(Component component) {
+  switch (component) {
+    case Component::I1:
+    case Component::alpha_part_of_I6:
+      return Shape::logarithmic;
+    case Component::I3:
+    case Component::I4:
+    case Component::I5:
+      return Shape::odd;
+    case Component::I7:
+    case Component::eta_part_of_I6:
+      break;
+  }
+  return Shape::even;
+}
+
+/// The same for the sheet arithmetic, which may call no function that another translation unit also compiles.
+template <Component component>
+inline constexpr Shape kShape = shape(component);
+
+// Regimes of x. Below kNearEnd logarithmic components are -ln x + remainder; up to kPieceEnd there are local
+// polynomials; from there on the first residue alone is right to 0.1 ulp, the second being e^(-3.25 x)
+// < 1.2e-17 times smaller.
+inline constexpr double kNearEnd = 0.5;
+inline constexpr double kPieceEnd = 12;
+inline constexpr double kUnderflown = 400;  ///< e^(-2.1 x) < 2^-1215: the residue has long been 0
+
+// Pieces are centred on multiples of 1/64 below x = 1, where singularities at x = 0 and x = +-i are close,
+// and of 1/32 above. Row i is centred on i/64 for i <= 64, on (i - 32)/32 from there.
+inline constexpr double kFineEnd = 1;
+inline constexpr double kFinePieces = 64;
+inline constexpr double kCoarsePieces = 32;
+inline constexpr int kCoarseOffset = 32;
+inline constexpr int kRows = 417;
+
+inline constexpr int kLogCells = 128;
+inline constexpr int kExponentialCells = 32;
+inline constexpr int kPhaseCells = 64;
+
+/// The numbers of one component f. "low" words continue their "high" ones to about 106 bits.
+struct ComponentTable {
+  /// f(centre + t), or f(x)/x for odd f, = power[0] + constant_low + power[1] t + ... + power[7] t^7, for
+  /// each row. Power by power, and not row by row, because only then do compilers gather one power of several
+  /// rows at once.
+  double power[kPieceDegree + 1][kRows];
+  double constant_low[kRows];
+
+  // Logarithmic components, x = 2^k (1 + mantissa) < kNearEnd:
+  //   f = log_high[cell] + log_low[cell] - k ln 2 - ln(1 + r) + odd * x + x^2 even[tier](x^2).
+  double log_constant;         ///< value at x -> 0 of f + ln x
+  double log_high[kLogCells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
+                               ///< 2^-42
+  double log_low[kLogCells];
+  double odd;
+  double even[kTierCount][kEvenDegree];
+
+  // First residue: f = limit + 2^-k (exponential[j])(cosine[p] cos b - sine[p] sin b).
+  double limit_high;
+  double limit_low;
+  double exponential_high[kExponentialCells];  ///< amplitude * 2^(-j/32)
+  double exponential_low[kExponentialCells];
+  double cosine_high[kPhaseCells];  ///< cos(2 pi p/64 + phase of the residue)
+  double cosine_low[kPhaseCells];
+  double sine[kPhaseCells];
+};
+
+/// What all components share.
+struct CommonTable {
+  double log_reciprocal[kLogCells];                         ///< 1/centre of the cell, centre in [1, 2)
+  double mantissa_log[kTierCount][kMantissaLogDegree + 1];  ///< ln(3/2 + t) in powers of t
+  double decay_high;  ///< 32 Im z_1/ln 2: cells of the exponential for unit x
+  double decay_low;
+  double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x
+  double phase_low;
+};
+
+extern const ComponentTable kComponentTables[kComponentCount];
+extern const CommonTable kCommonTable;
+
+}  // namespace nipref::fast::internal
