@@ -1,0 +1,94 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "data/bad_input.hpp"
+#include "verify/bench.hpp"
+#include "verify/catalogue.hpp"
+#include "verify/peers_double.hpp"
+#include "verify/peers_multiprecision.hpp"
+#include "verify/render_bench.hpp"
+#include "verify/stopwatch.hpp"
+
+using namespace nipref;
+
+namespace {
+
+std::string ref_I1(const std::string& alpha, int digits) {
+  const std::array arguments{ref::Exact::parse(alpha, "alpha")};
+  return verify::find_quantity("I1").by_ref(arguments, digits).value_text();
+}
+
+}  // namespace
+
+TEST_CASE("the peers in double compute I1") {
+  for (const auto& make : {verify::make_plain_series_I1, verify::make_qawf_I1, verify::make_ooura_I1}) {
+    const auto peer = make();
+    for (const char* alpha : {"0.25", "0.73", "1"}) {
+      CAPTURE(alpha);
+      CHECK(peer(std::stod(alpha)) == doctest::Approx(std::stod(ref_I1(alpha, 20))).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("exp_sinh computes I1 to the digits asked for") {
+  for (const int digits : verify::peer_digits()) {
+    CAPTURE(digits);
+    CHECK(verify::decimal_distance(verify::exp_sinh_I1("0.73", digits), ref_I1("0.73", digits + 10)) <=
+          std::pow(10.0, 1 - digits));
+  }
+  CHECK_THROWS_AS(verify::exp_sinh_I1("0.73", 40), data::BadInput);
+}
+
+TEST_CASE("the distance of two decimal texts keeps what a double would lose") {
+  CHECK(verify::decimal_distance("0.3333333333333333333333333333331", "0.3333333333333333333333333333330") ==
+        doctest::Approx(1e-31));
+  CHECK(verify::decimal_distance("1e-3", "0.001") == 0);
+}
+
+TEST_CASE("the stopwatch never asks for more evaluations than there are, nor for fewer than the least") {
+  std::size_t largest = 0;
+  std::size_t smallest = 1000;
+  const verify::Contender contender{[&](std::size_t count) {
+                                      largest = std::max(largest, count);
+                                      smallest = std::min(smallest, count);
+                                    },
+                                    8, 100};
+  const auto timings = verify::time_interleaved({contender}, 3, 1e-4);
+  REQUIRE(timings.size() == 1);
+  CHECK(timings[0].count == 100);
+  CHECK(timings[0].seconds >= 0);
+  CHECK(largest == 100);
+  CHECK(smallest == 8);
+}
+
+TEST_CASE("a ratio is met only by a number") {
+  CHECK(verify::BenchRatio{"", 3, 3}.met());
+  CHECK_FALSE(verify::BenchRatio{"", 2.9, 3}.met());
+  CHECK_FALSE(verify::BenchRatio{"", std::nan(""), 3}.met());
+}
+
+TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
+  const auto report = verify::bench({&verify::find_quantity("I7")}, {});
+  REQUIRE(report.rows.size() == 2);
+  for (const verify::BenchRow& row : report.rows) {
+    CHECK(row.quantity == "I7");
+    CHECK(row.nanoseconds > 0);
+    CHECK(row.max_error_ulp > 0);
+    CHECK(row.max_error_ulp <= 2);
+  }
+  CHECK(report.ratios.empty());
+}
+
+TEST_CASE("the bench's JSON has the agreed shape") {
+  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1}},
+                                   {{"what", 2, 3}}};
+  const auto json = verify::bench_json(report);
+  REQUIRE(json["rows"].size() == 1);
+  const auto expected = nlohmann::ordered_json::parse(
+      R"({"quantity":"I1","arguments":"alpha in [1e-6,1e-3]","method":"fast full","ns":12.5,"max_error_ulp":0.5,"max_relative_error":1e-16})");
+  CHECK(json["rows"][0] == expected);
+}

@@ -1,0 +1,140 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "data/bad_input.hpp"
+#include "verify/arguments.hpp"
+#include "verify/catalogue.hpp"
+#include "verify/deviation.hpp"
+#include "verify/random.hpp"
+#include "verify/sampling.hpp"
+#include "verify/zeros.hpp"
+
+using namespace nipref;
+using verify::Point;
+using verify::Quantity;
+
+TEST_CASE("the catalogue holds every quantity of the elastic sheet") {
+  std::set<std::string> names;
+  for (const Quantity& quantity : verify::catalogue()) names.insert(quantity.name);
+  CHECK(names.size() == verify::catalogue().size());
+  CHECK(names == std::set<std::string>{"root.re", "root.im", "I1", "I2", "I3", "I4", "I5", "I6", "I7", "F1",
+                                       "F2", "un", "vn", "us", "vs"});
+}
+
+TEST_CASE("every entry of the catalogue is complete") {
+  for (const Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    CHECK_FALSE(quantity.definition.empty());
+    CHECK(quantity.definition.find('\n') == std::string::npos);
+    CHECK_FALSE(quantity.source.empty());
+    CHECK_FALSE(quantity.scale.empty());
+    CHECK(quantity.promise > 0);
+    CHECK(quantity.by_ref);
+    CHECK(quantity.by_fast);
+    CHECK(quantity.by_fast_loop);
+    CHECK(quantity.envelope);
+    REQUIRE_FALSE(quantity.arguments.empty());
+    for (const verify::Argument& argument : quantity.arguments) CHECK_FALSE(argument.hard_values.empty());
+  }
+}
+
+TEST_CASE("both paths agree within the promise at random points") {
+  for (const Quantity& quantity : verify::catalogue()) {
+    verify::Random random("test " + quantity.name);
+    for (const Point& point : verify::random_points(quantity, 40, random)) {
+      CAPTURE(quantity.name);
+      CAPTURE(point.front());
+      const double value = quantity.by_fast(point, {});
+      CHECK(verify::deviation(value, verify::ref_value(quantity, point, 21), quantity.envelope(point)).ulps <=
+            quantity.promise);
+    }
+  }
+}
+
+TEST_CASE("loop and batch give the scalar's values") {
+  for (const Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    verify::Random random("columns " + quantity.name);
+    const std::vector<Point> points = verify::random_points(quantity, 300, random);
+    std::vector<std::vector<double>> columns(quantity.arguments.size());
+    for (const Point& point : points) {
+      for (std::size_t i = 0; i < point.size(); ++i) columns[i].push_back(point[i]);
+    }
+    const std::vector<std::span<const double>> spans(columns.begin(), columns.end());
+    std::vector<double> looped(points.size());
+    quantity.by_fast_loop(spans, looped, {});
+    std::vector<double> batched = looped;
+    if (quantity.by_fast_batch) quantity.by_fast_batch(spans, batched, {});
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double scalar = quantity.by_fast(points[i], {});
+      const double scale = std::max(std::fabs(scalar), quantity.envelope(points[i]));
+      CHECK(looped[i] == scalar);
+      CHECK(std::fabs(batched[i] - scalar) <= 0x1p-51 * scale + 0x1p-1074);
+    }
+  }
+}
+
+TEST_CASE("samples stay in the domains") {
+  for (const Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    verify::Random random("domain " + quantity.name);
+    std::vector<Point> points = verify::random_points(quantity, 500, random);
+    for (const Point& start : verify::dense_points(quantity, 500, random)) {
+      points.push_back(start);
+      points.push_back(verify::perturbed(quantity, start, random));
+    }
+    for (const Point& point : points) {
+      REQUIRE(point.size() == quantity.arguments.size());
+      CHECK_FALSE(std::isnan(verify::fast_value(quantity, point, {})));
+    }
+  }
+}
+
+TEST_CASE("the zeros of I1 are where neighbouring doubles have values of different sign") {
+  const Quantity& quantity = verify::find_quantity("I1");
+  verify::Random random("zeros");
+  const std::vector<Point> points = verify::zero_points(quantity, 100'000, random);
+  // Half a period of the first residue term is pi/1.1254 = 2.79; the first zero lies beyond 1.
+  const auto within_middle = [](const Point& point) { return point[0] < 50; };
+  CHECK(std::ranges::count_if(points, within_middle) / 7 == 18);
+  for (std::size_t first = 0; first + 6 < points.size(); first += 7) {
+    const double before = quantity.by_fast(points[first], {});
+    const double after = quantity.by_fast(points[first + 6], {});
+    CHECK(std::signbit(before) != std::signbit(after));
+  }
+}
+
+TEST_CASE("random numbers are reproducible and of the range asked for") {
+  verify::Random first("seed");
+  verify::Random second("seed");
+  verify::Random other("another seed");
+  int equal = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double value = first.log_uniform(1e-3, 10);
+    CHECK(value == second.log_uniform(1e-3, 10));
+    equal += value == other.log_uniform(1e-3, 10) ? 1 : 0;
+    CHECK(value >= 1e-3 * (1 - 1e-15));
+    CHECK(value <= 10 * (1 + 1e-15));
+    CHECK(other.index(7) < 7);
+  }
+  CHECK(equal < 5);
+}
+
+TEST_CASE("arguments are matched by name") {
+  const Quantity& vs = verify::find_quantity("vs");
+  const auto parsed = verify::parse_arguments(vs, {{"poisson", "0.25"}, {"eta", "0x1p-1"}, {"alpha", "0.1"}});
+  CHECK(parsed.text == std::vector<std::string>{"0.1", "0x1p-1", "1", "0.25"});
+  CHECK(parsed.nearest(vs) == Point{0.1, 0.5, 1, 0.25});
+}
+
+TEST_CASE("arguments that do not fit a double are for ref only") {
+  const Quantity& I3 = verify::find_quantity("I3");
+  for (const char* text : {"1e400", "-1e400", "1e-400"}) {
+    CAPTURE(text);
+    const auto parsed = verify::parse_arguments(I3, {{"alpha", text}});
+    CHECK_THROWS_AS(parsed.nearest(I3), data::BadInput);
+  }
+}

@@ -1,0 +1,20 @@
+#pragma once
+#include "ref/enclosure.hpp"
+
+namespace nipref::verify {
+
+/// How far an approximation is from the truth. Every number is an upper bound: the reference's own error
+/// bound is added. All are infinite when the approximation is not a finite number.
+struct Deviation {
+  double ulps;      ///< |x - truth| in units in the last place of the scale
+  double relative;  ///< |x - truth| / |truth|; 0 when both are 0
+  double of_scale;  ///< |x - truth| / scale
+  double scale;     ///< max(|truth|, envelope), unit of the quantity
+};
+
+/// Deviation of the double `approximation` from `truth`, where `envelope` >= 0 is the size that the quantity
+/// would have away from its zeros (0: none). The difference is formed in MPFR, so that nothing is lost to
+/// cancellation or underflow.
+Deviation deviation(double approximation, const ref::Enclosure& truth, double envelope);
+
+}  // namespace nipref::verify

@@ -1,0 +1,22 @@
+#pragma once
+
+namespace nipref::verify {
+
+// Sizes of the sheet kernels away from their zeros, all functions of x = |argument| (dimensionless),
+// dimensionless. They are only the yardstick that errors are measured with: a few digits are enough, and
+// neither path is used.
+
+/// 2 pi |c| e^(-K x): the amplitude of the slowest residue term (thesis AI.5, AI.13, AI.14), K = Im z of the
+/// first root.
+double envelope_I1(double alpha);
+double envelope_I7(double eta);
+/// The same for the two parts of I6, which is r(alpha) - s(eta) + pi/4 (|eta| - |alpha|).
+double envelope_r(double alpha);
+double envelope_s(double eta);
+
+/// Least upper bounds that are easy to write: min(slope at 0 * x, largest value), thesis (AI.8), (AI.13).
+double magnitude_I3(double alpha);
+double magnitude_I4(double eta);
+double magnitude_I5(double eta);
+
+}  // namespace nipref::verify

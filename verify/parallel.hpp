@@ -1,0 +1,13 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+
+namespace nipref::verify {
+
+/// Calls work(i) once for each i in [0, count), from as many threads as the machine has cores, in no
+/// particular order; `progress` (may be empty) is called from the calling thread only. The first exception
+/// thrown by work ends the loop and is thrown again here.
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
+                  const std::function<void(std::size_t done)>& progress);
+
+}  // namespace nipref::verify

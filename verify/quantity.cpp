@@ -1,0 +1,40 @@
+#include "verify/quantity.hpp"
+
+#include <limits>
+
+#include "data/bad_input.hpp"
+
+namespace nipref::verify {
+
+std::string_view domain(ArgumentKind kind) {
+  switch (kind) {
+    case ArgumentKind::nonzero_position:
+      return "a finite nonzero number";
+    case ArgumentKind::position:
+      return "a finite number";
+    case ArgumentKind::young:
+      return "a finite number > 0";
+    case ArgumentKind::poisson:
+      return "a number > -1 and <= 0.5";
+    case ArgumentKind::index:
+      return "a whole number from 1 to 1000000";
+  }
+  return "";
+}
+
+double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {
+  try {
+    return quantity.by_fast(point, accuracy);
+  } catch (const data::BadInput&) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+}
+
+ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits) {
+  std::vector<ref::Exact> exact;
+  exact.reserve(point.size());
+  for (std::size_t i = 0; i < point.size(); ++i) exact.emplace_back(point[i], quantity.arguments[i].name);
+  return quantity.by_ref(exact, digits);
+}
+
+}  // namespace nipref::verify

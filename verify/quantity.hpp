@@ -1,0 +1,83 @@
+#pragma once
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fast/accuracy.hpp"
+#include "ref/enclosure.hpp"
+#include "ref/exact.hpp"
+
+namespace nipref::verify {
+
+/// Values of a quantity's arguments, in its order.
+using Point = std::vector<double>;
+
+/// What an argument is; its domain in words and the way it is sampled follow from this.
+enum class ArgumentKind {
+  nonzero_position,  ///< distance/half-thickness at which the kernel is infinite at 0
+  position,          ///< distance/half-thickness
+  young,             ///< Young's modulus, unit of stress
+  poisson,           ///< Poisson's ratio
+  index              ///< number of a root
+};
+
+struct Argument {
+  std::string name;
+  ArgumentKind kind;
+  std::optional<std::string> default_text;  ///< none: the argument must be given
+  std::vector<double>
+      hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
+};
+
+/// Domain of a kind of argument, in words that continue "must be ...".
+std::string_view domain(ArgumentKind kind);
+
+/// One way, not ours, to compute a quantity of one argument in double; timed beside fast.
+struct Peer {
+  std::string method;
+  /// Makes the evaluator; what may be reused between arguments is made here, once.
+  std::function<std::function<double(double)>()> make;
+};
+
+/// One way, not ours, to compute a quantity of one argument to a given number of digits.
+struct MultiprecisionPeer {
+  std::string method;
+  /// Decimal text of the value at a decimal argument; only the numbers of digits in bench's ladder are
+  /// available.
+  std::function<std::string(const std::string& argument, int digits)> evaluate;
+};
+
+/// An entry of the catalogue: everything that the verbs need to know about one quantity.
+struct Quantity {
+  std::string name;
+  std::string definition;  ///< one line
+  std::string source;      ///< seed and equation number
+  std::string scale;       ///< what errors are measured against, in words
+  std::vector<Argument> arguments;
+  double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
+
+  std::function<ref::Enclosure(std::span<const ref::Exact> arguments, int digits)> by_ref;
+  std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
+  /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
+  /// (empty where there is none).
+  using Columns = std::span<const std::span<const double>>;
+  std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_loop;
+  std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_batch;
+  /// The size that the value would have away from its zeros, unit of the quantity; 0 where it is the value
+  /// itself.
+  std::function<double(std::span<const double> arguments)> envelope;
+
+  std::vector<Peer> peers;
+  std::vector<MultiprecisionPeer> multiprecision_peers;
+};
+
+/// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.
+double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
+
+/// ref's value at exactly these doubles.
+ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits);
+
+}  // namespace nipref::verify

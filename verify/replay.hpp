@@ -1,0 +1,55 @@
+#pragma once
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "data/table.hpp"
+
+namespace nipref::verify {
+
+/// What is made of a cell of a seed's table.
+enum class Verdict {
+  input,       ///< serves the replay as its input; not counted
+  match,       ///< the rounding interval of the number read meets the replay's interval
+  misprint,    ///< it does once the table's own redundancy has corrected the printed text
+  seed_error,  ///< the seed's method or formula is wrong here, and how is known
+  unexplained  ///< no match, or nothing to compare
+};
+
+inline constexpr std::array<std::string_view, 5> verdict_names{"input", "match", "misprint", "seed-error",
+                                                               "unexplained"};
+std::string_view name(Verdict verdict);
+
+/// Result of the seed's own method for one cell.
+struct ReplayedCell {
+  std::size_t row;  ///< from 0
+  std::string column;
+  double value;          ///< at the inputs as printed, base units
+  data::Interval range;  ///< as the inputs range over their rounding intervals, base units
+  Verdict verdict;
+  std::string note;
+};
+
+struct Replay {
+  data::Table table;
+  std::string method;  ///< what was replayed, in words
+  std::vector<ReplayedCell> cells;
+
+  [[nodiscard]] std::size_t count(Verdict verdict) const;
+};
+
+/// The matching rule: `range` against the rounding interval of what is read in `cell`.
+Verdict judge(const data::TableCell& cell, const data::Interval& range);
+
+/// True if the cells L and L/B of a row have no length in common but at most the end of an interval: L is the
+/// replay's input, so nothing in such a row is explained by the seed's method alone.
+bool length_is_contradicted(const data::Table& table, std::size_t row);
+
+/// Ids of the tables that can be replayed.
+std::vector<std::string> replayable_tables();
+
+/// Replays one table. BadInput if there is no such table, or no replay for it.
+Replay replay_table(const std::string& id);
+
+}  // namespace nipref::verify

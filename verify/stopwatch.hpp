@@ -1,0 +1,29 @@
+#pragma once
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace nipref::verify {
+
+/// Wall-clock seconds that one call of `work` takes.
+double seconds_of(const std::function<void()>& work);
+
+/// Something to time: run(n) does the first n of `most` different evaluations.
+struct Contender {
+  std::function<void(std::size_t count)> run;
+  std::size_t least;  ///< a round has at least so many, however slow: fewer would not stand for the range
+  std::size_t most;
+};
+
+struct Timing {
+  double seconds;     ///< median over the rounds of the time of one evaluation
+  std::size_t count;  ///< different evaluations in a round
+};
+
+/// Times the contenders side by side: each round runs every one of them once, so that a change of the
+/// machine's speed meets all alike; the number of evaluations in a round follows from a first measurement,
+/// about `seconds_per_round`.
+std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, int rounds,
+                                     double seconds_per_round);
+
+}  // namespace nipref::verify

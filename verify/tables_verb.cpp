@@ -1,0 +1,52 @@
+#include "verify/tables_verb.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "verify/render_tables.hpp"
+
+namespace nipref::verify {
+namespace {
+
+int list_tables(const TablesRequest& request, std::ostream& out) {
+  std::vector<data::TableSummary> summaries;
+  if (request.ids.empty()) summaries = data::summarize_tables();
+  for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
+  if (request.json) {
+    fmt::print(out, "{}\n", table_list_json(summaries).dump(2));
+  } else {
+    fmt::print(out, "{}", table_list_text(summaries));
+  }
+  return 0;
+}
+
+/// Unexplained though nothing in its own row speaks against the printed number.
+bool falls_short(const Replay& replay, const ReplayedCell& cell) {
+  return cell.verdict == Verdict::unexplained && !replay.table.cell(cell.row, cell.column).is_doubtful() &&
+         !length_is_contradicted(replay.table, cell.row);
+}
+
+}  // namespace
+
+int tables_verb(const TablesRequest& request, std::ostream& out) {
+  if (request.list) return list_tables(request, out);
+  std::vector<Replay> replays;
+  for (const std::string& id : request.ids.empty() ? replayable_tables() : request.ids) {
+    replays.push_back(replay_table(id));
+  }
+  if (request.json) {
+    fmt::print(out, "{}\n", tables_json(replays).dump(2));
+  } else {
+    fmt::print(out, "{}", tables_text(replays, request.compact));
+  }
+  const bool short_fall = std::ranges::any_of(replays, [](const Replay& replay) {
+    return std::ranges::any_of(replay.cells,
+                               [&](const ReplayedCell& cell) { return falls_short(replay, cell); });
+  });
+  return short_fall ? 1 : 0;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,36 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <nlohmann/json.hpp>
+
+#include "verify/catalogue.hpp"
+#include "verify/progress.hpp"
+#include "verify/render_bench.hpp"
+#include "verify/verbs.hpp"
+
+namespace nipref::verify {
+namespace {
+
+constexpr auto notes =
+    "\nMedians of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref. max "
+    "ulp, max rel: largest error\n"
+    "against ref, in units in the last place of the scale (at N digits: 10^-N of the scale) and relative to "
+    "the value.\n"
+    "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";
+
+}  // namespace
+
+int bench_verb(const CommandLine& line, std::ostream& out) {
+  const auto quantities = select_quantities(line.words);
+  Progress progress;
+  const BenchReport report =
+      bench(quantities, [&](const std::string& what) { progress.show("bench " + what); });
+  if (line.json) {
+    fmt::print(out, "{}\n", bench_json(report).dump(2));
+  } else {
+    fmt::print(out, "{}{}{}", bench_text(report.rows), notes, ratios_text(report.ratios));
+  }
+  return 0;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "verify/audit_all.hpp"
+#include "verify/catalogue.hpp"
+#include "verify/machine.hpp"
+#include "verify/progress.hpp"
+#include "verify/render_audit.hpp"
+#include "verify/render_bench.hpp"
+#include "verify/tables_verb.hpp"
+#include "verify/verb_options.hpp"
+#include "verify/verbs.hpp"
+
+namespace nipref::verify {
+namespace {
+
+struct Tables {
+  int status;
+  std::string text;  ///< JSON if that was asked for
+};
+
+Tables run_tables(bool json) {
+  std::ostringstream out;
+  const int status = tables_verb({.ids = {}, .list = false, .json = json, .compact = true}, out);
+  return {status, out.str()};
+}
+
+BenchReport run_bench() {
+  Progress progress;
+  return bench(select_quantities({}), [&](const std::string& what) { progress.show("bench " + what); });
+}
+
+/// On each quantity's first range only, which is the one that the promised ratios are about, and all rows in
+/// many digits.
+std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
+  std::vector<BenchRow> essential;
+  std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
+    return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
+           row.method.find("digits") != std::string::npos;
+  });
+  return essential;
+}
+
+void print_text(const BenchReport& speed, const std::vector<AuditResult>& audits, const Tables& tables,
+                std::ostream& out) {
+  fmt::print(out, "nipref report\n\nbuilt with {}\nrun on {}\n", build_description(), machine_description());
+  fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}", audit_text(audits, {}));
+  fmt::print(out, "\nSpeed against error (all ranges: nipref bench)\n\n{}\n{}",
+             bench_text(essential_rows(speed.rows)), ratios_text(speed.ratios));
+  fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables.text);
+}
+
+void print_json(const BenchReport& speed, const std::vector<AuditResult>& audits, const Tables& tables,
+                std::ostream& out) {
+  const nlohmann::ordered_json json{{"build", build_description()},
+                                    {"machine", machine_description()},
+                                    {"audit", audit_json(audits)},
+                                    {"bench", bench_json(speed)},
+                                    {"tables", nlohmann::ordered_json::parse(tables.text)}};
+  fmt::print(out, "{}\n", json.dump(2));
+}
+
+}  // namespace
+
+int report_verb(const CommandLine& line, std::ostream& out) {
+  const AuditOptions options{points_option(line, AuditOptions{}.points), {}, {}};
+  const BenchReport speed =
+      run_bench();  // before the audit, which would build ref's nodes: their cost is measured
+  const std::vector<AuditResult> audits = audit_all(select_quantities({}), options);
+  const Tables tables = run_tables(line.json);
+  (line.json ? print_json : print_text)(speed, audits, tables, out);
+  return std::max(all_kept(audits) ? 0 : 1, tables.status);
+}
+
+}  // namespace nipref::verify
