@@ -1,9 +1,13 @@
 #include "ref/nodes.hpp"
 
+#include <gmpxx.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "ref/complex.hpp"
+#include "ref/real.hpp"
 
 namespace nipref::ref {
 namespace {
@@ -23,12 +27,12 @@ long clenshaw_magnitude(const NodeKey& key, long j) {
   return static_cast<long>(std::ceil(log2_bound)) + 1;
 }
 
-/// Smallest N whose remainder C' h q^{N+1}/(1-q) is at most 2^-A.
+/// Smallest N whose remainder C' h q^{N+1}/(1-q) is at most truncation_units.
 long last_node(const NodeKey& key) {
   const double decay = bounds(key.symbol).decay;
-  const double nats = static_cast<double>(key.absolute_bits) * ln2 +
+  const double nats = static_cast<double>(key.fraction_bits) * ln2 - std::log(truncation_units) +
                       std::log(effective_amplitude(key) * key.step / one_minus_ratio(key));
-  return static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))) + 1;
+  return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
 /// Evaluates h G(z) along a line, from powers of e^{-z} that are stepped by one real factor a node.
@@ -176,28 +180,39 @@ void set_origin(Real& value, const NodeKey& key) {
   mpfr_sub(value.get(), value.get(), residue.get(), MPFR_RNDN);
 }
 
+/// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
+void append(std::vector<mp_limb_t>& limbs, std::size_t count, mpfr_srcptr value, const NodeKey& key) {
+  Real scaled(mpfr_get_prec(value));
+  mpfr_mul_2si(scaled.get(), value, key.fraction_bits, MPFR_RNDN);
+  mpz_class integer;
+  mpfr_get_z(integer.get_mpz_t(), scaled.get(), MPFR_RNDN);
+  const std::size_t size = mpz_size(integer.get_mpz_t());
+  if (size > count) throw std::logic_error("a node exceeds its proven bound");
+  const std::size_t start = limbs.size();
+  limbs.resize(start + count, 0);
+  std::copy_n(mpz_limbs_read(integer.get_mpz_t()), size, &limbs[start]);
+  if (sgn(integer) < 0) mpn_neg(&limbs[start], &limbs[start], static_cast<mp_size_t>(count));
+}
+
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const bool shifted = key.line != Line::real_axis;
   const long magnitude = clenshaw_magnitude(key, first);
-  const mpfr_prec_t wanted = std::max<mpfr_prec_t>(key.absolute_bits + magnitude + 2, 64);
-  const mpfr_prec_t precision = (wanted + 63) / 64 * 64;
-  NodeBlock block{first, precision, magnitude, {}, {}};
-  block.real.reserve(static_cast<std::size_t>(end - first));
-  SymbolLine line(key, precision + guard_bits(key));
+  const long bits = std::max(1L, key.fraction_bits + magnitude + 2);  // one for the sign, one to spare
+  NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}, {}};
+  const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
+  SymbolLine line(key, precision);
+  Real real(precision);
   for (long j = first; j < end; ++j) {
     j == first ? line.start(j) : line.advance(j);
-    Real real(precision);
-    Real imag(precision);
     if (j == 0 && !shifted) {
       set_origin(real, key);
-    } else {
-      const mpc_srcptr value = line.value();
-      mpfr_set(real.get(), mpc_realref(value), MPFR_RNDN);
-      mpfr_set(imag.get(), mpc_imagref(value), MPFR_RNDN);
-      if (j == 0) mpfr_div_2ui(real.get(), real.get(), 1, MPFR_RNDN);
+      append(block.real, block.limbs, real.get(), key);
+      continue;
     }
-    block.real.push_back(std::move(real));
-    if (shifted) block.imag.push_back(std::move(imag));
+    const mpc_srcptr value = line.value();
+    mpfr_div_2ui(real.get(), mpc_realref(value), j == 0 ? 1 : 0, MPFR_RNDN);
+    append(block.real, block.limbs, real.get(), key);
+    if (shifted) append(block.imag, block.limbs, mpc_imagref(value), key);
   }
   return block;
 }

@@ -33,9 +33,9 @@ double round_step(double limit) {
   return std::ldexp(std::floor(fraction * 8), exponent - 3);
 }
 
-/// A rounded up to a multiple of 32, or of about an eighth of itself.
+/// F rounded up to a multiple of 16, or of about an eighth of itself.
 long round_bits(double bits) {
-  const double grain = bits <= 256 ? 32 : 32 * std::exp2(std::floor(std::log2(bits / 256)));
+  const double grain = bits <= 256 ? 16 : 32 * std::exp2(std::floor(std::log2(bits / 256)));
   return static_cast<long>(std::ceil(bits / grain) * grain);
 }
 
@@ -63,7 +63,7 @@ Plan make_plan(Symbol symbol, Line line, double x, double nats) {
   const double summed_nats = std::max(nats - x * s, 1.0);
   const double count = (summed_nats + 40) / (constants.decay * step);
   const double growth = constants.parity == Parity::odd ? std::max(1.0, step * count) : 1.0;
-  const long bits = round_bits(summed_nats / ln2 + std::log2(32 * count * growth));
+  const long bits = round_bits(summed_nats / ln2 + std::log2(128 * count * growth));
   const double sums = line == Line::real_axis ? 1 : 2;
   return {{symbol, line, step, bits}, sums * count * std::pow(static_cast<double>(bits) + 100, 1.5)};
 }
@@ -101,8 +101,8 @@ Interval even_error(const SymbolBounds& symbol, const Nodes& nodes, const Interv
                              image(lower.integral, x, lower.height, s - lower.height, key.step)) /
                             2;
   const long recurrences = key.line == Line::real_axis ? 1 : 2;
-  const Interval sum = Interval(1 + 2 * recurrences * (nodes.last + 3), bound_precision);
-  return aliasing + exp(-(x * number(s))) * sum * power_of_two(-key.absolute_bits);
+  const Interval sum(truncation_units + rounding_units * recurrences * (nodes.last + 3), bound_precision);
+  return aliasing + exp(-(x * number(s))) * sum * power_of_two(-key.fraction_bits);
 }
 
 Interval odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Interval& x) {
@@ -113,9 +113,9 @@ Interval odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Interva
   const Interval count(nodes.last + 3, bound_precision);
   const Interval theta = x * number(key.step);
   const Interval one_minus_ratio = -expm1(number(-symbol.decay) * number(key.step));
-  const Interval truncation = minimum(number(1), theta * count / one_minus_ratio);
-  const Interval rounding = 2 * minimum(count, theta * square(count));
-  return aliasing + (truncation + rounding) * power_of_two(-key.absolute_bits);
+  const Interval truncation = truncation_units * minimum(number(1), theta * count / one_minus_ratio);
+  const Interval rounding = rounding_units * minimum(count, theta * square(count));
+  return aliasing + (truncation + rounding) * power_of_two(-key.fraction_bits);
 }
 
 /// What the sum over j = 0 .. last has to be completed with: the shifted line's factor, and on the real axis

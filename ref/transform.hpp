@@ -21,7 +21,7 @@ namespace nipref::ref {
 ///                 or 1/4 on a line above a twofold pole; M, M_b the integrals of |G| along the edges,
 ///                 SymbolBounds) odd, s = 0: min(M, x M') cosh(2x)/(e^{4 pi/h} - 1), as |sin w| <= min(1,
 ///                 |w|) cosh(Im w)
-///     truncation  e^{-x s} 2^-A (times min(1, theta (N+1)/(1-q)) for odd symbols), see Nodes
+///     truncation  e^{-x s} 2^8 units of 2^-F (times min(1, theta (N+1)/(1-q)) for odd symbols), see Nodes
 ///     rounding    see wave_sum and sine_sum
 ///
 /// On the real axis a pole at 0 adds to the sum what depends on x there: h x/4 for a simple one (half of h

@@ -17,7 +17,7 @@ namespace {
 constexpr int ref_digits = 21;  // 1e-21 is 1e-5 of an ulp
 constexpr std::size_t starts_of_search = 8;
 // Shares of the points asked for.
-constexpr double share_of_hard = 0.5;  // at most; the catalogue has some 5000 for each position
+constexpr double share_of_hard = 0.5;  // at most
 constexpr double share_of_zeros = 0.1;
 constexpr double share_of_dense = 0.15;
 constexpr double share_of_search = 0.1;
