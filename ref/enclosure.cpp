@@ -44,17 +44,19 @@ Enclosure centre_and_radius(const Interval& interval, int digits) {
   return result;
 }
 
+double log2_magnitude(mpfr_srcptr x) {
+  long exponent = 0;
+  const double fraction = mpfr_get_d_2exp(&exponent, x, MPFR_RNDN);
+  return std::log2(std::abs(fraction)) + static_cast<double>(exponent);
+}
+
 /// ln of how much the bound exceeds 10^-(digits+2) min(1, |value|); infinite where 0 is not excluded.
 double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(result.error_bound.get())) return -1;
-  Real size(bound_precision);
-  mpfr_abs(size.get(), result.value.get(), MPFR_RNDD);
-  mpfr_sub(size.get(), size.get(), result.error_bound.get(), MPFR_RNDD);
-  if (mpfr_sgn(size.get()) <= 0) return INFINITY;
-  if (mpfr_cmp_ui(size.get(), 1) > 0) mpfr_set_ui(size.get(), 1, MPFR_RNDD);
-  mpfr_div(size.get(), result.error_bound.get(), size.get(), MPFR_RNDU);
-  mpfr_log(size.get(), size.get(), MPFR_RNDU);
-  return mpfr_get_d(size.get(), MPFR_RNDU) + (result.digits + 2) * std::numbers::ln10;
+  if (mpfr_cmpabs(result.value.get(), result.error_bound.get()) <= 0) return INFINITY;
+  const double size = std::min(0.0, log2_magnitude(result.value.get()));
+  return (log2_magnitude(result.error_bound.get()) - size) * std::numbers::ln2 +
+         (result.digits + 2) * std::numbers::ln10;
 }
 
 }  // namespace

@@ -101,4 +101,13 @@ Exact Exact::parse(std::string_view text, std::string_view name) {
 
 Exact Exact::magnitude() const { return Exact(mpq_class(abs(value_))); }
 
+double Exact::log2_magnitude() const {
+  if (sign() == 0) return -INFINITY;
+  long numerator_exponent = 0;
+  long denominator_exponent = 0;
+  const double numerator = mpz_get_d_2exp(&numerator_exponent, value_.get_num_mpz_t());
+  const double denominator = mpz_get_d_2exp(&denominator_exponent, value_.get_den_mpz_t());
+  return std::log2(std::abs(numerator) / denominator) + static_cast<double>(numerator_exponent - denominator_exponent);
+}
+
 }  // namespace nipref::ref

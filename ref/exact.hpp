@@ -19,6 +19,8 @@ class Exact {
   [[nodiscard]] const mpq_class& value() const { return value_; }
   [[nodiscard]] int sign() const { return sgn(value_); }
   [[nodiscard]] Exact magnitude() const;
+  /// log2 of the magnitude, to 1e-12; -infinity for 0. Good where the double under- or overflows.
+  [[nodiscard]] double log2_magnitude() const;
   /// Nearest double, for choosing the work only.
   [[nodiscard]] double approximate() const { return value_.get_d(); }
 

@@ -48,12 +48,4 @@ Interval cosh(const Interval& x) { return apply<mpfi_cosh>(x); }
 Interval sinh(const Interval& x) { return apply<mpfi_sinh>(x); }
 Interval acos(const Interval& x) { return apply<mpfi_acos>(x); }
 
-Interval minimum(const Interval& x, const Interval& y) {
-  Real lower(std::max(x.precision(), y.precision()));
-  Real upper(lower.precision());
-  mpfr_min(lower.get(), x.lower(), y.lower(), MPFR_RNDD);
-  mpfr_min(upper.get(), x.upper(), y.upper(), MPFR_RNDU);
-  return {lower, upper, lower.precision()};
-}
-
 }  // namespace nipref::ref

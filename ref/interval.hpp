@@ -71,6 +71,5 @@ Interval square(const Interval& x);
 Interval cosh(const Interval& x);
 Interval sinh(const Interval& x);
 Interval acos(const Interval& x);
-Interval minimum(const Interval& x, const Interval& y);
 
 }  // namespace nipref::ref

@@ -197,7 +197,7 @@ void append(std::vector<mp_limb_t>& limbs, std::size_t count, mpfr_srcptr value,
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const bool shifted = key.line != Line::real_axis;
   const long magnitude = clenshaw_magnitude(key, first);
-  const long bits = std::max(1L, key.fraction_bits + magnitude + 2);  // one for the sign, one to spare
+  const long bits = std::max(1L, key.fraction_bits + magnitude + 4);  // b_j is held fourfold, with a sign and a bit to spare
   NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
   SymbolLine line(key, precision);
@@ -218,6 +218,15 @@ NodeBlock make_block(const NodeKey& key, long first, long end) {
 }
 
 }  // namespace
+
+mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs) {
+  std::vector<mp_limb_t> magnitude(x, x + limbs);
+  const bool negative = (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0;
+  if (negative) mpn_neg(magnitude.data(), magnitude.data(), static_cast<mp_size_t>(limbs));
+  mpz_class result;
+  mpz_import(result.get_mpz_t(), limbs, -1, sizeof(mp_limb_t), 0, 0, magnitude.data());
+  return negative ? mpz_class(-result) : result;
+}
 
 double effective_amplitude(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);

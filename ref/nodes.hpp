@@ -1,5 +1,5 @@
 #pragma once
-#include <gmp.h>
+#include <gmpxx.h>
 
 #include <memory>
 #include <vector>
@@ -42,6 +42,9 @@ struct Nodes {
 
 /// Units that the nodes left out may amount to, see Nodes. Sums over some hundred nodes have rounding errors of that size.
 constexpr long truncation_units = 256;
+
+/// The integer that `limbs` limbs of two's complement stand for.
+mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 
 /// C' with |G(j h + i s)| <= C' e^{-r j h} for j >= 1 (j >= 0 off the real axis): SymbolBounds::amplitude,
 /// divided by h^k where the symbol has a pole of order k on the line (h <= 1).

@@ -14,7 +14,7 @@ constexpr int slack_bits = 24;
 /// ln coth(pi a/3) = ln(1 + 2/(e^{2 pi a/3} - 1)), relatively accurate for every a > 0.
 Interval log_coth(const Exact& a, double nats) {
   const double relative_nats = std::max(0.0, nats - 2 * a.approximate());
-  const mpfr_prec_t precision = working_precision(relative_nats, 1000);
+  const mpfr_prec_t precision = working_precision(relative_nats, 1 << 14);
   const Interval exponent = 2 * Interval::pi(precision) * Interval(a, precision) / 3;
   return log1p(2 / expm1(exponent));
 }

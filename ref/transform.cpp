@@ -79,43 +79,48 @@ Plan best_plan(Symbol symbol, double x, double nats) {
   return *best;
 }
 
-Interval number(double value) { return {value, bound_precision}; }
+// The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding changes their log2 by less than
+// 1e-9; `slack` covers that, and sums are bounded by their largest term.
+constexpr double slack = 1e-6;
 
-/// M e^{-x y}/(e^{2 pi d/h} - 1).
-Interval image(double integral, const Interval& x, double edge, double distance, double step) {
-  const Interval periods = 2 * Interval::pi(bound_precision) * number(distance) / number(step);
-  return number(integral) * exp(-(x * number(edge))) / expm1(periods);
+/// log2 of e^{-y x}/(e^{2 pi d/h} - 1) for 2 pi d/h >= 1/2, where the denominator is at least e^{2 pi d/h}/4.
+double log2_image(double x, double edge, double distance, double step) {
+  return (-edge * x - 2 * std::numbers::pi * distance / step) / ln2 + 2;
 }
 
-Interval power_of_two(long exponent) {
-  Interval result(1L, bound_precision);
-  mpfi_mul_2si(result.get(), result.get(), exponent);
-  return result;
-}
-
-Interval even_error(const SymbolBounds& symbol, const Nodes& nodes, const Interval& x) {
+double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x) {
   const NodeKey& key = nodes.key;
   const double s = height(key.line);
   const LowerEdge lower = lower_edge(symbol, s);
-  const Interval aliasing = (image(symbol.integral, x, top, top - s, key.step) +
-                             image(lower.integral, x, lower.height, s - lower.height, key.step)) /
-                            2;
+  const double above = std::log2(symbol.integral / 2) + log2_image(x, top, top - s, key.step);
+  const double below = std::log2(lower.integral / 2) + log2_image(x, lower.height, s - lower.height, key.step);
   const long recurrences = key.line == Line::real_axis ? 1 : 2;
-  const Interval sum(truncation_units + rounding_units * recurrences * (nodes.last + 3), bound_precision);
-  return aliasing + exp(-(x * number(s))) * sum * power_of_two(-key.fraction_bits);
+  const long units = truncation_units + rounding_units * recurrences * (nodes.last + 3);
+  const double sum = std::log2(static_cast<double>(units)) - static_cast<double>(key.fraction_bits) - s * x / ln2;
+  return std::max({above, below, sum}) + std::log2(3.0) + slack;
 }
 
-Interval odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Interval& x) {
+double log2_odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Exact& exact_x) {
   const NodeKey& key = nodes.key;
-  const Interval periods = 4 * Interval::pi(bound_precision) / number(key.step);
-  const Interval aliasing =
-      minimum(number(symbol.integral), number(symbol.moment) * x) * cosh(number(top) * x) / expm1(periods);
-  const Interval count(nodes.last + 3, bound_precision);
-  const Interval theta = x * number(key.step);
-  const Interval one_minus_ratio = -expm1(number(-symbol.decay) * number(key.step));
-  const Interval truncation = truncation_units * minimum(number(1), theta * count / one_minus_ratio);
-  const Interval rounding = rounding_units * minimum(count, theta * square(count));
-  return aliasing + (truncation + rounding) * power_of_two(-key.fraction_bits);
+  const double x = exact_x.approximate();
+  const double log2_x = exact_x.log2_magnitude();
+  const double aliasing = std::min(std::log2(symbol.integral), std::log2(symbol.moment) + log2_x) +
+                          log2_image(x, -top, top, key.step);
+  const double log2_count = std::log2(static_cast<double>(nodes.last + 3));
+  const double log2_theta = log2_x + std::log2(key.step);
+  const double one_minus_ratio = -std::expm1(-symbol.decay * key.step);
+  const double truncation =
+      std::log2(truncation_units) + std::min(0.0, log2_theta + log2_count - std::log2(one_minus_ratio));
+  const double rounding = std::log2(rounding_units) + std::min(log2_count, log2_theta + 2 * log2_count);
+  const double sum = std::max(truncation, rounding) + 1 - static_cast<double>(key.fraction_bits);
+  return std::max(aliasing, sum) + 1 + slack;
+}
+
+/// 2^x rounded up to an integer exponent.
+Interval power_of_two(double exponent) {
+  Interval result(1L, bound_precision);
+  mpfi_mul_2si(result.get(), result.get(), static_cast<long>(std::ceil(exponent)));
+  return result;
 }
 
 /// What the sum over j = 0 .. last has to be completed with: the shifted line's factor, and on the real axis
@@ -147,8 +152,7 @@ Interval transform(Symbol symbol, const Exact& x, double nats) {
   const Real sum = odd ? sine_sum(*set, angle) : wave_sum(*set, angle);
   Interval value(sum, sum, sum.precision());
   value = with_origin_terms(value, constants, plan.key, Interval(x, sum.precision()));
-  const Interval wide_x(x, bound_precision);
-  return value.widened(odd ? odd_error(constants, *set, wide_x) : even_error(constants, *set, wide_x));
+  return value.widened(power_of_two(odd ? log2_odd_error(constants, *set, x) : log2_even_error(constants, *set, size)));
 }
 
 }  // namespace nipref::ref

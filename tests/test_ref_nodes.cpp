@@ -12,13 +12,7 @@ namespace {
 
 /// The k-th node of a block, units of 2^-F.
 mpz_class node(const std::vector<mp_limb_t>& part, std::size_t limbs, std::size_t k) {
-  std::vector<mp_limb_t> magnitude(part.begin() + static_cast<std::ptrdiff_t>(k * limbs),
-                                   part.begin() + static_cast<std::ptrdiff_t>((k + 1) * limbs));
-  const bool negative = (magnitude.back() >> (GMP_NUMB_BITS - 1)) != 0;
-  if (negative) mpn_neg(magnitude.data(), magnitude.data(), static_cast<mp_size_t>(limbs));
-  mpz_class result;
-  mpz_import(result.get_mpz_t(), limbs, -1, sizeof(mp_limb_t), 0, 0, magnitude.data());
-  return negative ? mpz_class(-result) : result;
+  return signed_integer(&part[k * limbs], limbs);
 }
 
 /// Largest difference between nodes of `coarse` and of `fine`, units of `coarse`.
