@@ -10,7 +10,8 @@ namespace nipref::fast {
 /// equal elements, each element's force acts at its centre, and the sheet follows the cylinder at the ends of
 /// the contact and midway between the loads. (thesis 5.1-5.4, 5.11-5.13)
 ///
-/// The scheme's own error falls like 1/m only: this is what the thesis computed, not the converged contact.
+/// The scheme's own error falls like ln(m)/m only (contact length at a given load): this is what the thesis
+/// computed, not the converged contact.
 struct LineLoadSolution {
   double contact_length;           ///< L, unit of length
   double indentation;              ///< d0, approach of cylinder and centre line, unit of length

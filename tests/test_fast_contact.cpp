@@ -1,0 +1,144 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "fast/contact_line_loads.hpp"
+#include "fast/sheet_kernels.hpp"
+
+using namespace nipref;
+using fast::LineLoadSolution;
+
+namespace {
+
+const data::ElasticNip nip{6.0, 1.0, {1.45e5, 1.0 / 3}};
+
+/// Position of line load k = 0 .. 2m-1 and its force, both sides, in the thesis's numbering.
+struct Load {
+  double position;
+  double force;
+};
+std::vector<Load> all_loads(const LineLoadSolution& solution) {
+  const auto m = static_cast<int>(solution.line_loads.size());
+  const double half_element = solution.contact_length / (4 * m);
+  std::vector<Load> loads;
+  for (int k = -m; k < m; ++k) {
+    loads.push_back(
+        {(2 * k + 1) * half_element, solution.line_loads[static_cast<std::size_t>(k < 0 ? -k - 1 : k)]});
+  }
+  return loads;
+}
+
+double normal_displacement(const data::ElasticNip& where, const LineLoadSolution& solution, double y) {
+  double sum = 0;
+  for (const Load& load : all_loads(solution)) {
+    sum += load.force * fast::un((y - load.position) / where.half_thickness(), where.material);
+  }
+  return sum;
+}
+
+/// Contact length of Hertz's rigid cylinder on a half-space.
+double hertz_length(const data::ElasticNip& where, double load) {
+  const double modulus = where.material.young / (1 - where.material.poisson * where.material.poisson);
+  return 2 * std::sqrt(4 * load * where.roller_radius / (std::numbers::pi * modulus));
+}
+
+}  // namespace
+
+TEST_CASE("the sheet follows the cylinder at all 2m + 1 matching points, both sides") {
+  for (const int m : {1, 2, 5, 40}) {
+    for (const double length : {0.002, 0.1, 3.0}) {
+      CAPTURE(m);
+      CAPTURE(length);
+      const LineLoadSolution solution = fast::line_loads_for_length(nip, m, length);
+      for (int i = -m; i <= m; ++i) {
+        const double y = i * length / (2 * m);
+        const double wanted = solution.indentation - y * y / (2 * nip.roller_radius);
+        CHECK(normal_displacement(nip, solution, y) == doctest::Approx(wanted).epsilon(1e-11));
+      }
+      CHECK(solution.edge_displacement ==
+            doctest::Approx(normal_displacement(nip, solution, length / 2)).epsilon(1e-10));
+      double total = 0;
+      for (const Load& load : all_loads(solution)) total += load.force;
+      CHECK(solution.load == doctest::Approx(total).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("length for a load and load for a length are inverse, over twelve decades of load") {
+  for (double load = 1e-6; load < 1e7; load *= 100) {
+    CAPTURE(load);
+    const LineLoadSolution solution = fast::line_loads_for_load(nip, 4, load);
+    CHECK(solution.load == doctest::Approx(load).epsilon(1e-12));
+    CHECK(fast::line_loads_for_length(nip, 4, solution.contact_length).load ==
+          doctest::Approx(load).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("on a very thick sheet the contact tends to Hertz's, like ln(m)/m") {
+  const data::ElasticNip thick{1.0, 1e4, {1.0, 0.25}};
+  const double load = 1e-3;
+  const double hertz = hertz_length(thick, load);
+  const auto scaled_shortfall = [&](int m) {
+    return m * (1 - fast::line_loads_for_load(thick, m, load).contact_length / hertz);
+  };
+  // m times the error grows by the same amount at each doubling of m: had Hertz's length been missed by a
+  // part in a thousand, it would double instead.
+  const double first = scaled_shortfall(80);
+  const double second = scaled_shortfall(160);
+  const double third = scaled_shortfall(320);
+  CHECK(third < 0.8);
+  CHECK((third - second) / (second - first) == doctest::Approx(1).epsilon(0.05));
+}
+
+TEST_CASE("results scale with the units of length and of stress") {
+  const LineLoadSolution one = fast::line_loads_for_load(nip, 3, 60.0);
+  const data::ElasticNip rescaled{6.0 * 25.4, 25.4, {1.45e5 * 7, 1.0 / 3}};
+  const LineLoadSolution other = fast::line_loads_for_load(rescaled, 3, 60.0 * 25.4 * 7);
+  CHECK(other.contact_length == doctest::Approx(25.4 * one.contact_length).epsilon(1e-11));
+  CHECK(other.indentation == doctest::Approx(25.4 * one.indentation).epsilon(1e-11));
+  CHECK(other.peak_pressure == doctest::Approx(7 * one.peak_pressure).epsilon(1e-11));
+  CHECK(fast::creep_ratio(rescaled, other) == doctest::Approx(fast::creep_ratio(nip, one)).epsilon(1e-10));
+}
+
+TEST_CASE("the creep is the tangential displacement of the end, relative to the middle of the nip") {
+  const LineLoadSolution solution = fast::line_loads_for_load(nip, 5, 100.0);
+  const double b = nip.half_thickness();
+  double at_end = 0;
+  double centre_line = 0;
+  for (const Load& load : all_loads(solution)) {
+    const double pinned = -load.position / b;  // the middle of the nip as the load sees it
+    at_end += load.force * fast::vn((solution.contact_length / 2 - load.position) / b, pinned, nip.material);
+    centre_line += load.force * fast::F1(pinned, nip.material.poisson);
+  }
+  CHECK(fast::creep_ratio(nip, solution) ==
+        doctest::Approx(2 / solution.contact_length * at_end).epsilon(1e-12));
+  CHECK(std::abs(centre_line) < 1e-12 * solution.load);  // odd terms cancel in a symmetric nip
+  // A thick sheet's surface is drawn in (negative), a thin one's squeezed out.
+  CHECK(fast::creep_ratio(nip, solution) < 0);
+  const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
+  CHECK(fast::creep_ratio(thin, fast::line_loads_for_load(thin, 10, 100.0)) > 0);
+}
+
+TEST_CASE("coarser kernels change the result by no more than their tolerance times the condition") {
+  const double full = fast::line_loads_for_length(nip, 5, 0.1).indentation;
+  const double coarse = fast::line_loads_for_length(nip, 5, 0.1, fast::Accuracy(1e-9)).indentation;
+  CHECK(coarse != full);
+  CHECK(coarse == doctest::Approx(full).epsilon(1e-7));
+}
+
+TEST_CASE("bad input to the contact is refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH_AS(fast::line_loads_for_length(nip, 0, 0.1),
+                       "elements_per_side = 0: must be from 1 to 10000", data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_length(nip, 2, 0.0), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_length(nip, 2, nan), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load(nip, 2, -1.0), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load({0.0, 1.0, nip.material}, 2, 1.0), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load({6.0, nan, nip.material}, 2, 1.0), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load({6.0, 1.0, {1.0, 0.6}}, 2, 1.0), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_load({6.0, 1.0, {-1.0, 0.3}}, 2, 1.0), data::BadInput);
+}
