@@ -8,7 +8,7 @@ namespace nipref::ref {
 /// opposite unit line loads, one on each face, to any accuracy.
 ///
 /// alpha = y/b is the distance from the load, eta = l/b that of the point of the centre line held in place, b
-/// the half thickness; both dimensionless, |.| <= 10^4. young > 0 in any unit of stress, -1 < poisson <= 1/2;
+/// the half thickness; both dimensionless, |.| <= 1000. young > 0 in any unit of stress, -1 < poisson <= 1/2;
 /// results in units of 1/young per unit line load. With theta1 = (1 + poisson)/young, theta2 = (1 +
 /// poisson)(1 - 2 poisson)/young, N = theta1 + theta2. Promise and errors as in sheet_kernels.hpp.
 

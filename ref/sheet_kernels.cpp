@@ -11,7 +11,7 @@ namespace {
 
 /// Im z_1, the slowest decay of a kernel, rounded up.
 constexpr double decay = 2.1062;
-constexpr long largest_argument = 10000;
+constexpr long largest_argument = 1000;
 
 Enclosure exact_zero(int digits) {
   check_digits(digits);
@@ -38,7 +38,7 @@ Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)
 void check_argument(const Exact& argument, const char* name) {
   if (abs(argument.value()) > largest_argument) {
     throw data::BadInput(name, argument.approximate(),
-                         "must satisfy |argument| <= 10000 on the reference path");
+                         "must satisfy |argument| <= 1000 on the reference path");
   }
 }
 

@@ -6,7 +6,7 @@ namespace nipref::ref {
 
 /// Fourier kernels of the elastic sheet (half thickness b, lengths in units of b) to any accuracy.
 ///
-/// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 10^4; digits 16 to
+/// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 1000; digits 16 to
 /// 1000. Every function promises an Enclosure: error_bound <= 10^-digits min(1, |truth|), near zeros of the
 /// kernel too. The bound is proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its
 /// rounding; closed forms are in interval arithmetic. Arguments and digits outside their domain throw
@@ -33,7 +33,7 @@ Enclosure I6(const Exact& alpha, const Exact& eta, int digits);
 /// int_0^inf 2 sinh x cos(eta x)/S dx. (thesis 4.20)
 Enclosure I7(const Exact& eta, int digits);
 
-/// BadInput naming `name` unless |argument| <= 10^4.
+/// BadInput naming `name` unless |argument| <= 1000.
 void check_argument(const Exact& argument, const char* name);
 /// The same, and BadInput at 0, where the kernel is infinite.
 void check_nonzero_argument(const Exact& argument, const char* name);

@@ -56,20 +56,12 @@ void add_neighbourhood(const Line& line, double x, std::vector<Point>& points) {
   }
 }
 
-/// Beyond the middle only some zeros are kept, because ref is slow there.
-bool is_kept(double x, std::size_t number) {
-  constexpr double middle_to = 50;
-  constexpr std::size_t one_in = 8;
-  return x < middle_to || number % one_in == 0;
-}
-
 void add_zeros(const Line& line, std::vector<Point>& points) {
   static const std::vector<double> nodes = grid();
-  std::size_t number = 0;
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     if (line.is_zero(nodes[i])) continue;  // underflow, where a sign means nothing
     if (line.is_negative(nodes[i - 1]) == line.is_negative(nodes[i])) continue;
-    if (is_kept(nodes[i], number++)) add_neighbourhood(line, bisect(line, nodes[i - 1], nodes[i]), points);
+    add_neighbourhood(line, bisect(line, nodes[i - 1], nodes[i]), points);
   }
 }
 
