@@ -44,8 +44,8 @@ struct TableCell {
   std::optional<Erratum> erratum;
 
   [[nodiscard]] bool is_readable() const { return number.has_value(); }
-  /// Readable, but contradicted by its row or column in a way that leaves more than one mend: it stays as
-  /// printed.
+  /// Readable, but contradicted by its row or column in a way that leaves more than one mend, or only by
+  /// other tables: it stays as printed.
   [[nodiscard]] bool is_doubtful() const {
     return is_readable() && erratum && erratum->kind == ErratumKind::unreadable;
   }

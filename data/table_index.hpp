@@ -30,7 +30,7 @@ struct TableSummary {
   std::size_t cells;                  ///< rows * columns
   std::size_t empty;                  ///< cells where the seed shows nothing legible
   std::size_t without_value;          ///< cells that cannot be read, empty or not
-  std::size_t doubtful;               ///< cells that stay as printed though the table contradicts them
+  std::size_t doubtful;               ///< cells that stay as printed though in doubt
   std::array<std::size_t, 4> errata;  ///< errata of cells, by ErratumKind
   std::size_t key_errata;             ///< errata of row labels
 };

@@ -37,10 +37,7 @@ class Row {
   bool is_consistent() {
     for (auto& [name, unknown] : unknowns_) {
       if (cells_.contains(name)) narrow(unknown, cells_.at(name));
-      if (cells_.contains(name + "/B")) {
-        const Interval ratio = cells_.at(name + "/B");
-        narrow(unknown, {ratio.lower * thickness_, ratio.upper * thickness_});
-      }
+      if (cells_.contains(name + "/B")) narrow_by_ratio_to_thickness(unknown, name);
     }
     // Each round narrows at least one of few intervals noticeably or is the last; 60 are far more than were
     // ever needed.
@@ -54,6 +51,15 @@ class Row {
     unknown.lower = std::max(unknown.lower, by.lower - slack);
     unknown.upper = std::min(unknown.upper, by.upper + slack);
     if (unknown.lower > unknown.upper) empty_ = true;
+  }
+
+  /// With B = 1 a column and its ratio to B are one number printed twice. One rule of rounding then sends it
+  /// to one end of a tie, so intervals that only touch, those of 162.3 and 162.4, do not agree.
+  void narrow_by_ratio_to_thickness(Interval& unknown, const std::string& name) {
+    const Interval ratio = cells_.at(name + "/B");
+    narrow(unknown, {ratio.lower * thickness_, ratio.upper * thickness_});
+    const bool only_touch = unknown.upper - unknown.lower <= 1e-12 * unknown.upper;
+    if (thickness_ == 1 && cells_.contains(name) && only_touch) empty_ = true;
   }
 
   void narrow_all() {
