@@ -22,16 +22,6 @@ Verdict judge(const data::TableCell& cell, const data::Interval& range) {
   return cell.read_as == cell.printed ? Verdict::match : Verdict::misprint;
 }
 
-bool length_is_contradicted(const data::Table& table, std::size_t row) {
-  const data::TableCell& length = table.cell(row, "L");
-  const data::TableCell& ratio = table.cell(row, "L/B");
-  if (!length.is_readable() || !ratio.is_readable()) return false;
-  const double thickness = table.parameter("B").value;
-  const double lower = std::max(length.number->rounding.lower, ratio.number->rounding.lower * thickness);
-  const double upper = std::min(length.number->rounding.upper, ratio.number->rounding.upper * thickness);
-  return upper - lower <= 1e-12 * length.number->value;  // rounding of the two ends
-}
-
 std::vector<std::string> replayable_tables() { return {"thesis-VII"}; }
 
 Replay replay_table(const std::string& id) {

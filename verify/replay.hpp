@@ -42,10 +42,6 @@ struct Replay {
 /// The matching rule: `range` against the rounding interval of what is read in `cell`.
 Verdict judge(const data::TableCell& cell, const data::Interval& range);
 
-/// True if the cells L and L/B of a row have no length in common but at most the end of an interval: L is the
-/// replay's input, so nothing in such a row is explained by the seed's method alone.
-bool length_is_contradicted(const data::Table& table, std::size_t row);
-
 /// Ids of the tables that can be replayed.
 std::vector<std::string> replayable_tables();
 

@@ -87,7 +87,7 @@ class RowReplay {
                                  Verdict verdict) const {
     if (verdict == Verdict::match) return "";
     if (cell.erratum) return cell.erratum->reason;
-    if (verdict != Verdict::unexplained || !length_is_contradicted(table_, row_)) return "";
+    if (!table_.cell(row_, "L").is_doubtful()) return "";
     const bool met = judge(cell, range_of(replay_over(length_from_ratio()), column)) == Verdict::match;
     return fmt::format("the row's L and L/B contradict each other; {} at the L of L/B",
                        met ? "met" : "not met either");

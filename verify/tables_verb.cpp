@@ -23,10 +23,10 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   return 0;
 }
 
-/// Unexplained though nothing in its own row speaks against the printed number.
+/// Unexplained though the table speaks against neither the printed number nor the length its row is replayed from.
 bool falls_short(const Replay& replay, const ReplayedCell& cell) {
   return cell.verdict == Verdict::unexplained && !replay.table.cell(cell.row, cell.column).is_doubtful() &&
-         !length_is_contradicted(replay.table, cell.row);
+         !replay.table.cell(cell.row, "L").is_doubtful();
 }
 
 }  // namespace
