@@ -14,17 +14,18 @@ const SheetCode* sheet_code_for(int instruction_set) {
 
 namespace {
 
-const SheetCode& best_code() {
+const SheetCode* best_code() {
   int best = kInstructionSetCount - 1;
   while (sheet_code_for(best) == nullptr) --best;
-  return *sheet_code_for(best);
+  return sheet_code_for(best);
 }
 
 }  // namespace
 
-const SheetCode& sheet_code() {
-  static const SheetCode& chosen = best_code();
-  return chosen;
+constinit const SheetCode* best_sheet_code = &baseline::kCode;
+
+namespace {
+[[maybe_unused]] const bool upgraded = (best_sheet_code = best_code()) != nullptr;
 }
 
 }  // namespace nipref::fast::internal

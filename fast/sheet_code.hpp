@@ -39,7 +39,9 @@ inline constexpr int kInstructionSetCount = 3;
 /// The code for an instruction set, or null where this processor does not have it.
 const SheetCode* sheet_code_for(int instruction_set);
 
-/// The code for the best instruction set of this processor, chosen at the first call.
-const SheetCode& sheet_code();
+/// The code for the best instruction set of this processor. Before this library's static objects are
+/// initialised it may be the baseline's, so that calls need no guard.
+extern constinit const SheetCode* best_sheet_code;
+inline const SheetCode& sheet_code() { return *best_sheet_code; }
 
 }  // namespace nipref::fast::internal

@@ -6,7 +6,7 @@
 
 // Kernels of the elastic sheet in double. They come from the residue series alone (roots of sinh 2z + 2z =
 // 0): two words of a tabulated local polynomial up to 12 half-thicknesses, the first residue beyond, the
-// logarithm in closed form below 1/2; see arithmetic/component.hpp. About 10 ns a value, 3 to 4 ns in batches
+// logarithm in closed form below 1/2; see arithmetic/component.hpp. About 9 ns a value, 2 to 3 ns in batches
 // on a processor with AVX-512.
 //
 // In common to all functions of this header:

@@ -50,24 +50,36 @@ inline constexpr double kCoarsePieces = 32;
 inline constexpr int kCoarseOffset = 32;
 inline constexpr int kRows = 417;
 
+// Rows of the coarse tiers: pieces centred on multiples of 1/32 in [0, 12], then ln m for mantissas about
+// multiples of 1/32 in [1, 2].
+inline constexpr int kCoarsePieceRows = 385;
+inline constexpr int kCoarseLogRows = 33;
+inline constexpr int kCoarseRows = kCoarsePieceRows + kCoarseLogRows;
+
 inline constexpr int kLogCells = 128;
+inline constexpr int kWideLogCells = 16;  ///< few enough for two vector registers
 inline constexpr int kExponentialCells = 32;
 inline constexpr int kPhaseCells = 64;
 
 /// The numbers of one component f. "low" words continue their "high" ones to about 106 bits.
 struct ComponentTable {
   /// f(centre + t), or f(x)/x for odd f, = power[0] + constant_low + power[1] t + ... + power[7] t^7, for
-  /// each row. Power by power, and not row by row, because only then do compilers gather one power of several
-  /// rows at once.
-  double power[kPieceDegree + 1][kRows];
+  /// each row.
+  alignas(64) double power[kRows][kPieceDegree + 1];
   double constant_low[kRows];
+
+  /// Coarse tiers, row by row, as a row is loaded at once: f or f(x)/x about the centre of a piece, or
+  /// (f + ln x at x -> 0) - ln(centre + t) about the centre of a mantissa.
+  alignas(32) double coarse[kCoarseRows][kCoarseDegree + 1];
 
   // Logarithmic components, x = 2^k (1 + mantissa) < kNearEnd:
   //   f = log_high[cell] + log_low[cell] - k ln 2 - ln(1 + r) + odd * x + x^2 even[tier](x^2).
-  double log_constant;         ///< value at x -> 0 of f + ln x
   double log_high[kLogCells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
                                ///< 2^-42
   double log_low[kLogCells];
+  alignas(64) double wide_log_high[kWideLogCells];  ///< the same with 1/wide_log_reciprocal for the
+                                                    ///< centre
+  alignas(64) double wide_log_low[kWideLogCells];
   double odd;
   double even[kTierCount][kEvenDegree];
 
@@ -83,8 +95,8 @@ struct ComponentTable {
 
 /// What all components share.
 struct CommonTable {
-  double log_reciprocal[kLogCells];                         ///< 1/centre of the cell, centre in [1, 2)
-  double mantissa_log[kTierCount][kMantissaLogDegree + 1];  ///< ln(3/2 + t) in powers of t
+  double log_reciprocal[kLogCells];                       ///< 1/centre of the cell, centre in [1, 2)
+  alignas(64) double wide_log_reciprocal[kWideLogCells];  ///< the same for wide cells, exact as it stands
   double decay_high;  ///< 32 Im z_1/ln 2: cells of the exponential for unit x
   double decay_low;
   double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x

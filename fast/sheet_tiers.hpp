@@ -4,9 +4,10 @@
 // that a tolerance needs is known beforehand. Errors are relative to the scale:
 //
 // - polynomial of a piece, |z_1| t <= 2.388/64 = 0.0373: 0.0373^(n+1)/(n+1)!, up to ten times that near
-//   x = 1/2 and 1: 7e-4, 9e-6, 8e-8, 6e-10, 4e-12, 2e-14 for n = 1 ... 6; n = 7 is economised to 1e-18
-// - ln m for 1 <= m < 2, economised about 3/2: 5 * 5.8^(-n-1)/(n+1)
+//   x = 1/2 and 1: 6e-10, 4e-12, 2e-14 for n = 4 ... 6; n = 7 is economised to 1e-18
+// - cubic of the coarse tiers, width 1/32 everywhere, economised: 2e-7; its first three terms: 3e-5
 // - ln(1 + r) in one of 128 cells, |r| <= 1/256: 2.5 * 2^(-8(n+1))/(n+1), the smallest scale there being 0.4
+// - the same in one of 16 cells, |r| <= 1/32: 2.5 * 2^(-5(n+1))/(n+1)
 // - even remainder in x^2 <= 1/4, nearest singularity -4, economised: 20 * 66^(-n-1)
 // - decay of the residue in one of 32 cells, y <= ln 2/64 = 0.0109: y^(n+1)/(n+1)!
 // - its phase in one of 64 cells, b <= pi/64 = 0.0491: b^(n+2)/(n+2)! for the even and for the odd part
@@ -16,9 +17,10 @@ namespace nipref::fast::internal {
 /// The work behind one tolerance: degrees of the truncated series.
 struct Tier {
   double error;      ///< promised error relative to the scale
+  bool coarse;       ///< one table of cubics for both the logarithm and the pieces
   int piece;         ///< local polynomial of a piece
-  int mantissa_log;  ///< logarithm of the mantissa without cells; 0: with cells
-  int log1p;         ///< ln(1 + r) inside a cell of the logarithm
+  int log1p;         ///< ln(1 + r) inside one of 128 cells of the logarithm; 0: always by 16 cells
+  int wide_log1p;    ///< ln(1 + r) inside one of 16 cells of the logarithm
   int even;          ///< even remainder, as a polynomial in x^2
   int exponential;   ///< decay of the residue
   int sine;          ///< phase of the residue, odd part
@@ -31,14 +33,14 @@ inline constexpr int kTierCount = 5;
 inline constexpr int kFullTier = kTierCount - 1;
 inline constexpr int kPieceDegree = 7;
 inline constexpr int kEvenDegree = 10;
-inline constexpr int kMantissaLogDegree = 9;
+inline constexpr int kCoarseDegree = 3;
 
 inline constexpr Tier kTiers[kTierCount] = {
-    {1e-3, 1, 4, 0, 2, 1, 1, 2, false},
-    {5e-7, 3, 9, 0, 4, 2, 3, 4, false},
-    {1e-9, 4, 0, 3, 5, 3, 5, 4, false},
-    {5e-13, 6, 0, 5, 7, 5, 7, 6, true},
-    {0x1p-51, kPieceDegree, 0, 6, kEvenDegree, 6, 7, 8, true},
+    {1e-3, true, 2, 0, 0, 2, 1, 1, 2, false},
+    {5e-7, true, kCoarseDegree, 0, 0, 4, 2, 3, 4, false},
+    {1e-9, false, 4, 0, 6, 5, 3, 5, 4, false},
+    {5e-13, false, 6, 0, 8, 7, 5, 7, 6, true},
+    {0x1p-51, false, kPieceDegree, 6, 10, kEvenDegree, 6, 7, 8, true},
 };
 
 /// The cheapest tier whose promise is within rtol; the full tier when none is.

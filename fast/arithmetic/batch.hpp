@@ -31,6 +31,33 @@ NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& val
   }
 }
 
+#ifdef __AVX512F__
+
+template <Regime regime, Component component, int tier>
+NIPREF_INLINE WidePair in_regime(__m512d x) {
+  if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
+  if constexpr (regime == Regime::piece) return piece<component, tier>(x);
+}
+
+/// The same for the regimes that have a form of their own for eight points.
+template <Regime regime, Component component, int tier, Words words>
+requires(regime != Regime::residue_tail) NIPREF_INLINE
+    void evaluate_regime(const SortedPoints& points, SortedValues& values) {
+  const int32_t first = kFirst[static_cast<int>(regime)];
+  const int32_t last = first + points.count[static_cast<int>(regime)];
+  for (int32_t i = first; i < last; i += kLanes) {
+    const WidePair value = in_regime<regime, component, tier>(_mm512_load_pd(points.x + i));
+    if constexpr (words == Words::rounded) {
+      _mm512_store_pd(values.high + i, value.high + value.low);
+    } else {
+      _mm512_store_pd(values.high + i, value.high);
+      _mm512_store_pd(values.low + i, value.low);
+    }
+  }
+}
+
+#endif
+
 template <Component component, int tier, Words words>
 NIPREF_INLINE void evaluate_sorted(const SortedPoints& points, SortedValues& values) {
   if constexpr (kShape<component> == Shape::logarithmic) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "fast/arithmetic/coarse.hpp"
 #include "fast/arithmetic/near_zero.hpp"
+#include "fast/arithmetic/near_zero_wide.hpp"
 #include "fast/arithmetic/piece.hpp"
+#include "fast/arithmetic/piece_wide.hpp"
 #include "fast/arithmetic/residue_tail.hpp"
 
 namespace nipref::fast::internal::NIPREF_ISA {
@@ -11,6 +14,8 @@ namespace nipref::fast::internal::NIPREF_ISA {
 ///   0 <= x < 1/2    logarithmic components: -ln x + even remainder; others: pieces
 ///   1/2 <= x < 12   pieces
 ///   12 <= x         limit and first residue
+///
+/// Coarse tiers treat the first two as one.
 enum class Regime { near_zero, piece, residue_tail };
 
 template <Regime regime, Component component, int tier>
@@ -27,9 +32,11 @@ NIPREF_INLINE bool is_near_zero(double x) {
 
 template <Component component, int tier>
 NIPREF_INLINE Pair evaluate(double x) {
+  if (x >= kPieceEnd) [[unlikely]]
+    return residue_tail<component, tier>(x);
+  if constexpr (kTiers[tier].coarse) return {coarse<component, tier>(x), 0};
   if (is_near_zero<component>(x)) return near_zero<component, tier>(x);
-  if (x < kPieceEnd) return piece<component, tier>(x);
-  return residue_tail<component, tier>(x);
+  return piece<component, tier>(x);
 }
 
 /// f(-x) from f(x).

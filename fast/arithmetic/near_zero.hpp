@@ -31,12 +31,9 @@ NIPREF_INLINE Decomposed decompose(double x) {
           static_cast<int64_t>(fraction >> kCellShift)};
 }
 
-/// (ln(1 + r) - r)/r^2, truncated.
-template <int degree>
-NIPREF_INLINE double log1p_curvature(double r) {
-  constexpr double kSeries[] = {-1.0 / 2, 1.0 / 3, -1.0 / 4, 1.0 / 5, -1.0 / 6};
-  return horner<degree - 2>(kSeries, r);
-}
+/// Powers of r in (ln(1 + r) - r)/r^2.
+inline constexpr double kLog1pCurvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 / 5,  -1.0 / 6,
+                                             1.0 / 7,  -1.0 / 8, 1.0 / 9,  -1.0 / 10};
 
 /// constant of the component - ln x for x > 0, denormal x included.
 ///
@@ -49,20 +46,24 @@ NIPREF_INLINE Pair minus_logarithm(double x) {
   const ComponentTable& table = kComponentTables[static_cast<int>(component)];
   const Decomposed part = decompose(x);
   const double r = (part.mantissa - part.centre) * kCommonTable.log_reciprocal[part.cell];
-  double low = mul_add(-r * r, log1p_curvature<kTiers[tier].log1p>(r), -r);
+  double low = mul_add(-r * r, horner<kTiers[tier].log1p - 2>(kLog1pCurvature, r), -r);
   if constexpr (kTiers[tier].compensated) low += mul_add(-part.exponent, kLn2Low, table.log_low[part.cell]);
   return {table.log_high[part.cell] - part.exponent * kLn2High, low};
 }
 
-/// The same for coarse tolerances, by one polynomial: cheaper in vectors than two look-ups.
+/// The same by 16 cells, whose tables a vector machine can hold in registers. Without a fused multiply-add r
+/// is good to 2^-53 only, more than enough for the tiers below full accuracy.
 template <Component component, int tier>
-requires(kTiers[tier].mantissa_log > 0) NIPREF_INLINE Pair minus_logarithm(double x) {
-  constexpr double kLn2 = 0x1.62e42fefa39efp-1;
+requires(kTiers[tier].log1p == 0) NIPREF_INLINE Pair minus_logarithm(double x) {
+  constexpr double kLn2High = 0x1.62e42fefa38p-1;
+  constexpr double kLn2Low = 0x1.ef35793c7673p-45;
+  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
   const Decomposed part = decompose(x);
-  const double mantissa_log =
-      horner<kTiers[tier].mantissa_log>(kCommonTable.mantissa_log[tier], part.mantissa - 1.5);
-  const double constant = kComponentTables[static_cast<int>(component)].log_constant;
-  return {mul_add(-part.exponent, kLn2, constant), -mantissa_log};
+  const int64_t cell = part.cell / (kLogCells / kWideLogCells);
+  const double r = mul_add(part.mantissa, kCommonTable.wide_log_reciprocal[cell], -1.0);
+  double low = mul_add(-r * r, horner<kTiers[tier].wide_log1p - 2>(kLog1pCurvature, r), -r);
+  if constexpr (kTiers[tier].compensated) low += mul_add(-part.exponent, kLn2Low, table.wide_log_low[cell]);
+  return {mul_add(-part.exponent, kLn2High, table.wide_log_high[cell]), low};
 }
 
 /// A logarithmic component for 0 < x < kNearEnd. Low words are added from small to large: the logarithm's is

@@ -28,9 +28,9 @@ NIPREF_INLINE Located locate(double x) {
 /// Powers first .. degree of the local polynomial, divided by t^first.
 template <int first, int degree>
 NIPREF_INLINE double piece_powers(const ComponentTable& table, Located at) {
-  double sum = table.power[degree][at.row];
+  double sum = table.power[at.row][degree];
 #pragma GCC unroll 16
-  for (int k = degree - 1; k >= first; --k) sum = mul_add(sum, at.t, table.power[k][at.row]);
+  for (int k = degree - 1; k >= first; --k) sum = mul_add(sum, at.t, table.power[at.row][k]);
   return sum;
 }
 
@@ -40,7 +40,7 @@ template <Component component, int tier>
 NIPREF_INLINE Pair piece(double x) {
   const ComponentTable& table = kComponentTables[static_cast<int>(component)];
   const Located at = locate(x);
-  const double constant = table.power[0][at.row];
+  const double constant = table.power[at.row][0];
   double low = at.t * piece_powers<1, kTiers[tier].piece>(table, at);
   if constexpr (kTiers[tier].compensated) low += table.constant_low[at.row];
   if constexpr (kShape<component> == Shape::odd) return {mul_add(x, constant, x * low), 0};

@@ -2,7 +2,7 @@
 
 #include "fast/sheet_code.hpp"
 
-#include "fast/arithmetic/batch.hpp"
+#include "fast/arithmetic/coarse_batch.hpp"
 
 namespace nipref::fast::internal::NIPREF_ISA {
 namespace {
@@ -34,20 +34,46 @@ double scalar_i6(double alpha, double eta) {
                     evaluate<Component::eta_part_of_I6, tier>(e));
 }
 
-int32_t block_size(size_t remaining) {
-  return static_cast<int32_t>(remaining < size_t{kBlock} ? remaining : size_t{kBlock});
+/// Calls evaluate(arguments, values, n) for blocks of whole vectors; the last few points are filled up to one
+/// with harmless points.
+template <size_t inputs, typename Evaluate>
+NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* value, size_t count,
+                             Evaluate evaluate) {
+  const size_t whole = count - count % kLanes;
+  const double* block[inputs];
+  for (size_t start = 0; start < whole; start += kBlock) {
+    const size_t n = whole - start < kBlock ? whole - start : kBlock;
+    for (size_t k = 0; k < inputs; ++k) block[k] = argument[k] + start;
+    evaluate(block, value + start, static_cast<int32_t>(n));
+  }
+  if (whole == count) return;
+  double last[inputs][kLanes];
+  double last_value[kLanes];
+  for (size_t k = 0; k < inputs; ++k) {
+    for (size_t i = 0; i < kLanes; ++i) last[k][i] = whole + i < count ? argument[k][whole + i] : 1;
+    block[k] = last[k];
+  }
+  evaluate(block, last_value, kLanes);
+  for (size_t i = whole; i < count; ++i) value[i] = last_value[i - whole];
 }
 
 template <Component component, int tier>
-void batch(const double* argument, double* value, size_t count) {
+requires(kTiers[tier].coarse) void batch(const double* argument, double* value, size_t count) {
+  CoarseBlock block;
+  in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
+    coarse_block<component, tier>(x[0], n, block, block_value);
+  });
+}
+
+template <Component component, int tier>
+requires(!kTiers[tier].coarse) void batch(const double* argument, double* value, size_t count) {
   SortedPoints points;
   SortedValues values;
-  for (size_t start = 0; start < count; start += kBlock) {
-    const int32_t n = block_size(count - start);
-    sort<component>(argument + start, n, points);
+  in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
+    sort<component>(x[0], n, points);
     evaluate_sorted<component, tier, Words::rounded>(points, values);
-    restore_order<component>(argument + start, n, points, values.high, value + start);
-  }
+    restore_order<component>(x[0], n, points, values.high, block_value);
+  });
 }
 
 /// One of the two parts of I6 at a block of arguments.
@@ -57,7 +83,14 @@ struct PartOfI6 {
 };
 
 template <Component component, int tier>
-void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
+requires(kTiers[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
+  CoarseBlock block;
+  coarse_block<component, tier>(argument, n, block, part.high);
+  for (int32_t i = 0; i < n; ++i) part.low[i] = 0;
+}
+
+template <Component component, int tier>
+requires(!kTiers[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
   SortedPoints points;
   SortedValues values;
   sort<component>(argument, n, points);
@@ -70,18 +103,14 @@ template <int tier>
 void batch_i6(const double* alpha, const double* eta, double* value, size_t count) {
   PartOfI6 r;
   PartOfI6 s;
-  for (size_t start = 0; start < count; start += kBlock) {
-    const int32_t n = block_size(count - start);
-    const double* const a = alpha + start;
-    const double* const e = eta + start;
-    double* const block_value = value + start;
-    evaluate_part<Component::alpha_part_of_I6, tier>(a, n, r);
-    evaluate_part<Component::eta_part_of_I6, tier>(e, n, s);
+  in_blocks({alpha, eta}, value, count, [&](const double* const(&x)[2], double* block_value, int32_t n) {
+    evaluate_part<Component::alpha_part_of_I6, tier>(x[0], n, r);
+    evaluate_part<Component::eta_part_of_I6, tier>(x[1], n, s);
     for (int32_t i = 0; i < n; ++i) {
-      block_value[i] = combine_i6(__builtin_fabs(a[i]), __builtin_fabs(e[i]), {r.high[i], r.low[i]},
+      block_value[i] = combine_i6(__builtin_fabs(x[0][i]), __builtin_fabs(x[1][i]), {r.high[i], r.low[i]},
                                   {s.high[i], s.low[i]});
     }
-  }
+  });
 }
 
 }  // namespace

@@ -44,9 +44,11 @@ void write(std::ostream& out, const internal::ComponentTable& table) {
   out << "{\n";
   write(out, table.power);
   write(out, table.constant_low);
-  write(out, table.log_constant);
+  write(out, table.coarse);
   write(out, table.log_high);
   write(out, table.log_low);
+  write(out, table.wide_log_high);
+  write(out, table.wide_log_low);
   write(out, table.odd);
   write(out, table.even);
   write(out, table.limit_high);
@@ -62,7 +64,7 @@ void write(std::ostream& out, const internal::ComponentTable& table) {
 void write(std::ostream& out, const internal::CommonTable& table) {
   out << "{\n";
   write(out, table.log_reciprocal);
-  write(out, table.mantissa_log);
+  write(out, table.wide_log_reciprocal);
   write(out, table.decay_high);
   write(out, table.decay_low);
   write(out, table.phase_high);

@@ -58,23 +58,54 @@ void fill_rows(Component id, const ComponentSeries& component, const Series& abo
     const Series local = local_series(component, about_zero, shape(id) == Shape::odd, centre);
     const Series polynomial = economised(local, -half_width, half_width, internal::kPieceDegree);
     const TwoDoubles constant = split(polynomial.front());
-    for (std::size_t k = 0; k < polynomial.size(); ++k) table.power[k][row] = rounded(polynomial[k]);
+    for (std::size_t k = 0; k < polynomial.size(); ++k) table.power[row][k] = rounded(polynomial[k]);
     table.constant_low[row] = constant.low;
+  }
+}
+
+void write_row(const Series& local, double (&row)[internal::kCoarseDegree + 1]) {
+  const Real half_width = 1 / (2 * Real(internal::kCoarsePieces));
+  const Series polynomial = economised(local, -half_width, half_width, internal::kCoarseDegree);
+  for (std::size_t k = 0; k < polynomial.size(); ++k) row[k] = rounded(polynomial[k]);
+}
+
+void fill_coarse_rows(Component id, const ComponentSeries& component, const Series& about_zero,
+                      ComponentTable& table) {
+  const bool logarithmic = shape(id) == Shape::logarithmic;
+  const int first_row = logarithmic ? static_cast<int>(internal::kNearEnd * internal::kCoarsePieces) : 0;
+  for (int row = first_row; row < internal::kCoarsePieceRows; ++row) {
+    const Real centre = Real(row) / internal::kCoarsePieces;
+    write_row(local_series(component, about_zero, shape(id) == Shape::odd, centre), table.coarse[row]);
+  }
+  if (!logarithmic) return;
+  for (int row = 0; row < internal::kCoarseLogRows; ++row) {
+    Series minus_log = logarithm(1 + Real(row) / internal::kCoarsePieces, kLocalLength);
+    for (Real& c : minus_log) c = -c;
+    minus_log.front() += about_zero.front();
+    write_row(minus_log, table.coarse[internal::kCoarsePieceRows + row]);
   }
 }
 
 /// Nearest multiple of 2^-42.
 Real on_log_grid(const Real& x) { return ldexp(Real(floor(ldexp(x, 42) + Real(1) / 2)), -42); }
 
-Real log_cell_centre(int cell) { return 1 + (cell + Real(1) / 2) / internal::kLogCells; }
+Real log_cell_centre(int cell, int cells) { return 1 + (cell + Real(1) / 2) / cells; }
+
+void split_on_log_grid(const Real& x, double& high, double& low) {
+  const Real on_grid = on_log_grid(x);
+  high = rounded(on_grid);
+  low = rounded(x - on_grid);
+}
 
 void fill_logarithm(const Series& about_zero, ComponentTable& table) {
-  table.log_constant = rounded(about_zero.front());
   for (int cell = 0; cell < internal::kLogCells; ++cell) {
-    const Real constant = about_zero.front() - log(log_cell_centre(cell));
-    const Real high = on_log_grid(constant);
-    table.log_high[cell] = rounded(high);
-    table.log_low[cell] = rounded(constant - high);
+    const Real constant = about_zero.front() - log(log_cell_centre(cell, internal::kLogCells));
+    split_on_log_grid(constant, table.log_high[cell], table.log_low[cell]);
+  }
+  for (int cell = 0; cell < internal::kWideLogCells; ++cell) {
+    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
+    split_on_log_grid(about_zero.front() + log(reciprocal), table.wide_log_high[cell],
+                      table.wide_log_low[cell]);
   }
 }
 
@@ -110,16 +141,6 @@ void fill_residue(const ComponentSeries& component, ComponentTable& table) {
   }
 }
 
-void fill_mantissa_log(internal::CommonTable& table) {
-  constexpr int kLength = 80;  // the ratio of convergence is 1/3
-  const Series series = logarithm(Real(3) / 2, kLength);
-  for (int tier = 0; tier < internal::kTierCount; ++tier) {
-    const Series polynomial =
-        economised(series, Real(-1) / 2, Real(1) / 2, internal::kTiers[tier].mantissa_log);
-    for (std::size_t k = 0; k < polynomial.size(); ++k) table.mantissa_log[tier][k] = rounded(polynomial[k]);
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<ComponentTable> tabulate(Component id, const std::vector<Complex>& roots) {
@@ -127,6 +148,7 @@ std::unique_ptr<ComponentTable> tabulate(Component id, const std::vector<Complex
   const ComponentSeries component(id, roots);
   const Series about_zero = component.about_zero();
   fill_rows(id, component, about_zero, *table);
+  fill_coarse_rows(id, component, about_zero, *table);
   if (shape(id) == Shape::logarithmic) {
     fill_logarithm(about_zero, *table);
     fill_even_remainder(about_zero, *table);
@@ -139,8 +161,9 @@ std::unique_ptr<ComponentTable> tabulate(Component id, const std::vector<Complex
 internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
   internal::CommonTable table{};
   for (int cell = 0; cell < internal::kLogCells; ++cell)
-    table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell));
-  fill_mantissa_log(table);
+    table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kLogCells));
+  for (int cell = 0; cell < internal::kWideLogCells; ++cell)
+    table.wide_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
   const Complex& z = roots.front();
   const TwoDoubles decay =
       split(internal::kExponentialCells * z.imag() / boost::math::constants::ln_two<Real>());
