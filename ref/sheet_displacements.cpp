@@ -117,7 +117,11 @@ Enclosure vn(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   check_argument(eta, "eta");
   check_material(young, poisson);
   if (alpha.sign() == 0 && eta.sign() == 0) return exact_zero(digits);
-  return enclose_displacement(digits, 0, young, poisson, [&](const Compliances& c, double nats) {
+  // Far from the load on the side of the point held, both parts tend to the same limit.
+  const bool same_side = alpha.sign() * eta.sign() > 0;
+  const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
+  const double kernel = same_side ? decay * nearer : 0;
+  return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
     return F1_times_normal(c, eta, nats) - us_interval(c, alpha, nats);
   });
 }
@@ -134,7 +138,8 @@ Enclosure vs(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   check_nonzero_argument(alpha, "alpha");
   check_argument(eta, "eta");
   check_material(young, poisson);
-  return enclose_displacement(digits, 0, young, poisson, [&](const Compliances& c, double nats) {
+  const double kernel = nats_of_difference(alpha, eta);
+  return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
     return (c.normal * I6_interval(alpha, eta, nats) + c.theta1 * I7_interval(eta, nats)) / c.pi;
   });
 }

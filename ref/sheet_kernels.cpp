@@ -35,6 +35,11 @@ Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)
 
 }  // namespace
 
+double nats_of_difference(const Exact& alpha, const Exact& eta) {
+  const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
+  return std::min(decay * nearer, nats_below_one(abs(alpha.value()) - abs(eta.value())));
+}
+
 void check_argument(const Exact& argument, const char* name) {
   if (abs(argument.value()) > largest_argument) {
     throw data::BadInput(name, argument.approximate(),
@@ -65,10 +70,7 @@ Enclosure I5(const Exact& eta, int digits) { return odd(eta, "eta", digits, I5_i
 Enclosure I6(const Exact& alpha, const Exact& eta, int digits) {
   check_nonzero_argument(alpha, "alpha");
   check_argument(eta, "eta");
-  const double a = std::abs(alpha.approximate());
-  const double e = std::abs(eta.approximate());
-  const double first =
-      std::min(decay * std::min(a, e), nats_below_one(abs(alpha.value()) - abs(eta.value())));
+  const double first = nats_of_difference(alpha, eta);
   return enclose(digits, first, [&](double nats) { return I6_interval(alpha, eta, nats); });
 }
 

@@ -38,4 +38,8 @@ void check_argument(const Exact& argument, const char* name);
 /// The same, and BadInput at 0, where the kernel is infinite.
 void check_nonzero_argument(const Exact& argument, const char* name);
 
+/// About -ln of the size of I6, and of vs: their linear growth cancels as |alpha| -> |eta|, and what is left
+/// decays with both.
+double nats_of_difference(const Exact& alpha, const Exact& eta);
+
 }  // namespace nipref::ref
