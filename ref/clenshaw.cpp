@@ -23,18 +23,22 @@ Limbs fraction(const Real& kappa, std::size_t limbs) {
   return result;
 }
 
-/// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb whenever the nodes are.
+/// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb
+/// whenever the nodes are.
 class Recurrence {
  public:
   Recurrence(const Real& kappa, std::size_t most_limbs)
-      : kappa_(fraction(kappa, most_limbs)), fourfold_(most_limbs), difference_(most_limbs), product_(2 * most_limbs) {}
+      : kappa_(fraction(kappa, most_limbs)),
+        fourfold_(most_limbs),
+        difference_(most_limbs),
+        product_(2 * most_limbs) {}
 
   /// Extends both numbers by their signs. They are 0 at the start.
   void lengthen(std::size_t limbs) {
     for (Limbs* x : {&fourfold_, &difference_}) {
       const bool negative = limbs_ > 0 && is_negative(x->data(), limbs_);
-      std::fill(x->begin() + static_cast<std::ptrdiff_t>(limbs_), x->begin() + static_cast<std::ptrdiff_t>(limbs),
-                negative ? GMP_NUMB_MAX : 0);
+      std::fill(x->begin() + static_cast<std::ptrdiff_t>(limbs_),
+                x->begin() + static_cast<std::ptrdiff_t>(limbs), negative ? GMP_NUMB_MAX : 0);
     }
     limbs_ = limbs;
   }
@@ -60,7 +64,8 @@ class Recurrence {
   }
 
  private:
-  /// floor(kappa B): the upper half of the product of kappa with B read as unsigned, less kappa if B is negative.
+  /// floor(kappa B): the upper half of the product of kappa with B read as unsigned, less kappa if B is
+  /// negative.
   const mp_limb_t* scaled_fourfold() {
     const auto n = static_cast<mp_size_t>(limbs_);
     const mp_limb_t* kappa = kappa_.data() + (kappa_.size() - limbs_);

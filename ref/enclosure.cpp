@@ -88,6 +88,11 @@ void check_digits(int digits) {
   }
 }
 
+Enclosure exact_zero(int digits) {
+  check_digits(digits);
+  return {Real(bound_precision), Real(bound_precision), digits};
+}
+
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at) {
   check_digits(digits);
   double nats = first_nats + (digits + spare_digits) * std::numbers::ln10;

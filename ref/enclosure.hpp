@@ -28,6 +28,9 @@ struct Enclosure {
 /// BadInput naming "digits" unless 16 <= digits <= 1000.
 void check_digits(int digits);
 
+/// A truth that is exactly 0; BadInput for digits out of range.
+Enclosure exact_zero(int digits);
+
 /// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
 /// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
 /// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked.

@@ -107,7 +107,8 @@ double Exact::log2_magnitude() const {
   long denominator_exponent = 0;
   const double numerator = mpz_get_d_2exp(&numerator_exponent, value_.get_num_mpz_t());
   const double denominator = mpz_get_d_2exp(&denominator_exponent, value_.get_den_mpz_t());
-  return std::log2(std::abs(numerator) / denominator) + static_cast<double>(numerator_exponent - denominator_exponent);
+  return std::log2(std::abs(numerator) / denominator) +
+         static_cast<double>(numerator_exponent - denominator_exponent);
 }
 
 }  // namespace nipref::ref

@@ -10,7 +10,8 @@ constexpr std::size_t capacity_bytes = std::size_t{1} << 30;
 
 std::size_t size_in_bytes(const Nodes& nodes) {
   std::size_t bytes = 0;
-  for (const NodeBlock& block : nodes.blocks) bytes += (block.real.size() + block.imag.size()) * sizeof(mp_limb_t);
+  for (const NodeBlock& block : nodes.blocks)
+    bytes += (block.real.size() + block.imag.size()) * sizeof(mp_limb_t);
   return bytes;
 }
 

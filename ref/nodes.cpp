@@ -197,8 +197,10 @@ void append(std::vector<mp_limb_t>& limbs, std::size_t count, mpfr_srcptr value,
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const bool shifted = key.line != Line::real_axis;
   const long magnitude = clenshaw_magnitude(key, first);
-  const long bits = std::max(1L, key.fraction_bits + magnitude + 4);  // b_j is held fourfold, with a sign and a bit to spare
-  NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}, {}};
+  const long bits = std::max(
+      1L, key.fraction_bits + magnitude + 4);  // b_j is held fourfold, with a sign and a bit to spare
+  NodeBlock block{
+      first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
   SymbolLine line(key, precision);
   Real real(precision);

@@ -8,7 +8,8 @@
 
 namespace nipref::ref {
 
-/// What a set of nodes is for; sets are kept and shared by every argument (and every kernel) that asks for the same.
+/// What a set of nodes is for; sets are kept and shared by every argument (and every kernel) that asks for
+/// the same.
 struct NodeKey {
   Symbol symbol;
   Line line;
@@ -20,11 +21,12 @@ struct NodeKey {
 
 /// A run of nodes g_j = h G(j h + i s) of one length. The leading limbs are left out as the symbol decays.
 struct NodeBlock {
-  long first;                    ///< j of the first node
-  std::size_t limbs;             ///< of a node: two's complement, least significant limb first, in units of 2^-F
-  long magnitude;                ///< |b_j| <= 2^magnitude for the Clenshaw sums b_j = sum_{k>=j} g_k U_{k-j} that start in this block
-  std::vector<mp_limb_t> real;   ///< Re g_j, one after the other
-  std::vector<mp_limb_t> imag;   ///< Im g_j; empty on the real axis
+  long first;         ///< j of the first node
+  std::size_t limbs;  ///< of a node: two's complement, least significant limb first, in units of 2^-F
+  long magnitude;  ///< |b_j| <= 2^magnitude for the Clenshaw sums b_j = sum_{k>=j} g_k U_{k-j} that start in
+                   ///< this block
+  std::vector<mp_limb_t> real;  ///< Re g_j, one after the other
+  std::vector<mp_limb_t> imag;  ///< Im g_j; empty on the real axis
 
   [[nodiscard]] std::size_t size() const { return real.size() / limbs; }
 };
@@ -40,7 +42,8 @@ struct Nodes {
   std::vector<NodeBlock> blocks;
 };
 
-/// Units that the nodes left out may amount to, see Nodes. Sums over some hundred nodes have rounding errors of that size.
+/// Units that the nodes left out may amount to, see Nodes. Sums over some hundred nodes have rounding errors
+/// of that size.
 constexpr long truncation_units = 256;
 
 /// The integer that `limbs` limbs of two's complement stand for.

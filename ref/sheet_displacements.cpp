@@ -11,8 +11,6 @@
 namespace nipref::ref {
 namespace {
 
-constexpr double decay = 2.1062;
-
 /// theta1, theta2 and N of the sheet, as intervals good to e^{-nats} relatively.
 struct Compliances {
   Compliances(const Exact& young, const Exact& poisson, double nats)
@@ -78,11 +76,6 @@ Interval us_interval(const Compliances& c, const Exact& alpha, double nats) {
   return (c.theta2 * I2_interval(alpha, nats) - c.normal * I3_interval(alpha, nats)) / c.pi;
 }
 
-Enclosure exact_zero(int digits) {
-  check_digits(digits);
-  return {Real(64), Real(64), digits};
-}
-
 }  // namespace
 
 Enclosure F1(const Exact& eta, const Exact& poisson, int digits) {
@@ -106,7 +99,7 @@ Enclosure F2(const Exact& eta, const Exact& poisson, int digits) {
 Enclosure un(const Exact& alpha, const Exact& young, const Exact& poisson, int digits) {
   check_nonzero_argument(alpha, "alpha");
   check_material(young, poisson);
-  const double kernel = decay * std::abs(alpha.approximate());
+  const double kernel = slowest_decay * std::abs(alpha.approximate());
   return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
     return c.normal * I1_interval(alpha, nats) / c.pi;
   });
@@ -120,7 +113,7 @@ Enclosure vn(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   // Far from the load on the side of the point held, both parts tend to the same limit.
   const bool same_side = alpha.sign() * eta.sign() > 0;
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
-  const double kernel = same_side ? decay * nearer : 0;
+  const double kernel = same_side ? slowest_decay * nearer : 0;
   return enclose_displacement(digits, kernel, young, poisson, [&](const Compliances& c, double nats) {
     return F1_times_normal(c, eta, nats) - us_interval(c, alpha, nats);
   });

@@ -9,14 +9,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Im z_1, the slowest decay of a kernel, rounded up.
-constexpr double decay = 2.1062;
 constexpr long largest_argument = 1000;
-
-Enclosure exact_zero(int digits) {
-  check_digits(digits);
-  return {Real(64), Real(64), digits};
-}
 
 /// -ln of the smaller of 1 and |x|, from the exponents alone so that it cannot underflow.
 double nats_below_one(const mpq_class& x) {
@@ -37,7 +30,7 @@ Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)
 
 double nats_of_difference(const Exact& alpha, const Exact& eta) {
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
-  return std::min(decay * nearer, nats_below_one(abs(alpha.value()) - abs(eta.value())));
+  return std::min(slowest_decay * nearer, nats_below_one(abs(alpha.value()) - abs(eta.value())));
 }
 
 void check_argument(const Exact& argument, const char* name) {
@@ -54,7 +47,7 @@ void check_nonzero_argument(const Exact& argument, const char* name) {
 
 Enclosure I1(const Exact& alpha, int digits) {
   check_nonzero_argument(alpha, "alpha");
-  const double first = decay * std::abs(alpha.approximate());
+  const double first = slowest_decay * std::abs(alpha.approximate());
   return enclose(digits, first, [&](double nats) { return I1_interval(alpha, nats); });
 }
 
@@ -76,7 +69,7 @@ Enclosure I6(const Exact& alpha, const Exact& eta, int digits) {
 
 Enclosure I7(const Exact& eta, int digits) {
   check_argument(eta, "eta");
-  const double first = decay * std::abs(eta.approximate());
+  const double first = slowest_decay * std::abs(eta.approximate());
   return enclose(digits, first, [&](double nats) { return I7_interval(eta, nats); });
 }
 

@@ -38,6 +38,9 @@ void check_argument(const Exact& argument, const char* name);
 /// The same, and BadInput at 0, where the kernel is infinite.
 void check_nonzero_argument(const Exact& argument, const char* name);
 
+/// Im z_1, the slowest decay of a kernel, rounded up.
+inline constexpr double slowest_decay = 2.1062;
+
 /// About -ln of the size of I6, and of vs: their linear growth cancels as |alpha| -> |eta|, and what is left
 /// decays with both.
 double nats_of_difference(const Exact& alpha, const Exact& eta);

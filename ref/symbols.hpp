@@ -37,10 +37,10 @@ struct SymbolBounds {
   double amplitude[3];  ///< C for each Line: |G(x + i s)| <= C e^{-r x} for x >= 0; where the line meets a
                         ///< pole of order k at 0, min(1, x)^k |G(x)| <= C e^{-r x} instead; 0 where the line
                         ///< is not used
-  double origin_value;    ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
-                          ///< without pole
-  double integral;        ///< M >= int_R |G(x + 2i)| dx
-  double moment;          ///< M' >= int_R |z G(z)| |dz| along Im z = 2; odd symbols
+  double origin_value;  ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
+                        ///< without pole
+  double integral;      ///< M >= int_R |G(x + 2i)| dx
+  double moment;        ///< M' >= int_R |z G(z)| |dz| along Im z = 2; odd symbols
   double lower_integral;  ///< M >= int_R |G(x + i/4)| dx; symbols with a double pole at 0
 };
 

@@ -79,8 +79,8 @@ Plan best_plan(Symbol symbol, double x, double nats) {
   return *best;
 }
 
-// The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding changes their log2 by less than
-// 1e-9; `slack` covers that, and sums are bounded by their largest term.
+// The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding
+// changes their log2 by less than 1e-9; `slack` covers that, and sums are bounded by their largest term.
 constexpr double slack = 1e-6;
 
 /// log2 of e^{-y x}/(e^{2 pi d/h} - 1) for 2 pi d/h >= 1/2, where the denominator is at least e^{2 pi d/h}/4.
@@ -93,10 +93,12 @@ double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x)
   const double s = height(key.line);
   const LowerEdge lower = lower_edge(symbol, s);
   const double above = std::log2(symbol.integral / 2) + log2_image(x, top, top - s, key.step);
-  const double below = std::log2(lower.integral / 2) + log2_image(x, lower.height, s - lower.height, key.step);
+  const double below =
+      std::log2(lower.integral / 2) + log2_image(x, lower.height, s - lower.height, key.step);
   const long recurrences = key.line == Line::real_axis ? 1 : 2;
   const long units = truncation_units + rounding_units * recurrences * (nodes.last + 3);
-  const double sum = std::log2(static_cast<double>(units)) - static_cast<double>(key.fraction_bits) - s * x / ln2;
+  const double sum =
+      std::log2(static_cast<double>(units)) - static_cast<double>(key.fraction_bits) - s * x / ln2;
   return std::max({above, below, sum}) + std::log2(3.0) + slack;
 }
 
@@ -152,7 +154,8 @@ Interval transform(Symbol symbol, const Exact& x, double nats) {
   const Real sum = odd ? sine_sum(*set, angle) : wave_sum(*set, angle);
   Interval value(sum, sum, sum.precision());
   value = with_origin_terms(value, constants, plan.key, Interval(x, sum.precision()));
-  return value.widened(power_of_two(odd ? log2_odd_error(constants, *set, x) : log2_even_error(constants, *set, size)));
+  return value.widened(
+      power_of_two(odd ? log2_odd_error(constants, *set, x) : log2_even_error(constants, *set, size)));
 }
 
 }  // namespace nipref::ref

@@ -78,6 +78,10 @@ Quantity entry_F2() {
   return entry;
 }
 
+/// Where a kernel underflows it has fewer than 53 bits, and a large compliance makes that loss visible: what
+/// is smaller than the smallest normal number counts as that.
+double normal_size(double kernel) { return std::max(kernel, std::numeric_limits<double>::min()); }
+
 Quantity entry_un() {
   Quantity entry;
   entry.name = "un";
@@ -91,9 +95,7 @@ Quantity entry_un() {
     return fast::un(a[0], ElasticMaterial{a[1], a[2]}, accuracy);
   });
   entry.envelope = [](Arguments a) {
-    // Where I1 underflows it has fewer than 53 bits, and a large compliance makes that loss visible.
-    const double size = std::max(envelope_I1(a[0]), std::numeric_limits<double>::min());
-    return ElasticMaterial{a[1], a[2]}.normal_compliance() * size / pi;
+    return ElasticMaterial{a[1], a[2]}.normal_compliance() * normal_size(envelope_I1(a[0])) / pi;
   };
   return entry;
 }
@@ -151,7 +153,7 @@ Quantity entry_vs() {
       "tangential displacement by a unit shear line load: ((theta1 + theta2) I6(alpha, eta) + theta1 "
       "I7(eta)) / pi";
   entry.source = "thesis (4.25 d)";
-  entry.scale = sum_of_terms;
+  entry.scale = std::string(sum_of_terms) + ", each kernel at least 2^-1022";
   entry.arguments = {nonzero_position_argument("alpha"), position_argument("eta"), young_argument(),
                      poisson_argument()};
   entry.promise = displacement_promise;
@@ -161,7 +163,8 @@ Quantity entry_vs() {
   });
   entry.envelope = [](Arguments a) {
     const ElasticMaterial material{a[2], a[3]};
-    return (material.normal_compliance() * magnitude_I6(a[0], a[1]) + material.theta1() * envelope_I7(a[1])) /
+    return (material.normal_compliance() * normal_size(magnitude_I6(a[0], a[1])) +
+            material.theta1() * normal_size(envelope_I7(a[1]))) /
            pi;
   };
   return entry;
