@@ -13,8 +13,7 @@
 
 // Second methods for the reference path, which share nothing with it but the definition of the kernels: the
 // contour turned to the ray arg z = pi/4 with a double-exponential rule, and for larger arguments the residue
-// series in many digits. (Boost's exp_sinh does not come back from its constructor with MPFR numbers: it
-// walks to the end of their exponent range.)
+// series in many digits.
 
 using namespace nipref::ref;
 
