@@ -1,0 +1,65 @@
+#pragma once
+#include <memory>
+
+#include "data/elastic_nip.hpp"
+#include "data/friction.hpp"
+#include "fast/contact_work.hpp"
+#include "fast/estimate.hpp"
+
+namespace nipref::fast {
+
+/// The continuous contact of an elastic nip: pressure bounded at both ends and, with full friction, shear
+/// too, which makes the creep an unknown with one value. (thesis 2.1-2.6, 5.3, 5.5 as integral equations, not
+/// as line loads)
+///
+/// Without friction and up to L/B = 12 the pressure is one Chebyshev expansion with the logarithm of the
+/// kernel in closed form; otherwise it is piecewise, with the end exponent 1/2 - i ln(3 - 4 poisson)/(2 pi)
+/// of the coupled problem. The number of unknowns follows from `accuracy`. Every result is computed when it
+/// is asked for, and comes with an estimate of its error, larger than the error and usually 3 to 300 times:
+/// differences of successive expansions, see contact_ladder.hpp. Near a zero of an oscillating result the
+/// estimate is relative to its size elsewhere. Where rounding allows less than was asked (very thin sheets
+/// with full friction: about 1e-16 (L/B)^2 of the peak), the estimate says so.
+///
+/// Y is the distance along the sheet from the middle of the nip, any finite value, unit of length; otherwise
+/// BadInput.
+class ConvergedContact {
+ public:
+  ConvergedContact(ConvergedContact&&) noexcept;
+  ~ConvergedContact();
+
+  [[nodiscard]] Estimate contact_length() const;  ///< L, unit of length
+  [[nodiscard]] Estimate load() const;            ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;     ///< d0, approach of roller and middle plane, unit of length
+  [[nodiscard]] Estimate edge_displacement() const;  ///< d1 = d0 - L^2/(8R), unit of length
+  /// v'(Y) inside the contact, which is constant, with full friction; without friction (2/L) v(L/2), the only
+  /// one of these numbers that costs tangential kernels then. Dimensionless. (thesis 5.5, 5.16)
+  [[nodiscard]] Estimate creep_ratio() const;
+  [[nodiscard]] Estimate pressure(double y) const;  ///< unit of stress, 0 outside the contact
+  [[nodiscard]] Estimate shear(
+      double y) const;  ///< along Y on the sheet; 0 outside the contact and without friction
+  [[nodiscard]] Estimate peak_pressure() const;  ///< unit of stress
+  [[nodiscard]] Estimate peak_shear() const;     ///< largest magnitude, unit of stress
+  [[nodiscard]] Estimate normal_displacement(
+      double y) const;  ///< u, towards the middle plane, unit of length
+  [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
+  [[nodiscard]] ContactWork work() const;                          ///< spent so far
+
+ private:
+  struct Implementation;
+  explicit ConvergedContact(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+  friend ConvergedContact converged_for_length(const data::ElasticNip&, data::Friction, double, double);
+  friend ConvergedContact converged_for_load(const data::ElasticNip&, data::Friction, double, double);
+};
+
+/// The contact of length L = `contact_length`, unit of length: 1e-8 <= L/B <= 1e4 and L <= R, beyond which
+/// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise.
+ConvergedContact converged_for_length(const data::ElasticNip& nip, data::Friction friction,
+                                      double contact_length, double accuracy);
+
+/// The contact that carries `load` per unit width, > 0 and finite, such that the contact length is as above;
+/// BadInput otherwise.
+ConvergedContact converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
+                                    double accuracy);
+
+}  // namespace nipref::fast

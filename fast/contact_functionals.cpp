@@ -1,0 +1,72 @@
+#include "fast/contact_functionals.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "fast/contact_operator.hpp"
+
+namespace nipref::fast {
+namespace {
+
+double displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how, Couplings wanted,
+                    ContactKernels& kernels) {
+  const ContactOperator from(contact.half_length, how.beta, how.tolerance, kernels);
+  double sum = 0;
+  for (std::size_t i = 1; i < contact.breaks.size(); ++i) {
+    for (const Influence& node :
+         from.influences(contact.half_length - y, contact.breaks[i - 1], contact.breaks[i], wanted)) {
+      const Traction traction = contact.traction(node.e);
+      sum += node.weight * ((node.normal_by_pressure + node.tangential_by_pressure) * traction.pressure +
+                            (node.normal_by_shear + node.tangential_by_shear) * traction.shear);
+    }
+  }
+  return sum;
+}
+
+/// Largest value of `size` over 0 <= e <= A: the best of a sample that is dense at the end, then refined
+/// around it.
+template <class Size>
+double largest(const HalfContact& contact, Size size) {
+  constexpr int samples = 100;
+  const auto position = [&](double i) {
+    return contact.half_length * std::pow(std::sin(std::numbers::pi / 2 * std::min(i / samples, 1.0)), 2);
+  };
+  int best = 0;
+  for (int i = 1; i <= samples; ++i) {
+    if (size(position(i)) > size(position(best))) best = i;
+  }
+  const auto negative = [&](double i) { return -size(position(i)); };
+  const auto refined = boost::math::tools::brent_find_minima(negative, std::max(best - 1.0, 0.0),
+                                                             std::min<double>(best + 1, samples), 30);
+  return std::max(-refined.second, size(position(best)));
+}
+
+}  // namespace
+
+double normal_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                           ContactKernels& kernels) {
+  const double e = contact.half_length - y;
+  if (e >= 0) return contact.edge_displacement + e * (contact.half_length + y);
+  return displacement(contact, y, how, {true, how.friction == data::Friction::full, false, false}, kernels);
+}
+
+double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                               ContactKernels& kernels) {
+  const bool friction = how.friction == data::Friction::full;
+  if (friction && y <= contact.half_length) return contact.creep * y;
+  if (y == 0) return 0;
+  return displacement(contact, y, how, {false, false, true, friction}, kernels);
+}
+
+double peak_pressure(const HalfContact& contact) {
+  return largest(contact, [&](double e) { return contact.traction(e).pressure; });
+}
+
+double peak_shear(const HalfContact& contact) {
+  return largest(contact, [&](double e) { return std::fabs(contact.traction(e).shear); });
+}
+
+}  // namespace nipref::fast

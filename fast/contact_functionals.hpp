@@ -1,0 +1,31 @@
+#pragma once
+#include "data/friction.hpp"
+#include "fast/contact_kernels.hpp"
+#include "fast/half_contact.hpp"
+
+namespace nipref::fast {
+
+// What follows from a solved half contact, in its dimensionless units. `y` is the distance from the middle,
+// in half-thicknesses, >= 0; results for -y follow by symmetry.
+
+/// Material and quadrature behind the displacements.
+struct SurfaceDisplacements {
+  data::Friction friction;
+  double beta;       ///< theta2/N, dimensionless
+  double tolerance;  ///< of the quadrature
+};
+
+/// Normal displacement; inside the contact that of the roller, so that only points outside cost kernel
+/// values.
+double normal_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                           ContactKernels& kernels);
+
+/// Tangential displacement relative to the middle.
+double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                               ContactKernels& kernels);
+
+/// Largest pressure, and largest magnitude of the shear.
+double peak_pressure(const HalfContact& contact);
+double peak_shear(const HalfContact& contact);
+
+}  // namespace nipref::fast

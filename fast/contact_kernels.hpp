@@ -1,0 +1,30 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include "fast/accuracy.hpp"
+#include "fast/contact_work.hpp"
+
+namespace nipref::fast {
+
+/// The sheet kernels as a contact solver takes them: in batches, counted.
+class ContactKernels {
+ public:
+  /// Counts into `work`, which outlives this.
+  ContactKernels(Accuracy accuracy, ContactWork& work) : accuracy_(accuracy), work_(work) {}
+
+  [[nodiscard]] std::vector<double> I1(std::span<const double> alpha);
+  [[nodiscard]] std::vector<double> I3(std::span<const double> alpha);
+  /// I6(alpha, 0): by symmetry the terms in eta cancel in pairs.
+  [[nodiscard]] std::vector<double> I6(std::span<const double> alpha);
+
+  void count_system(int unknowns);
+
+ private:
+  void count_values(int kernel, std::size_t values);
+
+  Accuracy accuracy_;
+  ContactWork& work_;
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,152 @@
+#include "fast/contact_ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fast/contact_panels.hpp"
+#include "fast/contact_spectral.hpp"
+#include "fast/sheet_tiers.hpp"
+
+namespace nipref::fast {
+namespace {
+
+/// Where the global expansion would need more terms than the panels have.
+constexpr double longest_spectral = 12;
+constexpr int most_levels = 8;
+constexpr int most_iterations = 40;
+/// Of a solution in double, relative.
+constexpr double rounding = 0x1p-48;
+
+/// How `level` resolves a contact of half length about `near`, and the size of what its expansion leaves out.
+struct Resolution {
+  bool spectral;
+  int panels;
+  int terms;
+  double remainder;
+};
+
+int grown(double first_terms, int level) {
+  return static_cast<int>(std::ceil(first_terms * std::pow(1.5, level)));
+}
+
+Resolution resolution(data::Friction friction, double near, int level) {
+  if (friction == data::Friction::none && near <= longest_spectral) {
+    const int terms = grown(2 + near / 2, level);
+    return {true, 1, terms, std::pow(std::hypot(1, 2 / near) + 2 / near, -2 * terms)};
+  }
+  // The end panel takes at most about the distance at which the kernels change; on each, the nearest
+  // singularity is one panel length away.
+  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / 2.5))));
+  const int terms = grown(3, level);
+  return {false, panels, terms, std::pow(3 + std::sqrt(8.0), -terms)};
+}
+
+/// Half length of about this load without friction: between half-space and independent springs.
+double length_guess(double load) {
+  double length = std::min(std::sqrt(load / std::numbers::pi), std::cbrt(load * 3 / 8));
+  for (int i = 0; i < 5; ++i) length = std::sqrt(load / (std::numbers::pi + 8 * length / 3));
+  return length;
+}
+
+}  // namespace
+
+ContactLadder::ContactLadder(data::Friction friction, double poisson, double accuracy)
+    : friction_(friction),
+      poisson_(poisson),
+      tolerance_(std::max(1e-2 * accuracy, 1e-16)),
+      kernel_accuracy_(std::max(1e-4 * accuracy, Accuracy::kBest)) {}
+
+/// Kernels and quadrature are as good as the expansion, so that the differences between levels tell of them
+/// too.
+std::unique_ptr<HalfContact> ContactLadder::solve(double half_length, double near, int level) const {
+  const Resolution now = resolution(friction_, near, level);
+  const double tolerance = std::max(1e-2 * now.remainder, 1e-16);
+  ContactKernels kernels(Accuracy(std::max(tolerance, kernel_accuracy_.rtol())), *work_);
+  if (now.spectral) return spectral_contact(half_length, now.terms, kernels);
+  return panel_contact(half_length, friction_, poisson_, {now.panels, now.terms, tolerance}, kernels);
+}
+
+/// Secant iteration on ln(load) as a function of ln(length), which is nearly straight.
+std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double near, int level,
+                                                           double enough) {
+  // The slope is 2 for a half-space, 3 for springs and 5 for an incompressible film without slip.
+  double slope = 3;
+  double log_length = std::log(near);
+  double last_log_length = 0, last_excess = 0;
+  for (int i = 0;; ++i) {
+    const double half_length = std::exp(log_length);
+    // The layout follows large steps only: it makes the load jump.
+    if (level == 0 && std::fabs(log_length - std::log(near)) > 0.3) near = half_length;
+    auto contact = solve(half_length, near, level);
+    const double excess = std::log(contact->load / load);
+    load_residual_ = std::fabs(excess);
+    const bool at_rounding = i > 3 && load_residual_ < 1e-6 && load_residual_ > 0.5 * std::fabs(last_excess);
+    if (load_residual_ <= enough || at_rounding || i == most_iterations) return contact;
+    if (i > 0) slope = std::clamp((excess - last_excess) / (log_length - last_log_length), 1.8, 6.0);
+    last_log_length = log_length;
+    last_excess = excess;
+    log_length -= excess / slope;
+  }
+}
+
+void ContactLadder::climb(double near, double accuracy, const Step& step) {
+  for (int level = 0; level < most_levels; ++level) {
+    std::ranges::rotate(solutions_, solutions_.begin() + 1);
+    solutions_[2] = step(near, level);
+    near = last().half_length;
+    if (level < 2) continue;
+    relative_error_ = largest_relative_error();
+    if (relative_error_ <= accuracy) return;
+  }
+}
+
+ContactLadder ContactLadder::at_half_length(double half_length, data::Friction friction, double poisson,
+                                            double accuracy) {
+  ContactLadder ladder(friction, poisson, accuracy);
+  ladder.climb(half_length, accuracy,
+               [&](double near, int level) { return ladder.solve(half_length, near, level); });
+  return ladder;
+}
+
+ContactLadder ContactLadder::at_load(double load, data::Friction friction, double poisson, double accuracy) {
+  ContactLadder ladder(friction, poisson, accuracy);
+  const double enough = std::max(1e-2 * accuracy, 1e-14);
+  ladder.climb(length_guess(load), accuracy,
+               [&](double near, int level) { return ladder.solve_for_load(load, near, level, enough); });
+  return ladder;
+}
+
+Estimate ContactLadder::own_estimate(const Functional& functional) const {
+  std::array<double, 3> values{};
+  std::ranges::transform(solutions_, values.begin(),
+                         [&](const auto& contact) { return functional(*contact); });
+  const double before = std::fabs(values[1] - values[0]);
+  const double change = std::fabs(values[2] - values[1]);
+  return {values[2], 3 * change * (change < before ? change / before : 1)};
+}
+
+double ContactLadder::largest_relative_error() const {
+  double largest = 0;
+  const auto take = [&](const Functional& functional, double scale) {
+    const Estimate estimate = own_estimate(functional);
+    largest = std::max(largest, estimate.error / std::max(scale, std::fabs(estimate.value)));
+  };
+  take([](const HalfContact& contact) { return contact.load; }, 0);
+  take([](const HalfContact& contact) { return contact.half_length; }, 0);
+  take([](const HalfContact& contact) { return contact.edge_displacement; }, std::pow(last().half_length, 2));
+  take([](const HalfContact& contact) { return contact.traction(contact.half_length).pressure; }, 0);
+  take([](const HalfContact& contact) { return contact.creep; }, 0.1 * last().half_length);
+  return largest;
+}
+
+Estimate ContactLadder::estimate(const Functional& functional, double scale) const {
+  const Estimate own = own_estimate(functional);
+  const int tier = kernel_accuracy_.tier();
+  // Errors of many kernel values mostly cancel; those of the full tier are rounding.
+  const double kernels = tier < internal::kFullTier ? 0.03 * internal::kTiers[tier].error : 0;
+  const double least = std::max({0.1 * relative_error_, kernels, 3 * load_residual_, rounding});
+  return {own.value, std::max(own.error, least * std::max(scale, std::fabs(own.value)))};
+}
+
+}  // namespace nipref::fast

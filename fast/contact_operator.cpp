@@ -1,0 +1,74 @@
+#include "fast/contact_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace nipref::fast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// I3 - beta I2 at signed distances.
+std::vector<double> coupling(const std::vector<double>& alpha, double beta, ContactKernels& kernels) {
+  std::vector<double> values = kernels.I3(alpha);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= std::copysign(beta * pi / 2, alpha[i]);
+  return values;
+}
+
+}  // namespace
+
+/// Signed distances: near = y - s = e_s - e_y, formed from distances to the end of the piece where that end
+/// is the point; far = y + s.
+void ContactOperator::append_nodes(double point, double left, double right, std::vector<Influence>& nodes,
+                                   std::vector<double>& near, std::vector<double>& far) const {
+  const double width = right - left;
+  for (const UnitNode& node : rule_) {
+    const double e = left == 0 || node.from_left < node.from_right ? left + width * node.from_left
+                                                                   : right - width * node.from_right;
+    const double distance = point <= left ? (left - point) + width * node.from_left
+                                          : -((point - right) + width * node.from_right);
+    nodes.push_back({e, width * node.weight, 0, 0, 0, 0});
+    near.push_back(distance);
+    far.push_back((half_length_ - point) + (half_length_ - e));
+  }
+}
+
+/// Ends of the pieces of [left, right] between which the kernels, as functions of a distance that may be
+/// thousands, change on one scale only: the point itself, and where they and those of the mirror image have
+/// decayed.
+std::vector<double> ContactOperator::cuts(double point, double left, double right) const {
+  const double image = 2 * half_length_ - point;
+  std::vector<double> cuts{left, right};
+  for (const double cut : {point, point - 5, point + 5, point - 18, point + 18, image - 5, image - 18}) {
+    if (left < cut && cut < right && (cut == point || right - left > 8)) cuts.push_back(cut);
+  }
+  std::ranges::sort(cuts);
+  return cuts;
+}
+
+std::vector<Influence> ContactOperator::influences(double point, double left, double right,
+                                                   Couplings wanted) const {
+  std::vector<Influence> nodes;
+  std::vector<double> near, far;
+  const std::vector<double> ends = cuts(point, left, right);
+  for (std::size_t i = 1; i < ends.size(); ++i) append_nodes(point, ends[i - 1], ends[i], nodes, near, far);
+  if (wanted.normal_by_pressure) {
+    const auto here = kernels_.I1(near), mirror = kernels_.I1(far);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].normal_by_pressure = (here[i] + mirror[i]) / pi;
+  }
+  if (wanted.normal_by_shear || wanted.tangential_by_pressure) {
+    const auto here = coupling(near, beta_, kernels_), mirror = coupling(far, beta_, kernels_);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (wanted.normal_by_shear) nodes[i].normal_by_shear = -(here[i] - mirror[i]) / pi;
+      if (wanted.tangential_by_pressure) nodes[i].tangential_by_pressure = (here[i] + mirror[i]) / pi;
+    }
+  }
+  if (wanted.tangential_by_shear) {
+    const auto here = kernels_.I6(near), mirror = kernels_.I6(far);
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].tangential_by_shear = (here[i] - mirror[i]) / pi;
+  }
+  return nodes;
+}
+
+}  // namespace nipref::fast

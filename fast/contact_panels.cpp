@@ -1,0 +1,163 @@
+#include "fast/contact_panels.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "fast/contact_operator.hpp"
+
+namespace nipref::fast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Complex = std::complex<double>;
+
+std::vector<double> panel_breaks(double half_length, int panels) {
+  std::vector<double> breaks{0};
+  for (int i = 1; i <= panels; ++i) breaks.push_back(std::ldexp(half_length, i - panels));
+  return breaks;
+}
+
+/// T_0 .. on a panel, x the fraction of it from its left end.
+void chebyshev(double x, std::vector<double>& values) {
+  const double t = 2 * x - 1;
+  double before = t, now = 1;  // T_{-1} = T_1
+  for (double& value : values) {
+    value = now;
+    now = 2 * t * now - std::exchange(before, now);
+  }
+}
+
+class PanelContact : public HalfContact {
+ public:
+  PanelContact(double length, data::Friction friction, double poisson, const PanelLayout& layout,
+               ContactKernels& kernels)
+      : friction_(friction == data::Friction::full), terms_(layout.terms), panels_(layout.panels) {
+    half_length = length;
+    breaks = panel_breaks(length, layout.panels);
+    const double beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+    if (friction_) exponent_ = {0.5, -std::atanh(beta) / pi};
+    solve(ContactOperator(length, friction_ ? beta : 0, layout.tolerance, kernels), kernels);
+    load = 2 * half_load(layout.tolerance);
+  }
+
+  [[nodiscard]] Traction traction(double e) const override {
+    int panel = 0;
+    while (panel + 1 < panels_ && e > breaks[static_cast<std::size_t>(panel) + 1]) ++panel;
+    std::vector<double> polynomials(static_cast<std::size_t>(terms_));
+    const double x = fraction(panel, e);
+    chebyshev(x, polynomials);
+    Complex sum = 0;
+    for (int k = 0; k < terms_; ++k) sum += coefficient(panel, k) * polynomials[static_cast<std::size_t>(k)];
+    sum *= end_factor(panel, x);
+    return {sum.real(), sum.imag()};
+  }
+
+ private:
+  [[nodiscard]] double left(int panel) const { return breaks[static_cast<std::size_t>(panel)]; }
+  [[nodiscard]] double right(int panel) const { return breaks[static_cast<std::size_t>(panel) + 1]; }
+  [[nodiscard]] double fraction(int panel, double e) const {
+    return (e - left(panel)) / (right(panel) - left(panel));
+  }
+  [[nodiscard]] Complex end_factor(int panel, double x) const {
+    if (panel > 0) return 1;
+    if (!friction_) return std::sqrt(x);
+    return x > 0 ? std::exp(exponent_ * std::log(x)) : 0;
+  }
+
+  // Unknowns: the real parts of all coefficients, with friction their imaginary parts, then the edge
+  // displacement and with friction the creep.
+  [[nodiscard]] int per_component() const { return panels_ * terms_; }
+  [[nodiscard]] int components() const { return friction_ ? 2 : 1; }
+  [[nodiscard]] int size() const { return components() * (per_component() + 1); }
+  [[nodiscard]] int column(int panel, int k) const { return panel * terms_ + k; }
+  [[nodiscard]] Complex coefficient(int panel, int k) const {
+    const int at = column(panel, k);
+    return {unknowns_(at), friction_ ? unknowns_(per_component() + at) : 0};
+  }
+
+  [[nodiscard]] std::vector<double> matching_points() const {
+    std::vector<double> points;
+    for (int panel = 0; panel < panels_; ++panel) {
+      const int count = terms_ + (panel == 0 ? 1 : 0);
+      for (int i = 0; i < count; ++i) {
+        const double x = std::pow(std::sin((2 * i + 1) * pi / (4 * count)), 2);
+        points.push_back(left(panel) + (right(panel) - left(panel)) * x);
+      }
+    }
+    return points;
+  }
+
+  /// One panel's part of the rows of one matching point: normal displacement at `row`, tangential below.
+  void add_panel(const ContactOperator& from, double point, int panel, int row,
+                 Eigen::MatrixXd& matrix) const {
+    const auto nodes =
+        from.influences(point, left(panel), right(panel), {true, friction_, friction_, friction_});
+    const int tangential = row + per_component() + 1;
+    std::vector<double> polynomials(static_cast<std::size_t>(terms_));
+    for (const Influence& node : nodes) {
+      const double x = fraction(panel, node.e);
+      chebyshev(x, polynomials);
+      const Complex factor = node.weight * end_factor(panel, x);
+      for (int k = 0; k < terms_; ++k) {
+        const Complex basis = factor * polynomials[static_cast<std::size_t>(k)];
+        const int at = column(panel, k);
+        matrix(row, at) += node.normal_by_pressure * basis.real() + node.normal_by_shear * basis.imag();
+        if (!friction_) continue;
+        // The coefficient i multiplies the basis: pressure -Im, shear Re.
+        matrix(row, per_component() + at) +=
+            -node.normal_by_pressure * basis.imag() + node.normal_by_shear * basis.real();
+        matrix(tangential, at) +=
+            node.tangential_by_pressure * basis.real() + node.tangential_by_shear * basis.imag();
+        matrix(tangential, per_component() + at) +=
+            -node.tangential_by_pressure * basis.imag() + node.tangential_by_shear * basis.real();
+      }
+    }
+  }
+
+  void solve(const ContactOperator& from, ContactKernels& kernels) {
+    const std::vector<double> points = matching_points();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
+    Eigen::VectorXd gap = Eigen::VectorXd::Zero(size());
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+      const double e = points[static_cast<std::size_t>(i)];
+      for (int panel = 0; panel < panels_; ++panel) add_panel(from, e, panel, i, matrix);
+      gap(i) = e * (2 * half_length - e);
+      matrix(i, size() - components()) = -1;
+      if (friction_) matrix(i + per_component() + 1, size() - 1) = -(half_length - e);
+    }
+    unknowns_ = matrix.partialPivLu().solve(gap);
+    kernels.count_system(size());
+    edge_displacement = unknowns_(size() - components());
+    if (friction_) creep = unknowns_(size() - 1);
+  }
+
+  [[nodiscard]] double half_load(double tolerance) const {
+    double sum = 0;
+    for (const UnitNode& node : double_exponential_rule(tolerance)) {
+      for (int panel = 0; panel < panels_; ++panel) {
+        const double width = right(panel) - left(panel);
+        sum += width * node.weight * traction(left(panel) + width * node.from_left).pressure;
+      }
+    }
+    return sum;
+  }
+
+  bool friction_;
+  int terms_;
+  int panels_;
+  Complex exponent_ = 0.5;
+  Eigen::VectorXd unknowns_;
+};
+
+}  // namespace
+
+std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction friction, double poisson,
+                                           const PanelLayout& layout, ContactKernels& kernels) {
+  return std::make_unique<PanelContact>(half_length, friction, poisson, layout, kernels);
+}
+
+}  // namespace nipref::fast

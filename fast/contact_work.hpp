@@ -1,0 +1,18 @@
+#pragma once
+#include <array>
+#include <cstdint>
+
+namespace nipref::fast {
+
+/// What solving a contact has cost so far: counts, not times.
+struct ContactWork {
+  /// Values taken of the kernels I1 .. I7, in this order. I2, a sign, is not counted.
+  std::array<std::uint64_t, 7> kernel_evaluations{};
+  std::uint64_t terms = 0;    ///< series terms behind those values
+  std::uint64_t systems = 0;  ///< linear systems solved
+  int unknowns = 0;           ///< of the largest of them
+
+  ContactWork& operator+=(const ContactWork& other);
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,23 @@
+#include "fast/double_exponential.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace nipref::fast {
+
+std::vector<UnitNode> double_exponential_rule(double tolerance) {
+  const double nats = -std::log(tolerance);
+  const int half_count = static_cast<int>(std::ceil(1.1 * nats));
+  const double end = std::asinh((nats + std::log(nats + 1)) / std::numbers::pi);
+  const double step = end / half_count;
+  std::vector<UnitNode> nodes;
+  for (int i = -half_count; i <= half_count; ++i) {
+    const double growth = std::exp(std::numbers::pi * std::sinh(i * step));
+    const double right = 1 / (1 + growth);
+    const double left = growth / (1 + growth);
+    nodes.push_back({left, right, step * std::numbers::pi * std::cosh(i * step) * left * right});
+  }
+  return nodes;
+}
+
+}  // namespace nipref::fast
