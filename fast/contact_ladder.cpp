@@ -54,7 +54,7 @@ double length_guess(double load) {
 ContactLadder::ContactLadder(data::Friction friction, double poisson, double accuracy)
     : friction_(friction),
       poisson_(poisson),
-      tolerance_(std::max(1e-2 * accuracy, 1e-16)),
+      tolerance_(std::max(1e-6 * accuracy, 1e-16)),
       kernel_accuracy_(std::max(1e-4 * accuracy, Accuracy::kBest)) {}
 
 /// Kernels and quadrature are as good as the expansion, so that the differences between levels tell of them
@@ -135,7 +135,13 @@ double ContactLadder::largest_relative_error() const {
   take([](const HalfContact& contact) { return contact.load; }, 0);
   take([](const HalfContact& contact) { return contact.half_length; }, 0);
   take([](const HalfContact& contact) { return contact.edge_displacement; }, std::pow(last().half_length, 2));
-  take([](const HalfContact& contact) { return contact.traction(contact.half_length).pressure; }, 0);
+  const double peak = last().traction(last().half_length).pressure;
+  for (const double part : {0.25, 1.0}) {
+    take([&](const HalfContact& contact) { return contact.traction(part * contact.half_length).pressure; },
+         peak);
+    take([&](const HalfContact& contact) { return contact.traction(part * contact.half_length).shear; },
+         0.1 * peak);
+  }
   take([](const HalfContact& contact) { return contact.creep; }, 0.1 * last().half_length);
   return largest;
 }
@@ -145,7 +151,7 @@ Estimate ContactLadder::estimate(const Functional& functional, double scale) con
   const int tier = kernel_accuracy_.tier();
   // Errors of many kernel values mostly cancel; those of the full tier are rounding.
   const double kernels = tier < internal::kFullTier ? 0.03 * internal::kTiers[tier].error : 0;
-  const double least = std::max({0.1 * relative_error_, kernels, 3 * load_residual_, rounding});
+  const double least = std::max({relative_error_, kernels, 3 * load_residual_, rounding});
   return {own.value, std::max(own.error, least * std::max(scale, std::fabs(own.value)))};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -31,9 +32,12 @@ class ContactLadder {
 
   [[nodiscard]] const HalfContact& last() const { return *solutions_[2]; }
   /// For what is computed from the solutions.
-  [[nodiscard]] ContactKernels kernels() const { return {kernel_accuracy_, *work_}; }
+  [[nodiscard]] ContactKernels kernels() const {
+    return {Accuracy(std::max(tolerance_, Accuracy::kBest)), *work_};
+  }
   [[nodiscard]] const ContactWork& work() const { return *work_; }
-  /// Of the quadrature behind what is computed from the solution.
+  /// Of the quadrature of what is computed from the solutions: stricter than theirs, for their differences do
+  /// not show it.
   [[nodiscard]] double tolerance() const { return tolerance_; }
 
  private:

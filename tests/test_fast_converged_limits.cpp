@@ -1,0 +1,166 @@
+// Limits of the converged contact, each derived apart from the solver, and approached at the rate of the
+// first term left out. Dimensionless as in fast/half_contact.hpp.
+#include <doctest/doctest.h>
+
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+
+#include "fast/contact_ladder.hpp"
+#include "fast/sheet_kernels.hpp"
+
+using namespace nipref;
+using data::Friction;
+using fast::ContactLadder;
+using fast::HalfContact;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+ContactLadder solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
+  return ContactLadder::at_half_length(half_length, friction, poisson, 1e-13);
+}
+
+double indentation(const HalfContact& contact) {
+  return contact.edge_displacement + contact.half_length * contact.half_length;
+}
+
+/// P'(A/2) by a central difference: the pressure is smooth there.
+double slope_at_half(const HalfContact& contact) {
+  const double step = 1e-3 * contact.half_length;
+  const double e = contact.half_length / 2;
+  return -(contact.traction(e + step).pressure - contact.traction(e - step).pressure) / (2 * step);
+}
+
+/// Order q of an error that falls like size^q, from its values at `size` and `size`/2 (or 2 `size` upwards).
+double order(double error, double error_at_half) { return std::log2(std::fabs(error / error_at_half)); }
+
+}  // namespace
+
+TEST_CASE("thick sheet without friction: Hertz, and the indentation's logarithm") {
+  // I1(a) = -ln a - c + O(a^2), so P = 2 sqrt(A^2 - y^2), W = pi A^2, D = A^2 (ln(2/A) + 1/2 - c).
+  const double a = 1e-9;
+  const double c = -(fast::I1(a) + std::log(a));
+  const auto hertz = [&](double half_length) {
+    const auto ladder = solve(half_length, Friction::none);
+    const HalfContact& contact = ladder.last();
+    const double square = half_length * half_length;
+    return std::array{contact.load / (pi * square) - 1,
+                      indentation(contact) / square - (std::log(2 / half_length) + 0.5 - c),
+                      contact.traction(half_length).pressure / (2 * half_length) - 1,
+                      contact.traction(half_length / 5).pressure / (2 * half_length * 0.6) - 1};
+  };
+  for (const double error : hertz(1e-6)) CHECK(std::fabs(error) < 1e-11);
+  const auto coarse = hertz(0.04), fine = hertz(0.02);
+  for (const std::size_t i : {0U, 2U, 3U})
+    CHECK(order(coarse[i], fine[i]) == doctest::Approx(2).epsilon(0.02));
+  // A^2 ln A: the load's correction times the logarithm.
+  CHECK(order(coarse[1], fine[1]) ==
+        doctest::Approx(2 - std::log2(std::log(50) / std::log(25))).epsilon(0.1));
+}
+
+TEST_CASE("thick sheet without slip: the oscillating half-space solution in closed form") {
+  // On a half-space the coupled equation takes P + iQ = K (1 - t)^(1/2 - i eps) (1 + t)^(1/2 + i eps) to a
+  // linear function, whose solvability makes the creep X = -4 eps A.
+  for (const double poisson : {-0.9, 0.0, 1.0 / 3, 0.49, 0.5}) {
+    const double epsilon = std::log(3 - 4 * poisson) / (2 * pi);
+    const double half_length = 1e-7;
+    const auto ladder = solve(half_length, Friction::full, poisson);
+    const HalfContact& contact = ladder.last();
+    CHECK(contact.creep / half_length == doctest::Approx(-4 * epsilon).epsilon(1e-6));
+    const double middle = contact.traction(half_length).pressure;
+    for (const double t : {0.1, 0.5, 0.9, 0.999, 1 - 1e-6}) {
+      CAPTURE(poisson);
+      CAPTURE(t);
+      const fast::Traction traction = contact.traction(half_length * (1 - t));
+      const double phase = -epsilon * std::log((1 - t) / (1 + t));
+      const double size = middle * std::sqrt((1 - t) * (1 + t));
+      CHECK(std::fabs(traction.pressure / size - std::cos(phase)) < 3e-7);
+      CHECK(std::fabs(traction.shear / size - std::sin(phase)) < 3e-7);
+    }
+  }
+}
+
+TEST_CASE("thin sheet without friction: independent springs, with the Wiener-Hopf edge correction") {
+  // G(0) = 1/2: P = 2 u away from the ends. At an end the half-line problem leaves u = 2 A kappa, kappa =
+  // (1/pi) int -ln(2 G(z))/z^2 dz, so that W = 8 A^3/3 + 8 kappa A^2 + O(A).
+  boost::math::quadrature::exp_sinh<double> quadrature;
+  const auto integrand = [](double z) {
+    if (z < 1e-2) return z * z / 45;  // -ln(2 G) = z^4/45 + O(z^6)
+    // 2 G = 4 sinh^2 z/(z (sinh 2z + 2z)), numerator and denominator times e^(-2z)
+    const double sinh_square = std::pow(-std::expm1(-2 * z), 2);
+    const double denominator = z * (-std::expm1(-4 * z) / 2 + 2 * z * std::exp(-2 * z));
+    return -std::log(sinh_square / denominator) / (z * z);
+  };
+  const double kappa = quadrature.integrate(integrand) / pi;
+  const auto edge = [&](double half_length) {
+    return solve(half_length, Friction::none).last().edge_displacement / (2 * half_length) - kappa;
+  };
+  const auto load = [&](double half_length) {
+    return solve(half_length, Friction::none).last().load / std::pow(half_length, 2) - 8 * half_length / 3 -
+           8 * kappa;
+  };
+  CHECK(std::fabs(edge(1e4)) < 1e-4);
+  CHECK(std::fabs(load(1e4)) < 1e-3);
+  CHECK(order(edge(100), edge(200)) == doctest::Approx(1).epsilon(0.01));
+  CHECK(order(load(100), load(200)) == doctest::Approx(1).epsilon(0.01));
+  const auto ladder = solve(500, Friction::none);
+  const double u = indentation(ladder.last()) - 250 * 250;
+  // G(z) has no z^2: springs are exact for a parabola.
+  CHECK(ladder.last().traction(250).pressure == doctest::Approx(2 * u).epsilon(1e-10));
+  CHECK(slope_at_half(ladder.last()) == doctest::Approx(-4 * 250).epsilon(1e-9));
+}
+
+TEST_CASE("thin compressible sheet without slip: confined springs and the shear that their slope needs") {
+  // P = 2 (1 - nu)^2/(1 - 2 nu) u, Q = nu/(1 - nu) P', W = (4/3) of that modulus A^3 to first order.
+  for (const double poisson : {-0.9, 0.0, 1.0 / 3}) {
+    CAPTURE(poisson);
+    const double modulus = 2 * std::pow(1 - poisson, 2) / (1 - 2 * poisson);
+    const auto excess = [&](double half_length) {
+      return solve(half_length, Friction::full, poisson).last().load /
+                 (4 * modulus / 3 * std::pow(half_length, 3)) -
+             1;
+    };
+    CHECK(std::fabs(excess(1000)) < 3e-3);
+    CHECK(order(excess(100), excess(200)) == doctest::Approx(1).epsilon(0.03));
+    const auto ladder = solve(300, Friction::full, poisson);
+    CHECK(slope_at_half(ladder.last()) == doctest::Approx(-modulus * 300).epsilon(1e-8));
+    const double shear = poisson / (1 - poisson) * slope_at_half(ladder.last());
+    CHECK(std::fabs(ladder.last().traction(150).shear - shear) < 1e-8 * modulus * 300);
+  }
+}
+
+TEST_CASE("thin incompressible sheet without slip: a squeezed film, P = (A^2 - y^2)^2/8") {
+  // (2/3) P'' = X - D + y^2 from the parabolic profile across the film, P = P' = 0 at the ends.
+  const auto excess = [&](double half_length) {
+    const auto ladder = solve(half_length, Friction::full, 0.5);
+    return std::array{
+        ladder.last().load / (2 * std::pow(half_length, 5) / 15) - 1,
+        ladder.last().traction(half_length).pressure / (std::pow(half_length, 4) / 8) - 1,
+        ladder.last().traction(half_length / 2).pressure / (9 * std::pow(half_length, 4) / 128) - 1,
+        (indentation(ladder.last()) - ladder.last().creep) / std::pow(half_length, 2) * 3 - 1};
+  };
+  for (const double error : excess(1000)) CHECK(std::fabs(error) < 4e-3);
+  const auto thick = excess(100), thin = excess(200);
+  for (int i : {0, 1, 2}) CHECK(order(thick[i], thin[i]) == doctest::Approx(1).epsilon(0.1));
+}
+
+TEST_CASE("pressure with full friction is the frictionless one where the coupling vanishes") {
+  // Incompressible: the coupling is smooth. What of it is linear in the distance stretches the sheet evenly,
+  // which the creep takes up; the cubic rest acts from pressure to shear and back: A^6.
+  const auto difference = [&](double half_length) {
+    return solve(half_length, Friction::full, 0.5).last().load /
+               solve(half_length, Friction::none).last().load -
+           1;
+  };
+  CHECK(std::fabs(difference(1e-4)) < 1e-13);
+  CHECK(order(difference(0.16), difference(0.08)) == doctest::Approx(6).epsilon(0.02));
+  const auto with = solve(1e-3, Friction::full, 0.5), without = solve(1e-3, Friction::none);
+  for (const double x : {0.01, 0.3, 0.9}) {
+    CHECK(with.last().traction(x * 1e-3).pressure ==
+          doctest::Approx(without.last().traction(x * 1e-3).pressure).epsilon(1e-10));
+  }
+}
