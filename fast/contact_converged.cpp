@@ -57,7 +57,7 @@ bool length_is_allowed(const data::ElasticNip& nip, double contact_length) {
 }
 
 Estimate times(double unit, const Estimate& estimate) {
-  return {unit * estimate.value, unit * estimate.error};
+  return {unit * estimate.value + 0.0, std::fabs(unit) * estimate.error};  // no -0
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -10,39 +11,52 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Positions are cos(i step), step = pi/(4 (terms + 1)): matching points at odd i, quadrature nodes at even
-/// i, so that the two never meet.
-struct Grid {
-  explicit Grid(int count) : terms(count), step(pi / (4 * (count + 1))) {}
-  int terms;
-  double step;
-  [[nodiscard]] double matching_angle(int i) const { return (2 * i + 1) * step; }  // i = 0 .. terms
-  [[nodiscard]] double node_angle(int j) const {
-    return 2 * (j + 1) * step;
-  }  // j = 0 .. terms, the last at t = 0
-  /// Gauss-Chebyshev weight of node j and its mirror image together, times sqrt(1 - t^2) U_2k = sin((2k + 1)
-  /// angle).
-  [[nodiscard]] double node_weight(int j) const {
-    return (j == terms ? 1 : 2) * 2 * step * std::sin(node_angle(j));
+/// Positions are cos(angle), all angles multiples of half a step, step = pi/(4 (terms + 1)): matching points
+/// at odd steps, quadrature nodes at even ones, so that the two never meet. All sines come from one table.
+class Grid {
+ public:
+  explicit Grid(int count) : terms(count), half_turn_(8 * (count + 1)) {
+    for (int i = 0; i < 2 * half_turn_; ++i) sines_.push_back(std::sin(pi * i / half_turn_));
   }
-};
+  const int terms;
 
-/// cos(first) - cos(second), also where the two are close.
-double cosine_difference(double first, double second) {
-  return -2 * std::sin((first + second) / 2) * std::sin((first - second) / 2);
-}
+  // Angles in half steps.
+  [[nodiscard]] static int matching_angle(int i) { return 2 * (2 * i + 1); }  // i = 0 .. terms
+  [[nodiscard]] static int node_angle(int j) { return 4 * (j + 1); }  // j = 0 .. terms, the last at t = 0
+  [[nodiscard]] int mirrored(int angle) const { return half_turn_ - angle; }
+
+  [[nodiscard]] double sine(int angle) const {
+    const int turn = 2 * half_turn_;
+    return sines_[static_cast<std::size_t>((angle % turn + turn) % turn)];
+  }
+  [[nodiscard]] double cosine(int angle) const { return sine(angle + half_turn_ / 2); }
+  /// |cos(first) - cos(second)|, also where the two are close; even angles from 0 to half a turn.
+  [[nodiscard]] double cosine_distance(int first, int second) const {
+    return std::fabs(2 * sines_[static_cast<std::size_t>((first + second) / 2)] *
+                     sines_[static_cast<std::size_t>(std::abs(first - second) / 2)]);
+  }
+  /// Gauss-Chebyshev weight of node j, together with its mirror image, times sqrt(1 - t^2).
+  [[nodiscard]] double node_weight(int j) const {
+    return (j == terms ? 1 : 2) * 4 * pi / half_turn_ * sine(node_angle(j));
+  }
+
+ private:
+  int half_turn_;
+  std::vector<double> sines_;
+};
 
 /// Mean over node j and its mirror image of I1(A (t - s)) + ln(A |t - s|), the part of the kernel that is
 /// analytic.
 Eigen::MatrixXd smooth_kernel(const Grid& grid, double half_length, ContactKernels& kernels) {
   const int size = grid.terms + 1;
   std::vector<double> alpha;
+  alpha.reserve(2 * static_cast<std::size_t>(size * size));
   for (int i = 0; i < size; ++i) {
+    const int at = Grid::matching_angle(i);
     for (int j = 0; j < size; ++j) {
-      const double near = cosine_difference(grid.node_angle(j), grid.matching_angle(i));
-      const double far = cosine_difference(pi - grid.node_angle(j), grid.matching_angle(i));
-      alpha.push_back(half_length * std::fabs(near));
-      alpha.push_back(half_length * std::fabs(far));
+      const int node = Grid::node_angle(j);
+      alpha.push_back(half_length * grid.cosine_distance(node, at));
+      alpha.push_back(half_length * grid.cosine_distance(grid.mirrored(node), at));
     }
   }
   const std::vector<double> values = kernels.I1(alpha);
@@ -50,17 +64,16 @@ Eigen::MatrixXd smooth_kernel(const Grid& grid, double half_length, ContactKerne
   std::size_t next = 0;
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j, next += 2) {
-      smooth(i, j) =
-          0.5 * (values[next] + std::log(alpha[next]) + values[next + 1] + std::log(alpha[next + 1]));
+      smooth(i, j) = 0.5 * (values[next] + values[next + 1] + std::log(alpha[next] * alpha[next + 1]));
     }
   }
   return smooth;
 }
 
-/// int -ln|t - s| sqrt(1 - s^2) U_n(s) ds at t = cos(angle), n even, without its constant for n = 0.
-double logarithm_of(int n, double angle) {
-  const double upper = std::cos((n + 2) * angle) / (n + 2);
-  return pi / 2 * ((n == 0 ? std::numbers::ln2 : std::cos(n * angle) / n) - upper);
+/// int -ln|t - s| sqrt(1 - s^2) U_n(s) ds at t = cos(angle), n even.
+double logarithm_of(int n, int angle, const Grid& grid) {
+  const double lower = n == 0 ? std::numbers::ln2 : grid.cosine(n * angle) / n;
+  return pi / 2 * (lower - grid.cosine((n + 2) * angle) / (n + 2));
 }
 
 class SpectralContact : public HalfContact {
@@ -86,18 +99,18 @@ class SpectralContact : public HalfContact {
     Eigen::MatrixXd nodes(terms + 1, terms);
     for (int j = 0; j <= terms; ++j) {
       for (int k = 0; k < terms; ++k) {
-        nodes(j, k) = grid.node_weight(j) * std::sin((2 * k + 1) * grid.node_angle(j));
+        nodes(j, k) = grid.node_weight(j) * grid.sine((2 * k + 1) * Grid::node_angle(j));
       }
     }
     Eigen::MatrixXd matrix(terms + 1, terms + 1);
     matrix.leftCols(terms) = half_length / pi * (smooth_kernel(grid, half_length, kernels) * nodes);
     Eigen::VectorXd gap(terms + 1);
     for (int i = 0; i <= terms; ++i) {
-      const double angle = grid.matching_angle(i);
-      for (int k = 0; k < terms; ++k) matrix(i, k) += half_length / pi * logarithm_of(2 * k, angle);
+      const int angle = Grid::matching_angle(i);
+      for (int k = 0; k < terms; ++k) matrix(i, k) += half_length / pi * logarithm_of(2 * k, angle, grid);
       matrix(i, 0) -= half_length / 2 * std::log(half_length);
       matrix(i, terms) = -1;
-      gap(i) = std::pow(half_length * std::sin(angle), 2);  // A^2 - y^2
+      gap(i) = std::pow(half_length * grid.sine(angle), 2);  // A^2 - y^2
     }
     const Eigen::VectorXd unknowns = matrix.partialPivLu().solve(gap);
     kernels.count_system(terms + 1);

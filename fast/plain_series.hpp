@@ -1,12 +1,32 @@
 #pragma once
+#include <span>
 
 namespace nipref::fast {
 
-/// The thesis's own way to I1: the first `terms` residues of (AI.9), pi sum e^(-K_n |alpha|) (A_n sin m_n
-/// |alpha| + B_n cos m_n |alpha|), evaluated as it stands, with z_n = m_n + i K_n. A peer for speed and
-/// accuracy, and what replays the thesis's tables; not a way to compute I1. alpha: dimensionless, finite and
-/// nonzero (the series diverges at 0); terms: 1 .. 500; otherwise BadInput. Error: the rest of the series,
-/// about e^(-pi |alpha| terms)/(pi |alpha| terms), and rounding. The roots are computed at the first call.
+// The thesis's own way to the kernels: the first `terms` residues of (AI.9) and (AI.12), sum e^(-K_n |alpha|)
+// (A_n sin m_n |alpha| + B_n cos m_n |alpha|) with z_n = m_n + i K_n, evaluated as it stands. A peer for
+// speed and accuracy, and what replays the thesis's tables; not a way to compute a kernel.
+//
+//   alpha  dimensionless, finite and nonzero (the series diverge at 0), otherwise BadInput
+//   terms  1 .. most_residue_terms, otherwise BadInput
+//   error  the rest of the series, about e^(-pi |alpha| terms)/(pi |alpha| terms) for I1 and I6, and rounding
+//
+// The roots are computed at the first call.
+
+inline constexpr int most_residue_terms = 500;
+
+/// I1 alone, value by value.
 double plain_series_I1(double alpha, int terms);
+
+/// Where the values at each alpha go; as many as there are alphas, or none if the kernel is not wanted.
+struct PlainSeriesValues {
+  std::span<double> I1;
+  std::span<double> I3;
+  /// The part of I6 that depends on alpha: the limit of I6(alpha, eta) - (pi/4)|eta| as |eta| grows.
+  std::span<double> I6_alpha_part;
+};
+
+/// The wanted kernels at once: they share the exponential, the sine and the cosine of each term.
+void plain_series(std::span<const double> alpha, int terms, PlainSeriesValues values);
 
 }  // namespace nipref::fast

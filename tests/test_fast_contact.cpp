@@ -57,13 +57,13 @@ TEST_CASE("the sheet follows the cylinder at all 2m + 1 matching points, both si
       for (int i = -m; i <= m; ++i) {
         const double y = i * length / (2 * m);
         const double wanted = solution.indentation - y * y / (2 * nip.roller_radius);
-        CHECK(normal_displacement(nip, solution, y) == doctest::Approx(wanted).epsilon(1e-11));
+        CHECK(normal_displacement(nip, solution, y) == doctest::Approx(wanted).epsilon(1e-11).scale(0));
       }
       CHECK(solution.edge_displacement ==
-            doctest::Approx(normal_displacement(nip, solution, length / 2)).epsilon(1e-10));
+            doctest::Approx(normal_displacement(nip, solution, length / 2)).epsilon(1e-10).scale(0));
       double total = 0;
       for (const Load& load : all_loads(solution)) total += load.force;
-      CHECK(solution.load == doctest::Approx(total).epsilon(1e-13));
+      CHECK(solution.load == doctest::Approx(total).epsilon(1e-13).scale(0));
     }
   }
 }
@@ -72,9 +72,9 @@ TEST_CASE("length for a load and load for a length are inverse, over twelve deca
   for (double load = 1e-6; load < 1e7; load *= 100) {
     CAPTURE(load);
     const LineLoadSolution solution = fast::line_loads_for_load(nip, 4, load);
-    CHECK(solution.load == doctest::Approx(load).epsilon(1e-12));
+    CHECK(solution.load == doctest::Approx(load).epsilon(1e-12).scale(0));
     CHECK(fast::line_loads_for_length(nip, 4, solution.contact_length).load ==
-          doctest::Approx(load).epsilon(1e-12));
+          doctest::Approx(load).epsilon(1e-12).scale(0));
   }
 }
 
@@ -91,17 +91,18 @@ TEST_CASE("on a very thick sheet the contact tends to Hertz's, like ln(m)/m") {
   const double second = scaled_shortfall(160);
   const double third = scaled_shortfall(320);
   CHECK(third < 0.8);
-  CHECK((third - second) / (second - first) == doctest::Approx(1).epsilon(0.05));
+  CHECK((third - second) / (second - first) == doctest::Approx(1).epsilon(0.05).scale(0));
 }
 
 TEST_CASE("results scale with the units of length and of stress") {
   const LineLoadSolution one = fast::line_loads_for_load(nip, 3, 60.0);
   const data::ElasticNip rescaled{6.0 * 25.4, 25.4, {1.45e5 * 7, 1.0 / 3}};
   const LineLoadSolution other = fast::line_loads_for_load(rescaled, 3, 60.0 * 25.4 * 7);
-  CHECK(other.contact_length == doctest::Approx(25.4 * one.contact_length).epsilon(1e-11));
-  CHECK(other.indentation == doctest::Approx(25.4 * one.indentation).epsilon(1e-11));
-  CHECK(other.peak_pressure == doctest::Approx(7 * one.peak_pressure).epsilon(1e-11));
-  CHECK(fast::creep_ratio(rescaled, other) == doctest::Approx(fast::creep_ratio(nip, one)).epsilon(1e-10));
+  CHECK(other.contact_length == doctest::Approx(25.4 * one.contact_length).epsilon(1e-11).scale(0));
+  CHECK(other.indentation == doctest::Approx(25.4 * one.indentation).epsilon(1e-11).scale(0));
+  CHECK(other.peak_pressure == doctest::Approx(7 * one.peak_pressure).epsilon(1e-11).scale(0));
+  CHECK(fast::creep_ratio(rescaled, other, 3) ==
+        doctest::Approx(fast::creep_ratio(nip, one, 3)).epsilon(1e-10).scale(0));
 }
 
 TEST_CASE("the creep is the tangential displacement of the end, relative to the middle of the nip") {
@@ -114,20 +115,20 @@ TEST_CASE("the creep is the tangential displacement of the end, relative to the 
     at_end += load.force * fast::vn((solution.contact_length / 2 - load.position) / b, pinned, nip.material);
     centre_line += load.force * fast::F1(pinned, nip.material.poisson);
   }
-  CHECK(fast::creep_ratio(nip, solution) ==
-        doctest::Approx(2 / solution.contact_length * at_end).epsilon(1e-12));
+  CHECK(fast::creep_ratio(nip, solution, 5) ==
+        doctest::Approx(2 / solution.contact_length * at_end).epsilon(1e-12).scale(0));
   CHECK(std::abs(centre_line) < 1e-12 * solution.load);  // odd terms cancel in a symmetric nip
   // A thick sheet's surface is drawn in (negative), a thin one's squeezed out.
-  CHECK(fast::creep_ratio(nip, solution) < 0);
+  CHECK(fast::creep_ratio(nip, solution, 5) < 0);
   const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
-  CHECK(fast::creep_ratio(thin, fast::line_loads_for_load(thin, 10, 100.0)) > 0);
+  CHECK(fast::creep_ratio(thin, fast::line_loads_for_load(thin, 10, 100.0), 10) > 0);
 }
 
 TEST_CASE("coarser kernels change the result by no more than their tolerance times the condition") {
   const double full = fast::line_loads_for_length(nip, 5, 0.1).indentation;
-  const double coarse = fast::line_loads_for_length(nip, 5, 0.1, fast::Accuracy(1e-9)).indentation;
+  const double coarse = fast::line_loads_for_length(nip, {5, 0, fast::Accuracy(1e-9)}, 0.1).indentation;
   CHECK(coarse != full);
-  CHECK(coarse == doctest::Approx(full).epsilon(1e-7));
+  CHECK(coarse == doctest::Approx(full).epsilon(1e-7).scale(0));
 }
 
 TEST_CASE("bad input to the contact is refused") {

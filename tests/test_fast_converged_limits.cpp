@@ -145,7 +145,7 @@ TEST_CASE("thin incompressible sheet without slip: a squeezed film, P = (A^2 - y
   };
   for (const double error : excess(1000)) CHECK(std::fabs(error) < 4e-3);
   const auto thick = excess(100), thin = excess(200);
-  for (int i : {0, 1, 2}) CHECK(order(thick[i], thin[i]) == doctest::Approx(1).epsilon(0.1));
+  for (const std::size_t i : {0U, 1U, 2U}) CHECK(order(thick[i], thin[i]) == doctest::Approx(1).epsilon(0.1));
 }
 
 TEST_CASE("pressure with full friction is the frictionless one where the coupling vanishes") {

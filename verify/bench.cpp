@@ -55,6 +55,11 @@ std::vector<BenchRatio> form_ratios(const std::vector<BenchRow>& rows) {
 
 }  // namespace
 
+void append(BenchReport& report, const BenchReport& more) {
+  std::ranges::copy(more.rows, std::back_inserter(report.rows));
+  std::ranges::copy(more.ratios, std::back_inserter(report.ratios));
+}
+
 BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress) {
   BenchReport report;
   for (const Quantity* quantity : quantities) {

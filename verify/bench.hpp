@@ -32,6 +32,9 @@ struct BenchReport {
   std::vector<BenchRatio> ratios;
 };
 
+/// Adds rows and ratios of another report.
+void append(BenchReport& report, const BenchReport& more);
+
 /// Receives what is being timed; may be empty.
 using BenchProgress = std::function<void(const std::string&)>;
 

@@ -29,6 +29,9 @@ struct VerbText {
 
 const OptionText path_option{"path", "ref, fast or both (default both)"};
 const OptionText digits_option{"digits", "decimal digits of ref's result, 16 to 1000 (default 50)"};
+const OptionText solve_path_option{"path", "ref or fast (default fast)"};
+const OptionText solve_digits_option{
+    "digits", "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30)"};
 const OptionText rtol_option{
     "rtol",
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
@@ -40,6 +43,10 @@ const std::array verbs{
              "one quantity at one argument: eval I1 alpha=0.73",
              "quantity name=value",
              {path_option, digits_option, rtol_option}},
+    VerbText{"solve",
+             "what a scene wants of its contact: solve SCENE.toml",
+             "scene",
+             {solve_path_option, solve_digits_option}},
     VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
     VerbText{"audit", "largest error of fast against ref", "quantity", {points_option, rtol_option}},
     VerbText{"bench", "speed against error, beside other libraries", "quantity", {}},

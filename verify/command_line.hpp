@@ -11,7 +11,7 @@ namespace nipref::verify {
 /// A command line taken apart. Values are still text: whoever uses them checks them.
 struct CommandLine {
   std::string verb;
-  std::vector<std::string> words;  ///< names of quantities or tables
+  std::vector<std::string> words;  ///< names of quantities, tables or files
   Assignments assignments;         ///< name=value pairs that are no options
   std::map<std::string, std::string>
       options;  ///< path, digits, rtol, points, given as --name value or as name=value

@@ -22,6 +22,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   }
   if (line.verb == "list") return verify::list_verb(line, out);
   if (line.verb == "eval") return verify::eval_verb(line, out);
+  if (line.verb == "solve") return verify::solve_verb(line, out);
   if (line.verb == "audit") return verify::audit_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,16 @@ struct Counts {
   std::size_t misprint = 0;
   std::size_t seed_error = 0;
   std::size_t unexplained = 0;
+  std::size_t without_number = 0;  ///< of the unexplained: nothing legible to compare
 };
+
+const data::TableCell& printed_cell(const Replay& replay, const ReplayedCell& cell) {
+  return replay.table.cell(cell.row, cell.column);
+}
+
+bool is_without_number(const Replay& replay, const ReplayedCell& cell) {
+  return cell.verdict == Verdict::unexplained && !printed_cell(replay, cell).is_readable();
+}
 
 Counts count(const std::vector<Replay>& replays) {
   Counts counts;
@@ -25,12 +35,10 @@ Counts count(const std::vector<Replay>& replays) {
     counts.misprint += replay.count(Verdict::misprint);
     counts.seed_error += replay.count(Verdict::seed_error);
     counts.unexplained += replay.count(Verdict::unexplained);
+    counts.without_number += static_cast<std::size_t>(std::ranges::count_if(
+        replay.cells, [&](const ReplayedCell& cell) { return is_without_number(replay, cell); }));
   }
   return counts;
-}
-
-const data::TableCell& printed_cell(const Replay& replay, const ReplayedCell& cell) {
-  return replay.table.cell(cell.row, cell.column);
 }
 
 /// A number in the scaling that its column is printed in, with two digits more than the printed cell.
@@ -40,6 +48,11 @@ std::string scaled(const Replay& replay, const ReplayedCell& cell, double value)
   const auto decimals = point == std::string::npos ? 0 : read_as.size() - point - 1;
   const int exponent = replay.table.columns[replay.table.column_index(cell.column)].scale_exponent;
   return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals + 2);
+}
+
+/// Empty if it was not computed.
+std::string corrected(const Replay& replay, const ReplayedCell& cell) {
+  return cell.corrected ? scaled(replay, cell, *cell.corrected) : "";
 }
 
 std::string row_label(const Replay& replay, std::size_t row) {
@@ -53,14 +66,34 @@ std::string row_label(const Replay& replay, std::size_t row) {
 
 void append_full(std::string& text, const Replay& replay) {
   auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12}  {}\n", "row", "column", "printed", "replayed range",
-                 "verdict", "note");
+  fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", "row", "column", "printed",
+                 "replayed range", "corrected", "verdict", "note");
   for (const ReplayedCell& cell : replay.cells) {
     const std::string range = fmt::format("{} .. {}", scaled(replay, cell, cell.range.lower),
                                           scaled(replay, cell, cell.range.upper));
-    fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12}  {}\n", row_label(replay, cell.row), cell.column,
-                   printed_cell(replay, cell).printed, range, name(cell.verdict), cell.note);
+    fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", row_label(replay, cell.row),
+                   cell.column, printed_cell(replay, cell).printed, range, corrected(replay, cell),
+                   name(cell.verdict), cell.note);
   }
+}
+
+/// How far the seed's discretisation is from the truth.
+void append_discretisation(std::string& text, const Replay& replay) {
+  if (replay.discretisation.empty()) return;
+  text += "  discretisation against the continuous contact of the same load:";
+  for (const Deviation& deviation : replay.discretisation) {
+    fmt::format_to(std::back_inserter(text), " {} {:.2f} % in the mean, {:+.2f} % at most{}",
+                   deviation.column, 100 * deviation.mean, 100 * deviation.largest,
+                   &deviation == &replay.discretisation.back() ? "\n" : ";");
+  }
+}
+
+nlohmann::ordered_json discretisation_json(const Replay& replay) {
+  nlohmann::ordered_json columns = nlohmann::ordered_json::object();
+  for (const Deviation& deviation : replay.discretisation) {
+    columns[deviation.column] = {{"mean", deviation.mean}, {"largest", deviation.largest}};
+  }
+  return columns;
 }
 
 void append_exceptions(std::string& text, const Replay& replay) {
@@ -86,6 +119,7 @@ nlohmann::ordered_json cell_json(const Replay& replay, const ReplayedCell& cell)
       {"printed", printed.printed},
       {"read_as", printed.read_as},
       {"replayed", scaled(replay, cell, cell.value)},
+      {"corrected", corrected(replay, cell)},
       {"replayed_range", {scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
       {"verdict", name(cell.verdict)},
       {"note", cell.note}};
@@ -99,11 +133,14 @@ std::string tables_text(const std::vector<Replay>& replays, bool compact) {
     fmt::format_to(std::back_inserter(text), "{}: {}\n  {}\n", replay.table.id, replay.table.title,
                    replay.method);
     compact ? append_exceptions(text, replay) : append_full(text, replay);
+    append_discretisation(text, replay);
   }
   const Counts counts = count(replays);
   fmt::format_to(std::back_inserter(text),
-                 "{} cells (inputs not counted): {} match, {} misprint, {} seed-error, {} unexplained\n",
-                 counts.cells, counts.match, counts.misprint, counts.seed_error, counts.unexplained);
+                 "{} cells (inputs not counted): {} match, {} misprint, {} seed-error, {} unexplained, of "
+                 "which {} have no number\n",
+                 counts.cells, counts.match, counts.misprint, counts.seed_error, counts.unexplained,
+                 counts.without_number);
   return text;
 }
 
@@ -112,7 +149,10 @@ nlohmann::ordered_json tables_json(const std::vector<Replay>& replays) {
   for (const Replay& replay : replays) {
     nlohmann::ordered_json cells = nlohmann::ordered_json::array();
     for (const ReplayedCell& cell : replay.cells) cells.push_back(cell_json(replay, cell));
-    tables.push_back({{"id", replay.table.id}, {"method", replay.method}, {"cells", std::move(cells)}});
+    tables.push_back({{"id", replay.table.id},
+                      {"method", replay.method},
+                      {"discretisation", discretisation_json(replay)},
+                      {"cells", std::move(cells)}});
   }
   const Counts counts = count(replays);
   return {{"tables", std::move(tables)},
@@ -121,7 +161,8 @@ nlohmann::ordered_json tables_json(const std::vector<Replay>& replays) {
             {"match", counts.match},
             {"misprint", counts.misprint},
             {"seed_error", counts.seed_error},
-            {"unexplained", counts.unexplained}}}};
+            {"unexplained", counts.unexplained},
+            {"without_number", counts.without_number}}}};
 }
 
 std::string table_list_text(const std::vector<data::TableSummary>& summaries) {

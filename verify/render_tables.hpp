@@ -8,11 +8,13 @@
 
 namespace nipref::verify {
 
-/// Every table as printed, with the replayed value below each cell; `compact` leaves that out and lists only
-/// cells that do not match.
+/// Every table, a line for each cell with its replayed and its corrected value, then how far the seed's
+/// discretisation is from the truth; `compact` lists only cells that do not match.
 std::string tables_text(const std::vector<Replay>& replays, bool compact);
 
-/// {"tables": [{id, cells: [...]}], "summary": {cells, match, misprint, seed_error, unexplained}}
+/// {"tables": [{id, method, discretisation: {L: {mean, largest}, ...}, cells: [...]}], "summary": {cells,
+/// match, misprint, seed_error, unexplained, without_number}}; without_number counts what of the unexplained
+/// is not legible. Deviations are relative.
 nlohmann::ordered_json tables_json(const std::vector<Replay>& replays);
 
 std::string table_list_text(const std::vector<data::TableSummary>& summaries);

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 
-#include "data/bad_input.hpp"
 #include "data/table_index.hpp"
 #include "verify/replay_line_loads.hpp"
 
 namespace nipref::verify {
-
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
 
 std::size_t Replay::count(Verdict verdict) const {
@@ -22,14 +20,16 @@ Verdict judge(const data::TableCell& cell, const data::Interval& range) {
   return cell.read_as == cell.printed ? Verdict::match : Verdict::misprint;
 }
 
-std::vector<std::string> replayable_tables() { return {"thesis-VII"}; }
+std::vector<std::string> replayable_tables() {
+  std::vector<std::string> ids;
+  for (const LineLoadTable& table : line_load_tables()) ids.emplace_back(table.id);
+  return ids;
+}
 
 Replay replay_table(const std::string& id) {
   data::Table table = data::load_table_by_id(id);
-  if (!std::ranges::count(replayable_tables(), id)) {
-    throw data::BadInput("table", id, "is known but has no replay; there is one for thesis-VII");
-  }
-  return replay_frictionless_line_loads(std::move(table), 2);
+  const LineLoadTable& how = line_load_table(id);
+  return replay_line_loads(std::move(table), how.friction, how.elements_per_side);
 }
 
 }  // namespace nipref::verify

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,12 +30,21 @@ struct ReplayedCell {
   data::Interval range;  ///< as the inputs range over their rounding intervals, base units
   Verdict verdict;
   std::string note;
+  std::optional<double> corrected = {};  ///< of the continuous contact, base units; see replay_corrected.hpp
+};
+
+/// How far a column of the seed's method is from the truth at the same load: relative to the truth.
+struct Deviation {
+  std::string column;
+  double mean;     ///< of the rows' sizes
+  double largest;  ///< in size, with its sign
 };
 
 struct Replay {
   data::Table table;
   std::string method;  ///< what was replayed, in words
   std::vector<ReplayedCell> cells;
+  std::vector<Deviation> discretisation = {};  ///< empty until corrected
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/render_tables.hpp"
+#include "verify/replay_corrected.hpp"
+#include "verify/replay_known.hpp"
 
 namespace nipref::verify {
 namespace {
@@ -23,10 +25,12 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   return 0;
 }
 
-/// Unexplained though the table speaks against neither the printed number nor the length its row is replayed from.
+/// Unexplained though the table speaks against neither the printed number nor the length its row is replayed
+/// from, and not known to be so.
 bool falls_short(const Replay& replay, const ReplayedCell& cell) {
-  return cell.verdict == Verdict::unexplained && !replay.table.cell(cell.row, cell.column).is_doubtful() &&
-         !replay.table.cell(cell.row, "L").is_doubtful();
+  const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
+  return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&
+         !replay.table.cell(cell.row, "L").is_doubtful() && !is_known_miss(replay, cell);
 }
 
 }  // namespace
@@ -36,6 +40,7 @@ int tables_verb(const TablesRequest& request, std::ostream& out) {
   std::vector<Replay> replays;
   for (const std::string& id : request.ids.empty() ? replayable_tables() : request.ids) {
     replays.push_back(replay_table(id));
+    correct(replays.back());
   }
   if (request.json) {
     fmt::print(out, "{}\n", tables_json(replays).dump(2));

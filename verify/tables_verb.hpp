@@ -13,8 +13,8 @@ struct TablesRequest {
   bool compact;  ///< text: the summary and the cells that do not match
 };
 
-/// Writes the replay of the tables, cell by cell, or the list. Exit status: 1 if a cell that its own row does
-/// not contradict is unexplained, else 0. BadInput for unknown ids.
+/// Writes the replay of the tables, cell by cell, or the list. Exit status: 1 if a cell is unexplained that
+/// neither its own row contradicts nor replay_known.hpp lists, else 0. BadInput for unknown ids.
 int tables_verb(const TablesRequest& request, std::ostream& out);
 
 }  // namespace nipref::verify

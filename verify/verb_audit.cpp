@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "verify/audit_all.hpp"
-#include "verify/catalogue.hpp"
+#include "verify/audit_contacts.hpp"
+#include "verify/progress.hpp"
 #include "verify/render_audit.hpp"
 #include "verify/verb_options.hpp"
 #include "verify/verbs.hpp"
@@ -12,15 +14,22 @@
 namespace nipref::verify {
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
-  const auto quantities = select_quantities(line.words);
+  const auto [quantities, contacts] = selection(line);
   const AuditOptions options{points_option(line, AuditOptions{}.points), accuracy_option(line), {}};
   const std::vector<AuditResult> results = audit_all(quantities, options);
+  Progress progress;
+  const auto contact_audits =
+      contacts ? audit_contacts([&](const std::string& what) { progress.show("audit " + what); })
+               : std::vector<ContactAudit>{};
   if (line.json) {
-    fmt::print(out, "{}\n", audit_json(results).dump(2));
+    auto json = audit_json(results);
+    json["contacts"] = contact_audit_json(contact_audits);
+    fmt::print(out, "{}\n", json.dump(2));
   } else {
-    fmt::print(out, "{}", audit_text(results, options.accuracy));
+    if (!results.empty()) fmt::print(out, "{}", audit_text(results, options.accuracy));
+    if (contacts) fmt::print(out, "\n{}", contact_audit_text(contact_audits));
   }
-  return all_kept(results) ? 0 : 1;
+  return all_kept(results) && std::ranges::all_of(contact_audits, &ContactAudit::kept) ? 0 : 1;
 }
 
 }  // namespace nipref::verify

@@ -3,9 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verify/catalogue.hpp"
+#include "verify/bench_contacts.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_bench.hpp"
+#include "verify/verb_options.hpp"
 #include "verify/verbs.hpp"
 
 namespace nipref::verify {
@@ -21,10 +22,11 @@ constexpr auto notes =
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const auto quantities = select_quantities(line.words);
+  const auto [quantities, contacts] = selection(line);
   Progress progress;
-  const BenchReport report =
-      bench(quantities, [&](const std::string& what) { progress.show("bench " + what); });
+  const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
+  BenchReport report = bench(quantities, show);
+  if (contacts) append(report, bench_contacts(show));
   if (line.json) {
     fmt::print(out, "{}\n", bench_json(report).dump(2));
   } else {

@@ -1,6 +1,9 @@
 #include "verify/verb_options.hpp"
 
+#include <vector>
+
 #include "data/bad_input.hpp"
+#include "verify/catalogue.hpp"
 
 namespace nipref::verify {
 
@@ -19,6 +22,13 @@ std::size_t points_option(const CommandLine& line, std::size_t otherwise) {
   if (points < 1 || points > most)
     throw BadInput("points", *text, "must be a whole number from 1 to 100000000");
   return static_cast<std::size_t>(points);
+}
+
+Selection selection(const CommandLine& line) {
+  std::vector<std::string> names = line.words;
+  const bool contacts = std::erase(names, "contact") > 0;
+  if (line.words.empty() || !names.empty()) return {select_quantities(names), contacts || line.words.empty()};
+  return {{}, true};
 }
 
 }  // namespace nipref::verify

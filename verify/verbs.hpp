@@ -10,6 +10,7 @@ namespace nipref::verify {
 
 int list_verb(const CommandLine& line, std::ostream& out);
 int eval_verb(const CommandLine& line, std::ostream& out);
+int solve_verb(const CommandLine& line, std::ostream& out);
 int audit_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);

@@ -1,9 +1,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "fast/contact_line_loads.hpp"
+#include "data/scene_file.hpp"
 #include "fast/sheet_kernels.hpp"
 #include "ref/sheet_kernels.hpp"
+#include "verify/solve.hpp"
 
 int main() {
   using namespace nipref;
@@ -18,9 +19,8 @@ int main() {
   fast::I1(alpha, value, fast::Accuracy(1e-6));
   std::printf("full %.17g, rtol 1e-6 %.17g\n", fast::I1(0.73), value[1]);
 
-  // A frictionless nip: roller radius 6 in, sheet 1 in thick, 100 lbf/in, two line loads a side.
-  const data::ElasticNip nip{6.0, 1.0, {1.45e5, 1.0 / 3}};
-  const fast::LineLoadSolution contact = fast::line_loads_for_load(nip, 2, 100.0);
-  std::printf("contact length %.6g in, peak pressure %.6g psi\n", contact.contact_length,
-              contact.peak_pressure);
+  // A contact from data/scenes/thick-full-friction.toml: what it wants, with estimates of the errors.
+  const auto contact = verify::solve(data::load_scene(data::example_scene("thick-full-friction")));
+  const fast::Estimate length = contact["contact_length"];
+  std::printf("L = %.15g +- %.1e, creep %.15g\n", length.value, length.error, contact["creep_ratio"].value);
 }

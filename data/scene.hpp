@@ -1,0 +1,72 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "data/elastic_nip.hpp"
+#include "data/friction.hpp"
+#include "data/scene_origin.hpp"
+#include "data/scene_results.hpp"
+
+namespace nipref::data {
+
+// A scene is a problem with what is wanted of it: all that `nipref solve` needs. Any consistent units. Keys
+// in the comments are those of the TOML file, see scene_file.hpp.
+
+/// The load is given and the contact length follows.
+struct GivenLoad {
+  double per_length;  ///< W, > 0, force per unit width; load.per_length
+};
+
+/// The contact length is given and the load follows.
+struct GivenLength {
+  double contact_length;  ///< L, > 0 and at most the roller's radius, unit of length; contact.length
+};
+
+/// The continuous contact; as much work as the accuracy needs.
+struct ConvergedMethod {};
+
+/// The thesis's line loads at the centres of equal elements. (thesis 5.1-5.16)
+struct LineLoads {
+  int leading_elements;   ///< on the entry side, 1 to 10000; method.leading_elements
+  int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
+  int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
+                          ///< thesis sums them, 1 to 500; method.residue_terms
+};
+
+/// Where the profiles are wanted. Y counts from the middle of the nip.
+struct EvenlySpaced {
+  int points;  ///< 2 to 100000, from the middle of the nip to the end of the contact, both included
+};
+struct Positions {
+  std::vector<double> y;  ///< finite, unit of length, inside the contact or outside; at least one
+};
+
+/// An elastic sheet between two cylinders.
+struct ElasticNipProblem {
+  ElasticNip nip;
+  std::variant<GivenLoad, GivenLength> given;
+  Friction friction = Friction::none;
+  /// Line loads with full friction only: the creep to be taken in place of the thesis's choice (section 5.5);
+  /// finite, dimensionless.
+  std::optional<double> creep_ratio;
+  std::variant<ConvergedMethod, LineLoads> method;
+  /// Needed if a profile is wanted.
+  std::optional<std::variant<EvenlySpaced, Positions>> profile;
+};
+
+struct Scene {
+  std::string title;
+  std::vector<std::string> wanted;  ///< names out of scene_results(), at least one, none twice
+  /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
+  double accuracy = 1e-10;
+  std::variant<ElasticNipProblem> system;  ///< other systems join here
+  SceneOrigin origin;
+
+  /// Throws BadInput, naming the key and its place, unless every value is in its domain and whatever is
+  /// wanted can be had.
+  void check() const;
+};
+
+}  // namespace nipref::data

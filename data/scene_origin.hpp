@@ -1,0 +1,38 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "data/bad_input.hpp"
+
+namespace nipref::data {
+
+/// Where the keys of a scene stand in the file that it was read from, so that a refusal can name the place
+/// however late it comes. Empty for a scene made in C++. Keys are written "roller.radius", elements of a list
+/// "wanted[1]" (counted from 0).
+class SceneOrigin {
+ public:
+  SceneOrigin() = default;
+  explicit SceneOrigin(std::string file) : file_(std::move(file)) {}
+
+  /// Lines count from 1.
+  void note(std::string key, std::size_t line) { lines_.insert_or_assign(std::move(key), line); }
+
+  /// "FILE:LINE: KEY"; the line is that of the innermost noted part of the key, "FILE: KEY" if none is, "KEY"
+  /// without a file.
+  [[nodiscard]] std::string locate(std::string_view key) const;
+
+  /// Throws BadInput with locate(key) as its argument.
+  [[noreturn]] void refuse(std::string_view key, std::string_view value, std::string_view allowed) const;
+  [[noreturn]] void refuse(std::string_view key, double value, std::string_view allowed) const;
+
+  /// Throws `error` again, about `key` and its place in place of the argument that it names.
+  [[noreturn]] void refuse_as(std::string_view key, const BadInput& error) const;
+
+ private:
+  std::string file_;
+  std::map<std::string, std::size_t, std::less<>> lines_;
+};
+
+}  // namespace nipref::data

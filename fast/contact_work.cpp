@@ -1,0 +1,17 @@
+#include "fast/contact_work.hpp"
+
+#include <algorithm>
+
+namespace nipref::fast {
+
+ContactWork& ContactWork::operator+=(const ContactWork& other) {
+  for (std::size_t kernel = 0; kernel < kernel_evaluations.size(); ++kernel) {
+    kernel_evaluations[kernel] += other.kernel_evaluations[kernel];
+  }
+  terms += other.terms;
+  systems += other.systems;
+  unknowns = std::max(unknowns, other.unknowns);
+  return *this;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,250 @@
+#include "ref/contact_converged.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "ref/multiprecision.hpp"
+#include "ref/sheet_kernels.hpp"
+
+namespace nipref::ref {
+namespace {
+
+using data::BadInput;
+
+constexpr int guard_digits = 15;
+constexpr int most_digits = 100;
+constexpr int most_terms = 900;
+
+Float pi() { return boost::math::constants::pi<Float>(); }
+
+/// One solved expansion, dimensionless: lengths in half-thicknesses b, normal displacements times 2 R/b^2,
+/// pressures times 2 R N/b.
+struct Expansion {
+  Float half_length;
+  Vector coefficients;
+  Float edge_displacement;
+
+  [[nodiscard]] Float load() const { return half_length * pi() / 2 * coefficients(0); }
+  [[nodiscard]] Float indentation() const { return edge_displacement + half_length * half_length; }
+  /// y in half-thicknesses.
+  [[nodiscard]] Float pressure(const Float& y) const {
+    if (abs(y) >= half_length) return 0;
+    const Float angle = acos(y / half_length);
+    Float sum = 0;
+    for (Eigen::Index k = 0; k < coefficients.size(); ++k) sum += coefficients(k) * sin((2 * k + 1) * angle);
+    return sum;
+  }
+};
+
+/// I1(a) + ln a for a != 0.
+Float smooth_kernel(const Float& alpha, int digits) {
+  const Float size = abs(alpha);
+  return to_float(I1(to_exact(size), digits).value) + log(size);
+}
+
+/// int -ln|t - s| sqrt(1 - s^2) U_n(s) ds at t = cos(angle), n even.
+Float logarithm_of(int n, const Float& angle) {
+  const Float lower = n == 0 ? Float(log(Float(2))) : Float(cos(n * angle) / n);
+  return pi() / 2 * (lower - cos((n + 2) * angle) / (n + 2));
+}
+
+/// Matching points at odd, quadrature nodes at even multiples of pi/(4 (terms + 1)): they never meet.
+Expansion expand(const Float& half_length, int terms, int digits, long& kernel_values) {
+  const int size = terms + 1;
+  const Float step = pi() / (4 * size);
+  const auto odd = [&](int i) { return Float((2 * i + 1) * step); };
+  Matrix nodes(size, terms);
+  Vector positions(size);
+  for (int j = 0; j < size; ++j) {
+    const Float angle = 2 * (j + 1) * step;
+    positions(j) = j == terms ? Float(0) : Float(cos(angle));
+    // Gauss-Chebyshev weight times sqrt(1 - s^2) U_2k, half for each of the node and its mirror image.
+    const Float weight = (j == terms ? 1 : 2) * step * sin(angle);
+    for (int k = 0; k < terms; ++k) nodes(j, k) = weight * sin((2 * k + 1) * angle);
+  }
+  Matrix matrix(size, size);
+  Vector gap(size);
+  Matrix smooth(size, size);
+  for (int i = 0; i < size; ++i) {
+    const Float t = cos(odd(i));
+    for (int j = 0; j < size; ++j) {
+      smooth(i, j) = smooth_kernel(half_length * (t - positions(j)), digits) +
+                     smooth_kernel(half_length * (t + positions(j)), digits);
+    }
+  }
+  kernel_values += 2L * size * size;
+  const Float factor = half_length / pi();
+  matrix.leftCols(terms) = smooth * nodes;
+  for (int i = 0; i < size; ++i) {
+    for (int k = 0; k < terms; ++k) matrix(i, k) += logarithm_of(2 * k, odd(i));
+    matrix(i, 0) -= pi() / 2 * log(half_length);
+    for (int k = 0; k < terms; ++k) matrix(i, k) *= factor;
+    matrix(i, terms) = -1;
+    const Float height = half_length * sin(odd(i));
+    gap(i) = height * height;
+  }
+  const Vector unknowns = matrix.partialPivLu().solve(gap);
+  return {half_length, unknowns.head(terms), unknowns(terms)};
+}
+
+int terms_of_level(double half_length, int level) {
+  return static_cast<int>(std::ceil((4 + 2 * half_length) * std::pow(1.5, level)));
+}
+
+void check_digits_here(int digits) {
+  if (digits < 16 || digits > most_digits)
+    throw BadInput("digits", std::to_string(digits), "must be from 16 to 100");
+}
+
+constexpr auto allowed_lengths =
+    "must be at most the roller's radius and from 1e-6 to 20 sheet thicknesses for the reference expansion";
+
+bool length_is_allowed(const data::ElasticNip& nip, double length) {
+  return length >= 1e-6 * nip.sheet_thickness && length <= 20 * nip.sheet_thickness &&
+         length <= nip.roller_radius;
+}
+
+}  // namespace
+
+struct ConvergedContact::Implementation {
+  data::ElasticNip nip;
+  int digits;
+  long kernel_values = 0;
+  std::array<Expansion, 3> expansions{};
+
+  [[nodiscard]] Float half_thickness() const { return Float(nip.sheet_thickness) / 2; }
+  /// b/(2R), unit of slopes.
+  [[nodiscard]] Float slope() const { return half_thickness() / (2 * Float(nip.roller_radius)); }
+  [[nodiscard]] Float pressure_unit() const {
+    const Float poisson = nip.material.poisson;
+    return slope() * Float(nip.material.young) / (2 * (1 - poisson) * (1 + poisson));
+  }
+
+  /// `next` gives the expansion of a number of terms, starting from the last half length.
+  void climb(const std::function<Expansion(const Float& near, int terms)>& next, Float near) {
+    for (int level = 0;; ++level) {
+      const int terms = terms_of_level(static_cast<double>(near), level);
+      if (terms > most_terms) return;
+      std::ranges::rotate(expansions, expansions.begin() + 1);
+      expansions[2] = next(near, terms);
+      near = expansions[2].half_length;
+      if (level < 2) continue;
+      const auto met = [&](const std::function<Float(const Expansion&)>& result) {
+        const Enclosure estimate = enclose_result(result, 1);
+        return to_float(estimate.error_bound) <= pow(Float(10), -digits) * abs(to_float(estimate.value));
+      };
+      if (met([](const Expansion& e) { return e.load(); }) &&
+          met([](const Expansion& e) { return e.indentation(); }) &&
+          met([](const Expansion& e) { return e.pressure(0); }) &&
+          met([](const Expansion& e) { return e.half_length; })) {
+        return;
+      }
+    }
+  }
+
+  [[nodiscard]] Enclosure enclose_result(const std::function<Float(const Expansion&)>& result,
+                                         const Float& unit) const {
+    const WorkingDigits working(digits + guard_digits);
+    const Float before = abs(result(expansions[1]) - result(expansions[0]));
+    const Float last = result(expansions[2]);
+    const Float change = abs(last - result(expansions[1]));
+    const Float rate = change < before ? Float(change / before) : Float(1);
+    const Float rounding = pow(Float(10), -digits - guard_digits / 3) * abs(last);
+    const Float error = 10 * change * rate;
+    return {to_real(unit * last), to_real(abs(unit) * (error > rounding ? error : rounding)), digits};
+  }
+};
+
+ConvergedContact::ConvergedContact(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+ConvergedContact::ConvergedContact(ConvergedContact&&) noexcept = default;
+ConvergedContact::~ConvergedContact() = default;
+
+Enclosure ConvergedContact::contact_length() const {
+  const WorkingDigits working(implementation_->digits + guard_digits);
+  return implementation_->enclose_result([](const Expansion& e) { return e.half_length; },
+                                         2 * implementation_->half_thickness());
+}
+
+Enclosure ConvergedContact::load() const {
+  const WorkingDigits working(implementation_->digits + guard_digits);
+  return implementation_->enclose_result(
+      [](const Expansion& e) { return e.load(); },
+      implementation_->pressure_unit() * implementation_->half_thickness());
+}
+
+Enclosure ConvergedContact::indentation() const {
+  const WorkingDigits working(implementation_->digits + guard_digits);
+  return implementation_->enclose_result([](const Expansion& e) { return e.indentation(); },
+                                         implementation_->slope() * implementation_->half_thickness());
+}
+
+Enclosure ConvergedContact::edge_displacement() const {
+  const WorkingDigits working(implementation_->digits + guard_digits);
+  return implementation_->enclose_result([](const Expansion& e) { return e.edge_displacement; },
+                                         implementation_->slope() * implementation_->half_thickness());
+}
+
+Enclosure ConvergedContact::pressure(double y) const {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  const WorkingDigits working(implementation_->digits + guard_digits);
+  const Float position = Float(y) / implementation_->half_thickness();
+  return implementation_->enclose_result([&](const Expansion& e) { return e.pressure(position); },
+                                         implementation_->pressure_unit());
+}
+
+int ConvergedContact::terms() const {
+  return static_cast<int>(implementation_->expansions[2].coefficients.size());
+}
+long ConvergedContact::kernel_values() const { return implementation_->kernel_values; }
+
+ConvergedContact converged_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+  nip.check();
+  check_digits_here(digits);
+  if (!length_is_allowed(nip, contact_length))
+    throw BadInput("contact_length", contact_length, allowed_lengths);
+  const WorkingDigits working(digits + guard_digits);
+  auto solved = std::make_unique<ConvergedContact::Implementation>(nip, digits);
+  solved->climb([&](const Float& near,
+                    int terms) { return expand(near, terms, digits + guard_digits, solved->kernel_values); },
+                Float(contact_length) / Float(nip.sheet_thickness));
+  return ConvergedContact(std::move(solved));
+}
+
+ConvergedContact converged_for_load(const data::ElasticNip& nip, double load, int digits) {
+  nip.check();
+  check_digits_here(digits);
+  if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
+  const WorkingDigits working(digits + guard_digits);
+  auto solved = std::make_unique<ConvergedContact::Implementation>(nip, digits);
+  const Float wanted = Float(load) / (solved->pressure_unit() * solved->half_thickness());
+  const Float enough = pow(Float(10), -digits - guard_digits / 2);
+  // Secant iteration on ln(load) of ln(length); the slope lies between 2 (half-space) and 3 (springs).
+  const auto solve = [&](const Float& near, int terms) {
+    Float log_length = log(near), last_log_length = 0, last_excess = 0, slope = 2.5;
+    for (int i = 0;; ++i) {
+      Expansion expansion = expand(exp(log_length), terms, digits + guard_digits, solved->kernel_values);
+      const Float excess = log(expansion.load() / wanted);
+      if (abs(excess) <= enough || i == 30) return expansion;
+      if (i > 0) slope = (excess - last_excess) / (log_length - last_log_length);
+      last_log_length = std::exchange(log_length, log_length - excess / slope);
+      last_excess = excess;
+      if (!length_is_allowed(nip, static_cast<double>(exp(log_length)) * nip.sheet_thickness)) {
+        throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_lengths);
+      }
+    }
+  };
+  const double guess = static_cast<double>(wanted);
+  double length = std::sqrt(guess / 3.14159);
+  for (int i = 0; i < 5; ++i) length = std::sqrt(guess / (3.14159 + 8 * length / 3));
+  solved->climb(solve, Float(length));
+  return ConvergedContact(std::move(solved));
+}
+
+}  // namespace nipref::ref

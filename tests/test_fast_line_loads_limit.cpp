@@ -1,0 +1,127 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "fast/contact_converged.hpp"
+#include "fast/contact_line_loads.hpp"
+#include "fast/contact_line_loads_diagnostics.hpp"
+#include "fast/contact_line_loads_grip.hpp"
+#include "fast/sheet_kernels.hpp"
+
+using namespace nipref;
+
+namespace {
+
+/// Numbers of elements of the extrapolation, one for each term of the expansion
+///   truth + (a ln m + b)/m + (c ln^2 m + d ln m + e)/m^2:
+/// the scheme solves, so to speak, a contact whose ends are off by (alpha ln m + beta)/m.
+const std::vector<int> elements{64, 96, 128, 192, 256, 384};
+
+/// First unknown of a square system, by elimination from the last: rows end with the right-hand side.
+double first_unknown(std::vector<std::vector<double>> rows) {
+  for (std::size_t last = rows.size() - 1; last > 0; --last) {
+    const auto pivot =
+        std::ranges::max_element(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(last) + 1, {},
+                                 [&](const auto& row) { return std::abs(row[last]); });
+    std::swap(*pivot, rows[last]);
+    for (std::size_t row = 0; row < last; ++row) {
+      const double factor = rows[row][last] / rows[last][last];
+      for (std::size_t column = 0; column < rows[row].size(); ++column) {
+        rows[row][column] -= factor * rows[last][column];
+      }
+    }
+  }
+  return rows[0].back() / rows[0][0];
+}
+
+double extrapolated(const std::vector<double>& values) {
+  std::vector<std::vector<double>> rows;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double h = 100.0 / elements[i];  // columns of like size
+    const double ln = std::log(h);
+    rows.push_back({1, h * ln, h, h * h * ln * ln, h * h * ln, h * h, values[i]});
+  }
+  return first_unknown(rows);
+}
+
+}  // namespace
+
+TEST_CASE("line loads without friction, extrapolated, are the continuous contact") {
+  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
+    for (const double load : {25.0, 200.0}) {
+      const data::ElasticNip nip{6.0, thickness, {1.45e5, 1.0 / 3}};
+      const auto truth = fast::converged_for_load(nip, data::Friction::none, load, 1e-11);
+      std::vector<double> lengths, indentations;
+      for (const int m : elements) {
+        const auto solution = fast::line_loads_for_load(nip, m, load);
+        lengths.push_back(solution.contact_length);
+        indentations.push_back(solution.indentation);
+      }
+      CAPTURE(thickness);
+      CAPTURE(load);
+      const double length = truth.contact_length().value;
+      CHECK(extrapolated(lengths) == doctest::Approx(length).epsilon(1e-6).scale(0));
+      CHECK(extrapolated(indentations) == doctest::Approx(truth.indentation().value).epsilon(1e-6).scale(0));
+      CHECK(std::abs(lengths.back() / length - 1) > 1e-3);  // which the best of them is far from
+    }
+  }
+}
+
+TEST_CASE("many line loads with full friction oscillate, the continuous contact does not") {
+  const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+  const double length = 0.113;
+  const double creep = -1.93e-4;  // Table IV, W = 100
+  for (const int m : {20, 50, 100, 200}) {
+    CAPTURE(m);
+    const auto gripped = fast::gripped_line_loads_for_length(nip, m, length, creep);
+    CHECK(fast::oscillation(gripped.shear_loads) > 2.5);  // of 4 at most
+  }
+  const auto converged = fast::converged_for_length(nip, data::Friction::full, length, 1e-8);
+  std::vector<double> shear;
+  for (int k = 0; k < 50; ++k) shear.push_back(converged.shear((k + 0.5) / 50 * length / 2).value);
+  CHECK(fast::oscillation(shear) < 0.05);
+  // Pressure alone is smooth, and friction makes the matrix the worse conditioned of the two.
+  CHECK(fast::oscillation(fast::line_loads_for_length(nip, 50, length).line_loads) < 0.05);
+  CHECK(fast::condition_number(nip, 50, length, data::Friction::full) >
+        fast::condition_number(nip, 50, length, data::Friction::none));
+}
+
+TEST_CASE("oscillation of known rows") {
+  CHECK(fast::oscillation(std::vector<double>{1, -1, 1, -1, 1, -1, 1, -1}) == 3);  // 6 bends of 4 over 8
+  CHECK(fast::oscillation(std::vector<double>{1, 2, 3, 4}) == 0);
+  CHECK(fast::oscillation(std::vector<double>{1, 5}) == 0);
+  CHECK(fast::oscillation(std::vector<double>{0, 0, 0}) == 0);
+}
+
+TEST_CASE("condition number of the smallest matrix, by hand") {
+  // One element a side, beta = 1/2: rows (1, -a) and (1, -c), determinant a - c.
+  const data::ElasticNip nip{1.0, 2.0, {1.0, 0.25}};
+  const double a = 2 * fast::I1(0.5);
+  const double c = fast::I1(0.5) + fast::I1(1.5);
+  const double norm = std::max(2.0, std::abs(a) + std::abs(c));
+  const double inverse_norm = std::max(1 + std::abs(a), 1 + std::abs(c)) / std::abs(a - c);
+  CHECK(fast::condition_number(nip, 1, 2.0, data::Friction::none) ==
+        doctest::Approx(norm * inverse_norm).epsilon(1e-12).scale(0));
+}
+
+TEST_CASE("500 elements a side, L/B from 1e-4 to 1e3, poisson from -0.9 to 1/2: no failure") {
+  for (const double poisson : {-0.9, 0.0, 0.5}) {
+    for (const double ratio : {1e-4, 1e-2, 1.0, 1e2, 1e3}) {
+      CAPTURE(poisson);
+      CAPTURE(ratio);
+      const data::ElasticNip nip{1e5, 1.0, {1.0, poisson}};
+      const auto slipping = fast::line_loads_for_length(nip, 500, ratio);
+      CHECK(slipping.load > 0);
+      CHECK(slipping.indentation > 0);
+      CHECK(slipping.line_loads.size() == 500);
+      const auto gripped = fast::gripped_line_loads_for_length(nip, 500, ratio, 0.0);
+      CHECK(std::isfinite(gripped.load));
+      CHECK(std::isfinite(gripped.peak_shear));
+      CHECK(gripped.shear_loads.size() == 500);
+    }
+  }
+}

@@ -1,0 +1,110 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "fast/contact_line_loads_displacements.hpp"
+#include "fast/contact_line_loads_grip.hpp"
+#include "fast/plain_series.hpp"
+#include "fast/sheet_kernels.hpp"
+
+using namespace nipref;
+using fast::ContactWork;
+using fast::LineLoadMethod;
+using fast::LoadSearch;
+
+namespace {
+
+using Counts = std::array<std::uint64_t, 7>;
+
+const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+
+}  // namespace
+
+TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a solve") {
+  ContactWork work;
+  const auto solution = fast::line_loads_for_length(nip, 7, 0.1, &work);
+  CHECK(work.kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
+  CHECK(work.systems == 1);
+  CHECK(work.unknowns == 8);
+  // The creep asks for I3 at the loads; displacements at one place likewise.
+  fast::creep_ratio(nip, solution, 7, &work);
+  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 0, 0});
+  fast::normal_displacement(nip, solution, 7, 0.2, &work);
+  CHECK(work.kernel_evaluations == Counts{28, 0, 14, 0, 0, 0, 0});
+  CHECK(work.systems == 1);
+}
+
+TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only") {
+  ContactWork fast_work;
+  fast::line_loads_for_load(nip, 7, 100.0, {}, &fast_work);
+  CHECK(fast_work.kernel_evaluations == Counts{14 * fast_work.systems, 0, 0, 0, 0, 0, 0});
+  ContactWork thesis_work;
+  const auto by_thesis =
+      fast::line_loads_for_load(nip, 7, 100.0, {LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);
+  CHECK(by_thesis.load == doctest::Approx(100.0).epsilon(1e-12).scale(0));
+  CHECK(fast_work.systems < thesis_work.systems);
+  // The thesis stopped within 0.2 %.
+  ContactWork coarse_work;
+  const auto coarse =
+      fast::line_loads_for_load(nip, 7, 100.0, {LoadSearch::Iteration::thesis, 2e-3}, &coarse_work);
+  CHECK(std::abs(coarse.load / 100.0 - 1) <= 2e-3);
+  CHECK(std::abs(coarse.load / 100.0 - 1) > 1e-9);
+  CHECK(coarse_work.systems < thesis_work.systems / 2);
+}
+
+TEST_CASE("with full friction three kernels at the same distances, one system") {
+  ContactWork work;
+  const auto solution = fast::gripped_line_loads_for_length(nip, 7, 0.1, 1e-4, &work);
+  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+  CHECK(work.systems == 1);
+  CHECK(work.unknowns == 15);
+  // The creep is part of the solution.
+  CHECK(fast::creep_ratio(nip, solution, 7, &work) == 1e-4);
+  CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
+}
+
+TEST_CASE("work adds up") {
+  ContactWork sum{{1, 0, 2, 0, 0, 3, 0}, 10, 1, 5};
+  sum += ContactWork{{4, 0, 0, 0, 0, 1, 7}, 20, 2, 3};
+  CHECK(sum.kernel_evaluations == Counts{5, 0, 2, 0, 0, 4, 7});
+  CHECK(sum.terms == 30);
+  CHECK(sum.systems == 3);
+  CHECK(sum.unknowns == 5);
+}
+
+TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
+  ContactWork work;
+  const auto by_residues = fast::gripped_line_loads_for_length(nip, {5, 500}, 0.1, 1e-4, &work);
+  CHECK(work.terms == 3 * 10 * 500);
+  const auto by_library = fast::gripped_line_loads_for_length(nip, 5, 0.1, 1e-4);
+  CHECK(by_residues.indentation == doctest::Approx(by_library.indentation).epsilon(1e-11).scale(0));
+  CHECK(by_residues.peak_shear == doctest::Approx(by_library.peak_shear).epsilon(1e-10).scale(0));
+  // Half an element is 0.08 b: e^(-0.08 pi 10) is 8 % of it.
+  const auto by_few = fast::gripped_line_loads_for_length(nip, {5, 10}, 0.1, 1e-4);
+  CHECK(by_few.indentation != doctest::Approx(by_library.indentation).epsilon(1e-3).scale(0));
+}
+
+TEST_CASE("plain series: the batch gives I1, I3 and the part of I6 in alpha") {
+  const std::vector<double> alpha{-3.0, -0.2, 0.1, 1.0, 9.0};
+  std::vector<double> i1(5), i3(5), i6(5);
+  fast::plain_series(alpha, 500, {i1, i3, i6});
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    CAPTURE(alpha[i]);
+    CHECK(i1[i] == doctest::Approx(fast::I1(alpha[i])).epsilon(1e-12).scale(1e-3));
+    CHECK(i3[i] == doctest::Approx(fast::I3(alpha[i])).epsilon(1e-12).scale(0));
+    // Against I6 at another alpha, so that the part in eta cancels.
+    CHECK(i6[i] - i6[3] ==
+          doctest::Approx(fast::I6(alpha[i], 0.0) - fast::I6(1.0, 0.0)).epsilon(1e-12).scale(1.0));
+  }
+  // eta so large that its residues have died: I6 = part in alpha + (pi/4) |eta|.
+  CHECK(i6[3] == doctest::Approx(fast::I6(1.0, 30.0) - 30 * std::atan(1.0)).epsilon(1e-12).scale(0));
+  std::vector<double> alone(5);
+  fast::plain_series(alpha, 500, {{}, alone, {}});
+  CHECK(alone == i3);
+  std::vector<double> short_room(4);
+  CHECK_THROWS_AS(fast::plain_series(alpha, 500, {short_room, {}, {}}), data::BadInput);
+  CHECK_THROWS_AS(fast::plain_series(alpha, 501, {i1, {}, {}}), data::BadInput);
+}

@@ -1,0 +1,185 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "data/scene_file.hpp"
+#include "fast/contact_converged.hpp"
+#include "verify/solve.hpp"
+
+using namespace nipref;
+using fast::Estimate;
+
+namespace {
+
+const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+const data::Positions inside_and_outside{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}};
+
+data::Scene scene_of(data::Friction friction, const std::vector<std::string>& wanted,
+                     double accuracy = 1e-8) {
+  data::ElasticNipProblem problem{.nip = nip,
+                                  .given = data::GivenLoad{100},
+                                  .friction = friction,
+                                  .creep_ratio = {},
+                                  .method = data::ConvergedMethod{},
+                                  .profile = inside_and_outside};
+  return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = problem, .origin = {}};
+}
+
+data::ElasticNipProblem& problem_of(data::Scene& scene) {
+  return std::get<data::ElasticNipProblem>(scene.system);
+}
+
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const data::SceneResult& result : data::scene_results()) names.emplace_back(result.name);
+  return names;
+}
+
+/// Values of the kernels that shear or tangential displacement need.
+std::uint64_t other_kernels(const fast::ContactWork& work) {
+  return std::accumulate(work.kernel_evaluations.begin() + 1, work.kernel_evaluations.end(),
+                         std::uint64_t{0});
+}
+
+bool costs_no_more(const fast::ContactWork& less, const fast::ContactWork& more) {
+  bool holds = less.terms <= more.terms && less.unknowns <= more.unknowns && less.systems <= more.systems;
+  for (std::size_t k = 0; k < less.kernel_evaluations.size(); ++k)
+    holds = holds && less.kernel_evaluations[k] <= more.kernel_evaluations[k];
+  return holds;
+}
+
+void check_same(const Estimate& found, const Estimate& expected) {
+  CHECK(found.value == expected.value);
+  CHECK(found.error == expected.error);
+}
+
+const data::Friction frictions[] = {data::Friction::none, data::Friction::full};
+
+}  // namespace
+
+TEST_CASE("each name of a scene is the solver's result of that name") {
+  for (const data::Friction friction : frictions) {
+    const auto solution = verify::solve(scene_of(friction, all_names()));
+    const auto contact = fast::converged_for_load(nip, friction, 100, 1e-8);
+    check_same(solution["contact_length"], contact.contact_length());
+    check_same(solution["load"], contact.load());
+    check_same(solution["indentation"], contact.indentation());
+    check_same(solution["edge_displacement"], contact.edge_displacement());
+    check_same(solution["creep_ratio"], contact.creep_ratio());
+    check_same(solution["peak_pressure"], contact.peak_pressure());
+    check_same(solution["peak_shear"], contact.peak_shear());
+    CHECK(solution.positions == inside_and_outside.y);
+    for (std::size_t i = 0; i < solution.positions.size(); ++i) {
+      const double y = solution.positions[i];
+      check_same(solution.profile("pressure")[i], contact.pressure(y));
+      check_same(solution.profile("shear")[i], contact.shear(y));
+      check_same(solution.profile("normal_displacement")[i], contact.normal_displacement(y));
+      check_same(solution.profile("tangential_displacement")[i], contact.tangential_displacement(y));
+    }
+  }
+}
+
+TEST_CASE("a scene with a given length and the scene with the load that follows are the same contact") {
+  data::Scene by_length = scene_of(data::Friction::full, {"load", "indentation", "creep_ratio"}, 1e-10);
+  problem_of(by_length).given = data::GivenLength{0.3};
+  const auto first = verify::solve(by_length);
+  data::Scene by_load =
+      scene_of(data::Friction::full, {"contact_length", "indentation", "creep_ratio"}, 1e-10);
+  problem_of(by_load).given = data::GivenLoad{first["load"].value};
+  const auto second = verify::solve(by_load);
+  CHECK(second["contact_length"].value == doctest::Approx(0.3).epsilon(1e-9));
+  CHECK(second["indentation"].value == doctest::Approx(first["indentation"].value).epsilon(1e-9));
+  CHECK(second["creep_ratio"].value == doctest::Approx(first["creep_ratio"].value).epsilon(1e-8));
+}
+
+TEST_CASE("evenly spaced positions go from the middle of the nip to the end of the contact") {
+  data::Scene scene = scene_of(data::Friction::none,
+                               {"contact_length", "normal_displacement", "indentation", "edge_displacement"});
+  problem_of(scene).profile = data::EvenlySpaced{5};
+  const auto solution = verify::solve(scene);
+  const double half = solution["contact_length"].value / 2;
+  REQUIRE(solution.positions.size() == 5);
+  for (std::size_t i = 0; i < 5; ++i)
+    CHECK(solution.positions[i] == doctest::Approx(half * static_cast<double>(i) / 4));
+  const auto& u = solution.profile("normal_displacement");
+  CHECK(u.front().value == doctest::Approx(solution["indentation"].value).epsilon(1e-8));
+  CHECK(u.back().value == doctest::Approx(solution["edge_displacement"].value).epsilon(1e-8));
+}
+
+TEST_CASE("positions without a wanted profile cost nothing and are not reported") {
+  data::Scene scene = scene_of(data::Friction::none, {"load"});
+  const auto with = verify::solve(scene);
+  problem_of(scene).profile.reset();
+  const auto without = verify::solve(scene);
+  CHECK(with.positions.empty());
+  CHECK(with.work.kernel_evaluations == without.work.kernel_evaluations);
+}
+
+TEST_CASE("a result that the scene does not want is refused by name") {
+  const auto solution = verify::solve(scene_of(data::Friction::none, {"load"}));
+  CHECK_THROWS_WITH_AS((void)solution["creep_ratio"],
+                       "result = creep_ratio: must be among what the scene wants", data::BadInput);
+}
+
+TEST_CASE("a frictionless scene that wants no tangential result evaluates I1 alone") {
+  const std::vector<std::string> normal{"contact_length",     "load",     "indentation", "edge_displacement",
+                                        "peak_pressure",      "pressure", "shear",       "peak_shear",
+                                        "normal_displacement"};
+  const auto solution = verify::solve(scene_of(data::Friction::none, normal));
+  CHECK(solution.work.kernel_evaluations[0] > 0);
+  CHECK(other_kernels(solution.work) == 0);
+  for (const char* tangential : {"creep_ratio", "tangential_displacement"}) {
+    CHECK(other_kernels(verify::solve(scene_of(data::Friction::none, {tangential})).work) > 0);
+  }
+}
+
+TEST_CASE("a coarser accuracy costs fewer unknowns and fewer series terms") {
+  for (const data::Friction friction : frictions) {
+    const std::vector<std::string> wanted{"contact_length", "creep_ratio"};
+    const auto coarse = verify::solve(scene_of(friction, wanted, 1e-4)).work;
+    const auto fine = verify::solve(scene_of(friction, wanted, 1e-10)).work;
+    CHECK(coarse.unknowns < fine.unknowns);
+    CHECK(coarse.terms < fine.terms);
+    CHECK(costs_no_more(coarse, fine));
+  }
+}
+
+TEST_CASE("wanting less never costs more") {
+  for (const data::Friction friction : frictions) {
+    std::vector<std::string> wanted = all_names();
+    auto more = verify::solve(scene_of(friction, wanted)).work;
+    while (wanted.size() > 1) {
+      CAPTURE(wanted.back());
+      wanted.pop_back();
+      const auto less = verify::solve(scene_of(friction, wanted)).work;
+      CHECK(costs_no_more(less, more));
+      more = less;
+    }
+  }
+}
+
+TEST_CASE("a contact that is not allowed shows on solving, and is refused by what was given") {
+  data::Scene scene = scene_of(data::Friction::none, {"load"});
+  for (const double load : {1e-200, 1e10, 1e300}) {
+    problem_of(scene).given = data::GivenLoad{load};
+    CHECK_THROWS_AS((void)verify::solve(scene), data::BadInput);
+    try {
+      (void)verify::solve(scene);
+    } catch (const data::BadInput& error) {
+      CAPTURE(error.what());
+      CHECK(std::string(error.what()).starts_with("load.per_length = "));
+    }
+  }
+  problem_of(scene).given = data::GivenLength{1e-10};
+  try {
+    (void)verify::solve(scene);
+    FAIL("1e-10 was accepted");
+  } catch (const data::BadInput& error) {
+    CHECK(std::string(error.what()).starts_with("contact.length = 1e-10: "));
+  }
+}

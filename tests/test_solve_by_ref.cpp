@@ -1,0 +1,118 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "data/scene.hpp"
+#include "verify/solve.hpp"
+
+using namespace nipref;
+
+namespace {
+
+data::Scene scene_of(double thickness, const std::vector<std::string>& wanted) {
+  data::ElasticNipProblem problem{.nip = {6.0, thickness, {1.45e5, 1.0 / 3}},
+                                  .given = data::GivenLoad{100},
+                                  .creep_ratio = {},
+                                  .method = data::ConvergedMethod{},
+                                  .profile = data::Positions{{-0.02, 0.0, 0.01, 0.5}}};
+  return {.title = "test", .wanted = wanted, .accuracy = 1e-11, .system = problem, .origin = {}};
+}
+
+data::ElasticNipProblem& problem_of(data::Scene& scene) {
+  return std::get<data::ElasticNipProblem>(scene.system);
+}
+
+data::Scene line_load_scene() {
+  data::Scene scene = scene_of(0.25, {"load", "indentation", "edge_displacement"});
+  problem_of(scene).given = data::GivenLength{0.15};
+  problem_of(scene).method = data::LineLoads{5, 5};
+  return scene;
+}
+
+void check_refused(const data::Scene& scene, const std::string& start, int digits = 16) {
+  CAPTURE(start);
+  try {
+    (void)verify::solve_by_ref(scene, digits);
+    FAIL("accepted");
+  } catch (const data::BadInput& error) {
+    CAPTURE(error.what());
+    CHECK(std::string(error.what()).starts_with(start));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the reference's converged contact lies within the error estimates of the one in double") {
+  const std::vector<std::string> wanted{"contact_length",    "load",          "indentation",
+                                        "edge_displacement", "peak_pressure", "pressure"};
+  for (const double thickness : {1.0, 0.25}) {
+    const auto fast = verify::solve(scene_of(thickness, wanted));
+    const auto reference = verify::solve_by_ref(scene_of(thickness, wanted), 20);
+    REQUIRE(reference.results.size() == wanted.size());
+    for (std::size_t r = 0; r < wanted.size(); ++r) {
+      CAPTURE(wanted[r]);
+      REQUIRE(reference.results[r].numbers.size() == fast.results[r].numbers.size());
+      for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
+        const fast::Estimate& number = fast.results[r].numbers[i];
+        const verify::LongEstimate& truth = reference.results[r].numbers[i];
+        const double rounding = 1e-15 * std::fabs(number.value);
+        CHECK(std::fabs(number.value - std::stod(truth.value)) <= number.error + rounding);
+        CHECK(std::stod(truth.error) <= 1e-19 * std::fabs(number.value));
+      }
+    }
+    CHECK(reference.work.kernel_evaluations[0] > 0);
+    CHECK(reference.work.unknowns > 0);
+  }
+}
+
+TEST_CASE("the reference's line loads are those in double, with friction and without") {
+  data::Scene scene = line_load_scene();
+  for (const bool friction : {false, true}) {
+    if (friction) {
+      problem_of(scene).friction = data::Friction::full;
+      problem_of(scene).creep_ratio = 1e-4;
+    }
+    const auto fast = verify::solve(scene);
+    const auto reference = verify::solve_by_ref(scene, 30);
+    for (const std::string& name : scene.wanted) {
+      CAPTURE(name);
+      CHECK(std::stod(reference[name].value) == doctest::Approx(fast[name].value).epsilon(1e-9));
+      CHECK(std::stod(reference[name].error) <= 1e-30 * std::fmax(1, std::fabs(fast[name].value)));
+      CHECK(reference[name].value.size() > 30);
+    }
+    CHECK(reference.work.unknowns == (friction ? 11 : 6));
+  }
+}
+
+TEST_CASE("what the reference does not have is refused by its key") {
+  data::Scene scene = scene_of(0.25, {"load", "creep_ratio"});
+  check_refused(scene, "wanted[1] = creep_ratio: must be one of what the reference has here: contact_length");
+  scene = scene_of(0.25, {"load"});
+  problem_of(scene).friction = data::Friction::full;
+  check_refused(scene, "friction.model = full: must be none");
+
+  scene = line_load_scene();
+  problem_of(scene).given = data::GivenLoad{100};
+  check_refused(scene, "load.per_length = 100: must be a [contact] length");
+  scene = line_load_scene();
+  problem_of(scene).method = data::LineLoads{5, 5, 100};
+  check_refused(scene, "method.residue_terms = 100: must be 0");
+  scene = line_load_scene();
+  problem_of(scene).friction = data::Friction::full;
+  check_refused(scene, "friction.creep_ratio = (missing): must be given");
+  scene = line_load_scene();
+  scene.wanted = {"peak_pressure"};
+  check_refused(scene, "wanted[0] = peak_pressure: must be one of what the reference has here: load");
+}
+
+TEST_CASE("lengths and digits beyond the reference's solvers are refused by name") {
+  data::Scene scene = scene_of(0.005, {"load"});
+  problem_of(scene).given = data::GivenLength{0.5};
+  check_refused(scene, "contact.length = 0.5: ");
+  check_refused(scene_of(0.25, {"load"}), "digits = 15: ", 15);
+  problem_of(scene).given = data::GivenLoad{-1};
+  check_refused(scene, "load.per_length = -1: must be finite and > 0");
+}

@@ -1,0 +1,203 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "data/scene.hpp"
+#include "fast/contact_line_loads.hpp"
+#include "fast/contact_line_loads_displacements.hpp"
+#include "fast/contact_line_loads_grip.hpp"
+#include "verify/solve.hpp"
+
+using namespace nipref;
+using fast::Estimate;
+
+namespace {
+
+const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+constexpr double accuracy = 1e-9;
+
+data::ElasticNipProblem problem_of(data::Friction friction, int elements) {
+  return {.nip = nip,
+          .given = data::GivenLoad{100},
+          .friction = friction,
+          .creep_ratio = {},
+          .method = data::LineLoads{elements, elements},
+          .profile = data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}}};
+}
+
+data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<std::string>& wanted) {
+  return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = problem, .origin = {}};
+}
+
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const data::SceneResult& result : data::scene_results()) names.emplace_back(result.name);
+  return names;
+}
+
+data::ElasticNipProblem converged(data::ElasticNipProblem problem) {
+  problem.method = data::ConvergedMethod{};
+  problem.creep_ratio.reset();
+  return problem;
+}
+
+void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineLoadSolution& expected,
+              const fast::LineLoadMethod& method) {
+  const auto close = [](double value) { return doctest::Approx(value).epsilon(1e-9); };
+  CHECK(solution["contact_length"].value == close(expected.contact_length));
+  CHECK(solution["load"].value == close(expected.load));
+  CHECK(solution["indentation"].value == close(expected.indentation));
+  CHECK(solution["edge_displacement"].value == close(expected.edge_displacement));
+  CHECK(solution["peak_pressure"].value == close(expected.peak_pressure));
+  CHECK(solution["peak_shear"].value == close(expected.peak_shear));
+  CHECK(solution["creep_ratio"].value == close(fast::creep_ratio(nip, expected, method)));
+  for (std::size_t i = 0; i < solution.positions.size(); ++i) {
+    const double y = solution.positions[i];
+    CHECK(solution.profile("pressure")[i].value == close(fast::element_pressure(expected, y)));
+    CHECK(solution.profile("shear")[i].value == close(fast::element_shear(expected, y)));
+    CHECK(solution.profile("normal_displacement")[i].value ==
+          close(fast::normal_displacement(nip, expected, method, y)));
+    CHECK(solution.profile("tangential_displacement")[i].value ==
+          close(fast::tangential_displacement(nip, expected, method, y)));
+  }
+}
+
+/// The first of the kernels whose values the work counts and that is not among those allowed; 0 if there is
+/// none.
+int first_kernel_beside(const fast::ContactWork& work, const std::vector<int>& allowed) {
+  for (int kernel = 1; kernel <= 7; ++kernel) {
+    const bool counted = work.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] > 0;
+    if (counted && std::ranges::find(allowed, kernel) == allowed.end()) return kernel;
+  }
+  return 0;
+}
+
+}  // namespace
+
+TEST_CASE("each name of a line-load scene is the solver's result of that name") {
+  const fast::LineLoadMethod method(4, 0, fast::Accuracy(accuracy));
+  data::ElasticNipProblem problem = problem_of(data::Friction::none, 4);
+  check_is(verify::solve(scene_of(problem, all_names())), fast::line_loads_for_load(nip, method, 100),
+           method);
+  problem.given = data::GivenLength{0.2};
+  check_is(verify::solve(scene_of(problem, all_names())), fast::line_loads_for_length(nip, method, 0.2),
+           method);
+
+  problem.friction = data::Friction::full;
+  problem.creep_ratio = 1e-4;
+  check_is(verify::solve(scene_of(problem, all_names())),
+           fast::gripped_line_loads_for_length(nip, method, 0.2, 1e-4), method);
+  problem.given = data::GivenLoad{100};
+  check_is(verify::solve(scene_of(problem, all_names())),
+           fast::gripped_line_loads_for_load(nip, method, 100, 1e-4), method);
+}
+
+TEST_CASE(
+    "without a creep ratio line loads with friction take the thesis's, and carry the load that is given") {
+  const fast::LineLoadMethod method(3, 0, fast::Accuracy(accuracy));
+  const auto solution = verify::solve(scene_of(problem_of(data::Friction::full, 3), all_names()));
+  CHECK(solution["load"].value == doctest::Approx(100).epsilon(1e-9));
+  const auto expected = fast::thesis_line_loads_for_length(nip, method, solution["contact_length"].value);
+  REQUIRE(expected.has_value());
+  check_is(solution, *expected, method);
+}
+
+TEST_CASE("the error estimate of line loads is their distance to the continuous contact, and at least that") {
+  for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
+    const data::ElasticNipProblem problem = problem_of(friction, 3);
+    const auto loads = verify::solve(scene_of(problem, all_names()));
+    const auto truth = verify::solve(scene_of(converged(problem), all_names()));
+    for (std::size_t r = 0; r < loads.results.size(); ++r) {
+      CAPTURE(std::string(loads.results[r].what->name));
+      for (std::size_t i = 0; i < loads.results[r].numbers.size(); ++i) {
+        const Estimate& number = loads.results[r].numbers[i];
+        const double distance = std::fabs(number.value - truth.results[r].numbers[i].value);
+        CHECK(number.error >= distance * (1 - 1e-6));
+        CHECK(number.error <= distance + 1e-3 * std::fabs(truth.results[r].numbers[i].value) + 1e-3);
+      }
+    }
+  }
+}
+
+TEST_CASE("more line loads come closer to the continuous contact") {
+  const auto length_error = [](int elements) {
+    return verify::solve(
+               scene_of(problem_of(data::Friction::none, elements), {"contact_length"}))["contact_length"]
+        .error;
+  };
+  CHECK(length_error(40) < length_error(10) / 2);
+  CHECK(length_error(160) < length_error(40) / 2);
+}
+
+TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and so do their error estimates") {
+  const auto work_of = [](data::Friction friction, const std::vector<std::string>& wanted) {
+    const auto solution = verify::solve(scene_of(problem_of(friction, 3), wanted));
+    CHECK(solution.work.kernel_evaluations[0] > 0);
+    CHECK(solution.error_work.kernel_evaluations[0] > 0);
+    fast::ContactWork both = solution.work;
+    both += solution.error_work;
+    return both;
+  };
+  const std::vector<std::string> normal{"contact_length", "load",     "indentation", "edge_displacement",
+                                        "peak_pressure",  "pressure", "shear",       "normal_displacement"};
+  CHECK(first_kernel_beside(work_of(data::Friction::none, normal), {1}) == 0);
+  CHECK(first_kernel_beside(work_of(data::Friction::none, all_names()), {1, 3}) == 0);
+  CHECK(first_kernel_beside(work_of(data::Friction::none, {"creep_ratio"}), {1}) == 3);
+  CHECK(first_kernel_beside(work_of(data::Friction::full, normal), {1, 3, 6}) == 0);
+}
+
+TEST_CASE("residue terms are counted value by value, and change nothing where the elements are wide") {
+  data::ElasticNipProblem problem = problem_of(data::Friction::none, 3);
+  problem.given = data::GivenLength{0.3};
+  const auto library = verify::solve(scene_of(problem, {"load"}));
+  problem.method = data::LineLoads{3, 3, 500};
+  const auto series = verify::solve(scene_of(problem, {"load"}));
+  CHECK(series.work.terms == 500 * series.work.kernel_evaluations[0]);
+  CHECK(series.work.kernel_evaluations[0] == 6);
+  CHECK(series.work.unknowns == 4);
+  CHECK(series.work.systems == 1);
+  CHECK(series["load"].value == doctest::Approx(library["load"].value).epsilon(1e-8));
+}
+
+TEST_CASE("a displacement wanted at a line load is refused by its position") {
+  data::ElasticNipProblem problem = problem_of(data::Friction::none, 1);
+  problem.given = data::GivenLength{0.5};
+  problem.profile = data::Positions{{0.0, 0.125}};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"normal_displacement"})),
+                       "profile.positions[1] = 0.125: must not be the place of a line load", data::BadInput);
+  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {"pressure"})));
+}
+
+TEST_CASE("line loads have the same allowed contacts as the continuous one") {
+  data::ElasticNipProblem problem = problem_of(data::Friction::none, 2);
+  for (const double load : {1e-200, 1e10}) {
+    problem.given = data::GivenLoad{load};
+    try {
+      (void)verify::solve(scene_of(problem, {"load"}));
+      FAIL("accepted");
+    } catch (const data::BadInput& error) {
+      CHECK(std::string(error.what()).starts_with("load.per_length = "));
+    }
+  }
+}
+
+TEST_CASE("where no creep meets the thesis's conditions, the refusal says so and what would help") {
+  data::ElasticNipProblem problem = problem_of(data::Friction::full, 50);
+  problem.nip.sheet_thickness = 0.0625;
+  REQUIRE_FALSE(fast::thesis_line_loads_for_length(problem.nip, fast::LineLoadMethod(50), 0.1).has_value());
+  const std::string why =
+      ": no creep meets the thesis's conditions here: friction.creep_ratio must be given, or other elements";
+  problem.given = data::GivenLength{0.1};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"load"})),
+                       ("contact.length = 0.1" + why).c_str(), data::BadInput);
+  problem.given = data::GivenLoad{100};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"load"})),
+                       ("load.per_length = 100" + why).c_str(), data::BadInput);
+  problem.creep_ratio = 1e-3;
+  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {"load"})));
+}

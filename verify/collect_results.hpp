@@ -1,0 +1,50 @@
+#pragma once
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "verify/solve.hpp"
+#include "verify/solved_contact.hpp"
+
+namespace nipref::verify {
+
+/// Where the scene's profiles are wanted in a contact of this length; nothing if none is wanted.
+std::vector<double> profile_positions(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                      double contact_length);
+
+template <class Number>
+std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
+                               const std::vector<double>& positions, const data::SceneOrigin& origin) {
+  std::vector<Number> numbers;
+  for (const double y : positions) {
+    try {
+      numbers.push_back(contact.at(name, y));
+    } catch (const data::BadInput& error) {
+      origin.refuse_as("profile.positions[" + std::to_string(numbers.size()) + "]", error);
+    }
+  }
+  return numbers;
+}
+
+/// Asks the contact for everything that the scene wants, and for nothing else.
+template <class Number>
+SceneSolution<Number> collect_results(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                      const SolvedContact<Number>& contact) {
+  SceneSolution<Number> solution;
+  solution.title = scene.title;
+  solution.positions = profile_positions(scene, problem, contact.contact_length());
+  for (const std::string& name : scene.wanted) {
+    const data::SceneResult* what = data::find_scene_result(name);
+    if (what->is_profile) {
+      solution.results.push_back({what, profile_of(contact, name, solution.positions, scene.origin)});
+    } else {
+      solution.results.push_back({what, {contact.number(name)}});
+    }
+  }
+  solution.work = contact.work();
+  solution.error_work = contact.error_work();
+  return solution;
+}
+
+}  // namespace nipref::verify

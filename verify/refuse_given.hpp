@@ -1,0 +1,12 @@
+#pragma once
+#include "data/bad_input.hpp"
+#include "data/scene.hpp"
+
+namespace nipref::verify {
+
+/// Throws what a solver refused again, naming the scene's key. The scene itself being in order, it is where
+/// the load or the length leads.
+[[noreturn]] void refuse_given(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                               const data::BadInput& error);
+
+}  // namespace nipref::verify

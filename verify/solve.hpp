@@ -1,0 +1,63 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "data/scene.hpp"
+#include "fast/contact_work.hpp"
+#include "fast/estimate.hpp"
+
+namespace nipref::verify {
+
+/// A number of the reference with its error as decimal text: it may have more digits than a double, and an
+/// error smaller than any double.
+struct LongEstimate {
+  std::string value;
+  std::string error;
+};
+
+/// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or LongEstimate.
+template <class Number>
+struct SceneSolution {
+  struct Result {
+    const data::SceneResult* what;
+    std::vector<Number> numbers;  ///< of a profile: one for each of `positions`, otherwise one
+  };
+
+  std::string title;
+  std::vector<Result> results;    ///< in the order of the scene's `wanted`
+  std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
+  fast::ContactWork work;         ///< that the results have cost
+  fast::ContactWork error_work;   ///< that the error estimates of line loads have cost, nothing otherwise
+  double seconds = 0;             ///< wall clock, for all of it
+
+  /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted `name`.
+  [[nodiscard]] const Number& operator[](std::string_view name) const { return profile(name).front(); }
+  [[nodiscard]] const std::vector<Number>& profile(std::string_view name) const {
+    for (const Result& result : results) {
+      if (result.what->name == name) return result.numbers;
+    }
+    throw data::BadInput("result", name, "must be among what the scene wants");
+  }
+};
+
+/// Solves the scene in double; only what it wants is computed. Converged results come with the solver's own
+/// error estimate. The results of line loads, whose own error is their distance to the continuous contact,
+/// are set against that contact solved to 1e-5: the estimate is the difference. BadInput, naming the scene's
+/// key and its place, for what Scene::check refuses, and for a contact whose length is not allowed
+/// (fast/contact_converged.hpp), which shows only when it is solved.
+[[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
+
+/// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
+/// scene's accuracy is not used. It has, and refuses with BadInput whatever else the scene says or wants:
+/// - the continuous contact without friction, with estimated errors: contact_length, load, indentation,
+///   edge_displacement, peak_pressure, pressure; digits from 16 to 100 (ref/contact_converged.hpp);
+/// - line loads of given contact length, with friction of given creep ratio, no residue_terms: load,
+/// indentation,
+///   edge_displacement, with proven bounds on the error of the discrete system, not of its distance to the
+///   continuous contact; digits from 16 to 300 (ref/contact_line_loads.hpp).
+[[nodiscard]] SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits = 30);
+
+}  // namespace nipref::verify

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include "verify/collect_results.hpp"
+#include "verify/refuse_given.hpp"
+#include "verify/solve.hpp"
+#include "verify/solve_ref_methods.hpp"
+#include "verify/stopwatch.hpp"
+
+namespace nipref::verify {
+namespace {
+
+using Solved = std::unique_ptr<SolvedContact<LongEstimate>>;
+
+struct CheckMethod {
+  const data::Scene& scene;
+  const data::ElasticNipProblem& problem;
+
+  void operator()(const data::ConvergedMethod&) const { check_ref_converged(scene, problem); }
+  void operator()(const data::LineLoads& loads) const { check_ref_line_loads(scene, problem, loads); }
+};
+
+struct SolveByMethod {
+  const data::ElasticNipProblem& problem;
+  int digits;
+
+  Solved operator()(const data::ConvergedMethod&) const { return solve_ref_converged(problem, digits); }
+  Solved operator()(const data::LineLoads& loads) const {
+    return solve_ref_line_loads(problem, loads, digits);
+  }
+};
+
+Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem, int digits) {
+  try {
+    return std::visit(SolveByMethod{problem, digits}, problem.method);
+  } catch (const data::BadInput& error) {
+    if (std::string_view(error.what()).starts_with("digits = ")) throw;
+    refuse_given(scene, problem, error);
+  }
+}
+
+}  // namespace
+
+void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known) {
+  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
+    if (std::ranges::find(known, scene.wanted[i]) != known.end()) continue;
+    scene.origin.refuse(
+        fmt::format("wanted[{}]", i), scene.wanted[i],
+        fmt::format("must be one of what the reference has here: {}", fmt::join(known, ", ")));
+  }
+}
+
+SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits) {
+  scene.check();
+  SceneSolution<LongEstimate> solution;
+  const auto solve_system = [&](const data::ElasticNipProblem& problem) {
+    std::visit(CheckMethod{scene, problem}, problem.method);
+    solution = collect_results(scene, problem, *solve_named(scene, problem, digits));
+  };
+  const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
+  solution.seconds = seconds;
+  return solution;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,19 @@
+#pragma once
+#include <memory>
+
+#include "data/scene.hpp"
+#include "fast/estimate.hpp"
+#include "verify/solved_contact.hpp"
+
+namespace nipref::verify {
+
+// The elastic nip solved in double by each method. `accuracy` is the scene's. BadInput naming "load" or
+// "contact_length" if the contact's length is not allowed.
+
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_converged(const data::ElasticNipProblem& problem,
+                                                               double accuracy);
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_line_loads(const data::ElasticNipProblem& problem,
+                                                                const data::LineLoads& loads,
+                                                                double accuracy);
+
+}  // namespace nipref::verify

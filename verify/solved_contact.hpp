@@ -1,0 +1,27 @@
+#pragma once
+#include <string_view>
+
+#include "fast/contact_work.hpp"
+
+namespace nipref::verify {
+
+/// A solved contact that answers by the names of data::scene_results(). Nothing is computed before it is
+/// asked for.
+template <class Number>
+class SolvedContact {
+ public:
+  SolvedContact() = default;
+  SolvedContact(const SolvedContact&) = delete;
+  SolvedContact& operator=(const SolvedContact&) = delete;
+  virtual ~SolvedContact() = default;
+
+  [[nodiscard]] virtual Number number(std::string_view name) const = 0;
+  /// A profile's value at Y, unit of length.
+  [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
+  [[nodiscard]] virtual double contact_length() const = 0;
+  /// Spent so far on the results, and on nothing but their error estimates.
+  [[nodiscard]] virtual fast::ContactWork work() const = 0;
+  [[nodiscard]] virtual fast::ContactWork error_work() const { return {}; }
+};
+
+}  // namespace nipref::verify
