@@ -48,8 +48,8 @@ const std::array verbs{
              "scene",
              {solve_path_option, solve_digits_option}},
     VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
-    VerbText{"audit", "largest error of fast against ref", "quantity", {points_option, rtol_option}},
-    VerbText{"bench", "speed against error, beside other libraries", "quantity", {}},
+    VerbText{"audit", "largest error of fast against ref", "quantity or contact", {points_option, rtol_option}},
+    VerbText{"bench", "speed against error, beside other libraries", "quantity or contact", {}},
     VerbText{"report", "audit, bench and tables on a page or two", "", {points_option}},
 };
 

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "verify/audit_all.hpp"
+#include "verify/audit_contacts.hpp"
+#include "verify/bench_contacts.hpp"
 #include "verify/catalogue.hpp"
 #include "verify/machine.hpp"
 #include "verify/progress.hpp"
@@ -31,34 +33,55 @@ Tables run_tables(bool json) {
 
 BenchReport run_bench() {
   Progress progress;
-  return bench(select_quantities({}), [&](const std::string& what) { progress.show("bench " + what); });
+  const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
+  BenchReport report = bench(select_quantities({}), show);
+  append(report, bench_contacts(show));
+  return report;
 }
 
-/// On each quantity's first range only, which is the one that the promised ratios are about, and all rows in
-/// many digits.
+/// Fast against ref: the quantities, and the hard cases of the contacts.
+struct Audits {
+  std::vector<AuditResult> quantities;
+  std::vector<ContactAudit> contacts;
+
+  [[nodiscard]] bool kept() const {
+    return all_kept(quantities) && std::ranges::all_of(contacts, &ContactAudit::kept);
+  }
+};
+
+Audits run_audits(const AuditOptions& options) {
+  std::vector<AuditResult> quantities = audit_all(select_quantities({}), options);
+  Progress progress;
+  return {std::move(quantities),
+          audit_contacts([&](const std::string& what) { progress.show("audit " + what); })};
+}
+
+/// On each quantity's first range only, which is the one that the promised ratios are about, all rows in many
+/// digits, and the contacts.
 std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   std::vector<BenchRow> essential;
   std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
     return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
-           row.method.find("digits") != std::string::npos;
+           row.method.find("digits") != std::string::npos || row.quantity == "contact";
   });
   return essential;
 }
 
-void print_text(const BenchReport& speed, const std::vector<AuditResult>& audits, const Tables& tables,
-                std::ostream& out) {
+void print_text(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
   fmt::print(out, "nipref report\n\nbuilt with {}\nrun on {}\n", build_description(), machine_description());
-  fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}", audit_text(audits, {}));
+  fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}",
+             audit_text(audits.quantities, {}));
+  fmt::print(out, "\nHard cases of the contacts\n\n{}", contact_audit_text(audits.contacts));
   fmt::print(out, "\nSpeed against error (all ranges: nipref bench)\n\n{}\n{}",
              bench_text(essential_rows(speed.rows)), ratios_text(speed.ratios));
   fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables.text);
 }
 
-void print_json(const BenchReport& speed, const std::vector<AuditResult>& audits, const Tables& tables,
-                std::ostream& out) {
+void print_json(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
   const nlohmann::ordered_json json{{"build", build_description()},
                                     {"machine", machine_description()},
-                                    {"audit", audit_json(audits)},
+                                    {"audit", audit_json(audits.quantities)},
+                                    {"contact_audit", contact_audit_json(audits.contacts)},
                                     {"bench", bench_json(speed)},
                                     {"tables", nlohmann::ordered_json::parse(tables.text)}};
   fmt::print(out, "{}\n", json.dump(2));
@@ -70,10 +93,10 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   const AuditOptions options{points_option(line, AuditOptions{}.points), {}, {}};
   const BenchReport speed =
       run_bench();  // before the audit, which would build ref's nodes: their cost is measured
-  const std::vector<AuditResult> audits = audit_all(select_quantities({}), options);
+  const Audits audits = run_audits(options);
   const Tables tables = run_tables(line.json);
   (line.json ? print_json : print_text)(speed, audits, tables, out);
-  return std::max(all_kept(audits) ? 0 : 1, tables.status);
+  return std::max(audits.kept() ? 0 : 1, tables.status);
 }
 
 }  // namespace nipref::verify

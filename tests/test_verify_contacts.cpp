@@ -1,0 +1,60 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "verify/audit_contacts.hpp"
+#include "verify/bench_contacts.hpp"
+
+using namespace nipref;
+
+TEST_CASE("hard cases of the contacts: none fails, each error is within what condition or estimate allow") {
+  const auto audits = verify::audit_contacts([](const std::string&) {});
+  const auto find = [&](const std::string& system, double ratio, double poisson, int unknowns) {
+    return std::ranges::any_of(audits, [&](const verify::ContactAudit& audit) {
+      return audit.system.find(system) == 0 && audit.ratio == ratio && audit.poisson == poisson &&
+             (unknowns == 0 || audit.unknowns == unknowns);
+    });
+  };
+  for (const double ratio : {1e-4, 1e3}) {
+    for (const double poisson : {-0.9, 0.5}) {
+      CHECK(find("converged, full friction", ratio, poisson, 0));
+      CHECK(find("converged, no friction", ratio, poisson, 0));
+      CHECK(find("line loads, full friction", ratio, poisson, 1001));
+      CHECK(find("line loads, no friction", ratio, poisson, 501));
+    }
+  }
+  CHECK(std::ranges::count_if(audits, &verify::ContactAudit::against_ref) > 30);
+  for (const verify::ContactAudit& audit : audits) {
+    CAPTURE(audit.system);
+    CAPTURE(audit.ratio);
+    CAPTURE(audit.poisson);
+    CHECK(audit.kept());
+    if (audit.system.find("converged") == 0) CHECK(audit.error < 1e-5);
+    // Many line loads with friction zigzag, the converged shear does not.
+    if (audit.system == "converged, full friction") CHECK(audit.oscillation < 0.05);
+    if (audit.system == "line loads, full friction" && audit.unknowns == 1001 && audit.ratio <= 1) {
+      CHECK(audit.oscillation > 0.5);
+    }
+  }
+  CHECK(verify::contact_audit_json(audits).size() == audits.size());
+}
+
+TEST_CASE("converged contacts at 1e-10 are at least 1e5 times nearer than the thesis's method") {
+  const verify::BenchReport report = verify::bench_contacts([](const std::string&) {});
+  for (const char* sheet : {"B=1 W=100", "B=0.25 W=100", "B=0.0625 W=100", "B=0.005 W=100"}) {
+    CAPTURE(sheet);
+    const auto error = [&](const std::string& method) {
+      const auto row = std::ranges::find_if(report.rows, [&](const verify::BenchRow& candidate) {
+        return candidate.arguments == sheet && candidate.method == method;
+      });
+      REQUIRE(row != report.rows.end());
+      return row->max_relative_error;
+    };
+    CHECK(error("thesis: m=10, 500 terms") > 1e5 * error("converged 1e-10"));
+    CHECK(error("converged 1e-04") < 1e-4);
+    CHECK(error("converged 1e-10") < 1e-10);
+    CHECK(error("converged 1e-13") < 1e-12);
+  }
+  CHECK(report.ratios.size() == 3);
+}
