@@ -83,11 +83,12 @@ TEST_CASE("one expansion with its logarithm in closed form and panels with quadr
     const int panels = half_length > 4 ? 3 : half_length > 2 ? 2 : 1;
     const auto one = fast::spectral_contact(half_length, half_length > 2 ? 50 : 20, kernels);
     const auto other = fast::panel_contact(half_length, Friction::none, 0.3, {panels, 22, 1e-16}, kernels);
-    CHECK(one->load == doctest::Approx(other->load).epsilon(1e-12));
-    CHECK(one->edge_displacement == doctest::Approx(other->edge_displacement).epsilon(3e-12));
+    CHECK(one->load == doctest::Approx(other->load).scale(0).epsilon(1e-12));
+    const double depth = one->edge_displacement + half_length * half_length;
+    CHECK(std::fabs(one->edge_displacement - other->edge_displacement) < 1e-12 * depth);
     for (const double x : {1e-4, 0.1, 0.6, 1.0}) {
       CHECK(one->traction(x * half_length).pressure ==
-            doctest::Approx(other->traction(x * half_length).pressure).epsilon(1e-9));
+            doctest::Approx(other->traction(x * half_length).pressure).scale(0).epsilon(1e-9));
     }
   }
 }
@@ -228,13 +229,14 @@ TEST_CASE("units: lengths and stresses scale out") {
     const auto contact = converged_for_load(table_nip, friction, 100, 1e-10);
     const auto scaled = converged_for_load(other, friction, 100, 1e-10);
     CHECK(scaled.contact_length().value ==
-          doctest::Approx(1e3 * contact.contact_length().value).epsilon(1e-10));
-    CHECK(scaled.pressure(10).value == doctest::Approx(1e-3 * contact.pressure(0.01).value).epsilon(1e-10));
-    CHECK(scaled.creep_ratio().value == doctest::Approx(contact.creep_ratio().value).epsilon(1e-9));
+          doctest::Approx(1e3 * contact.contact_length().value).scale(0).epsilon(1e-10));
+    CHECK(scaled.pressure(10).value ==
+          doctest::Approx(1e-3 * contact.pressure(0.01).value).scale(0).epsilon(1e-10));
+    CHECK(scaled.creep_ratio().value == doctest::Approx(contact.creep_ratio().value).scale(0).epsilon(1e-9));
     CHECK(scaled.normal_displacement(200).value ==
-          doctest::Approx(1e3 * contact.normal_displacement(0.2).value).epsilon(1e-9));
+          doctest::Approx(1e3 * contact.normal_displacement(0.2).value).scale(0).epsilon(1e-9));
     CHECK(scaled.tangential_displacement(200).value ==
-          doctest::Approx(1e3 * contact.tangential_displacement(0.2).value).epsilon(1e-9));
+          doctest::Approx(1e3 * contact.tangential_displacement(0.2).value).scale(0).epsilon(1e-9));
   }
 }
 
@@ -244,12 +246,12 @@ TEST_CASE("displacements are continuous where the sheet leaves the roller") {
     const double end = contact.contact_length().value / 2;
     const double above = end * (1 + 1e-9), below = end * (1 - 1e-9);
     CHECK(contact.normal_displacement(above).value ==
-          doctest::Approx(contact.normal_displacement(below).value).epsilon(1e-7));
+          doctest::Approx(contact.normal_displacement(below).value).scale(0).epsilon(1e-7));
     CHECK(contact.tangential_displacement(above).value ==
-          doctest::Approx(contact.tangential_displacement(below).value).epsilon(1e-7));
+          doctest::Approx(contact.tangential_displacement(below).value).scale(0).epsilon(1e-7));
     CHECK(contact.tangential_displacement(-above).value == -contact.tangential_displacement(above).value);
     CHECK(contact.creep_ratio().value * end ==
-          doctest::Approx(contact.tangential_displacement(end).value).epsilon(1e-8));
+          doctest::Approx(contact.tangential_displacement(end).value).scale(0).epsilon(1e-8));
   }
 }
 

@@ -56,10 +56,10 @@ TEST_CASE("thick sheet without friction: Hertz, and the indentation's logarithm"
   for (const double error : hertz(1e-6)) CHECK(std::fabs(error) < 1e-11);
   const auto coarse = hertz(0.04), fine = hertz(0.02);
   for (const std::size_t i : {0U, 2U, 3U})
-    CHECK(order(coarse[i], fine[i]) == doctest::Approx(2).epsilon(0.02));
+    CHECK(order(coarse[i], fine[i]) == doctest::Approx(2).scale(0).epsilon(0.02));
   // A^2 ln A: the load's correction times the logarithm.
   CHECK(order(coarse[1], fine[1]) ==
-        doctest::Approx(2 - std::log2(std::log(50) / std::log(25))).epsilon(0.1));
+        doctest::Approx(2 - std::log2(std::log(50) / std::log(25))).scale(0).epsilon(0.1));
 }
 
 TEST_CASE("thick sheet without slip: the oscillating half-space solution in closed form") {
@@ -70,7 +70,7 @@ TEST_CASE("thick sheet without slip: the oscillating half-space solution in clos
     const double half_length = 1e-7;
     const auto ladder = solve(half_length, Friction::full, poisson);
     const HalfContact& contact = ladder.last();
-    CHECK(contact.creep / half_length == doctest::Approx(-4 * epsilon).epsilon(1e-6));
+    CHECK(std::fabs(contact.creep / half_length + 4 * epsilon) < 1e-6);
     const double middle = contact.traction(half_length).pressure;
     for (const double t : {0.1, 0.5, 0.9, 0.999, 1 - 1e-6}) {
       CAPTURE(poisson);
@@ -105,13 +105,13 @@ TEST_CASE("thin sheet without friction: independent springs, with the Wiener-Hop
   };
   CHECK(std::fabs(edge(1e4)) < 1e-4);
   CHECK(std::fabs(load(1e4)) < 1e-3);
-  CHECK(order(edge(100), edge(200)) == doctest::Approx(1).epsilon(0.01));
-  CHECK(order(load(100), load(200)) == doctest::Approx(1).epsilon(0.01));
+  CHECK(order(edge(100), edge(200)) == doctest::Approx(1).scale(0).epsilon(0.01));
+  CHECK(order(load(100), load(200)) == doctest::Approx(1).scale(0).epsilon(0.01));
   const auto ladder = solve(500, Friction::none);
   const double u = indentation(ladder.last()) - 250 * 250;
   // G(z) has no z^2: springs are exact for a parabola.
-  CHECK(ladder.last().traction(250).pressure == doctest::Approx(2 * u).epsilon(1e-10));
-  CHECK(slope_at_half(ladder.last()) == doctest::Approx(-4 * 250).epsilon(1e-9));
+  CHECK(ladder.last().traction(250).pressure == doctest::Approx(2 * u).scale(0).epsilon(1e-10));
+  CHECK(slope_at_half(ladder.last()) == doctest::Approx(-4 * 250).scale(0).epsilon(1e-9));
 }
 
 TEST_CASE("thin compressible sheet without slip: confined springs and the shear that their slope needs") {
@@ -125,9 +125,9 @@ TEST_CASE("thin compressible sheet without slip: confined springs and the shear 
              1;
     };
     CHECK(std::fabs(excess(1000)) < 3e-3);
-    CHECK(order(excess(100), excess(200)) == doctest::Approx(1).epsilon(0.03));
+    CHECK(order(excess(100), excess(200)) == doctest::Approx(1).scale(0).epsilon(0.03));
     const auto ladder = solve(300, Friction::full, poisson);
-    CHECK(slope_at_half(ladder.last()) == doctest::Approx(-modulus * 300).epsilon(1e-8));
+    CHECK(slope_at_half(ladder.last()) == doctest::Approx(-modulus * 300).scale(0).epsilon(1e-8));
     const double shear = poisson / (1 - poisson) * slope_at_half(ladder.last());
     CHECK(std::fabs(ladder.last().traction(150).shear - shear) < 1e-8 * modulus * 300);
   }
@@ -145,7 +145,8 @@ TEST_CASE("thin incompressible sheet without slip: a squeezed film, P = (A^2 - y
   };
   for (const double error : excess(1000)) CHECK(std::fabs(error) < 4e-3);
   const auto thick = excess(100), thin = excess(200);
-  for (const std::size_t i : {0U, 1U, 2U}) CHECK(order(thick[i], thin[i]) == doctest::Approx(1).epsilon(0.1));
+  for (const std::size_t i : {0U, 1U, 2U})
+    CHECK(order(thick[i], thin[i]) == doctest::Approx(1).scale(0).epsilon(0.1));
 }
 
 TEST_CASE("pressure with full friction is the frictionless one where the coupling vanishes") {
@@ -157,10 +158,10 @@ TEST_CASE("pressure with full friction is the frictionless one where the couplin
            1;
   };
   CHECK(std::fabs(difference(1e-4)) < 1e-13);
-  CHECK(order(difference(0.16), difference(0.08)) == doctest::Approx(6).epsilon(0.02));
+  CHECK(order(difference(0.16), difference(0.08)) == doctest::Approx(6).scale(0).epsilon(0.02));
   const auto with = solve(1e-3, Friction::full, 0.5), without = solve(1e-3, Friction::none);
   for (const double x : {0.01, 0.3, 0.9}) {
     CHECK(with.last().traction(x * 1e-3).pressure ==
-          doctest::Approx(without.last().traction(x * 1e-3).pressure).epsilon(1e-10));
+          doctest::Approx(without.last().traction(x * 1e-3).pressure).scale(0).epsilon(1e-10));
   }
 }

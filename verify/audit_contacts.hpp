@@ -19,6 +19,11 @@ struct ContactAudit {
   double error;
   bool against_ref;
   double allowed;  ///< 1e-15 of the condition, or the solution's own estimate
+  /// Of frictionless line loads against ref: the part of `error` that the double kernel values make, the rest
+  /// being the rounding of the solution, which the condition multiplies; and what the load lacks of the
+  /// continuous contact's.
+  double kernel_error = 0;
+  double discretisation_error = 0;
 
   [[nodiscard]] bool kept() const { return error <= allowed; }
 };

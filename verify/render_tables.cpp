@@ -41,13 +41,25 @@ Counts count(const std::vector<Replay>& replays) {
   return counts;
 }
 
+std::size_t decimals(const std::string& number) {
+  const auto point = number.find('.');
+  return point == std::string::npos ? 0 : number.size() - point - 1;
+}
+
+/// Of the cell as it is read; of the finest cell in its column if it cannot be read.
+std::size_t decimals_of(const Replay& replay, const ReplayedCell& cell) {
+  const data::TableCell& printed = printed_cell(replay, cell);
+  if (printed.is_readable()) return decimals(printed.read_as);
+  const std::size_t column = replay.table.column_index(cell.column);
+  std::size_t finest = 0;
+  for (const auto& row : replay.table.rows) finest = std::max(finest, decimals(row[column].read_as));
+  return finest;
+}
+
 /// A number in the scaling that its column is printed in, with two digits more than the printed cell.
 std::string scaled(const Replay& replay, const ReplayedCell& cell, double value) {
-  const std::string& read_as = printed_cell(replay, cell).read_as;
-  const auto point = read_as.find('.');
-  const auto decimals = point == std::string::npos ? 0 : read_as.size() - point - 1;
   const int exponent = replay.table.columns[replay.table.column_index(cell.column)].scale_exponent;
-  return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals + 2);
+  return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals_of(replay, cell) + 2);
 }
 
 /// Empty if it was not computed.
