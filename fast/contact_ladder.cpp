@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "fast/contact_panels.hpp"
 #include "fast/contact_spectral.hpp"
@@ -13,6 +14,8 @@ namespace {
 
 /// Where the global expansion would need more terms than the panels have.
 constexpr double longest_spectral = 12;
+/// A load that needs more is given up there: nobody asks for such contacts, see contact_converged.hpp.
+constexpr double longest_sought = 2e4;
 constexpr int most_levels = 8;
 constexpr int most_iterations = 40;
 /// Of a solution in double, relative.
@@ -46,7 +49,7 @@ Resolution resolution(data::Friction friction, double near, int level) {
 double length_guess(double load) {
   double length = std::min(std::sqrt(load / std::numbers::pi), std::cbrt(load * 3 / 8));
   for (int i = 0; i < 5; ++i) length = std::sqrt(load / (std::numbers::pi + 8 * length / 3));
-  return length;
+  return std::min(length, longest_sought / 2);
 }
 
 }  // namespace
@@ -79,11 +82,19 @@ std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double n
     // The layout follows large steps only: it makes the load jump.
     if (level == 0 && std::fabs(log_length - std::log(near)) > 0.3) near = half_length;
     auto contact = solve(half_length, near, level);
+    if (half_length > longest_sought) return contact;
+    if (!(contact->load > 0)) {
+      // Lost to rounding in a film far longer than the load needs.
+      if (i == most_iterations) throw std::runtime_error("no contact length found for the load");
+      log_length -= 1;
+      continue;
+    }
     const double excess = std::log(contact->load / load);
     load_residual_ = std::fabs(excess);
     const bool at_rounding = i > 3 && load_residual_ < 1e-6 && load_residual_ > 0.5 * std::fabs(last_excess);
     if (load_residual_ <= enough || at_rounding || i == most_iterations) return contact;
-    if (i > 0) slope = std::clamp((excess - last_excess) / (log_length - last_log_length), 1.8, 6.0);
+    if (last_excess != 0)
+      slope = std::clamp((excess - last_excess) / (log_length - last_log_length), 1.8, 6.0);
     last_log_length = log_length;
     last_excess = excess;
     log_length -= excess / slope;
@@ -97,6 +108,7 @@ void ContactLadder::climb(double near, double accuracy, const Step& step) {
     near = last().half_length;
     if (level < 2) continue;
     relative_error_ = largest_relative_error();
+    if (!std::isfinite(relative_error_)) throw std::runtime_error("the contact's expansion broke down");
     if (relative_error_ <= accuracy) return;
   }
 }

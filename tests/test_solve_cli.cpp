@@ -1,39 +1,15 @@
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
-#include "scratch_file.hpp"
+#include "run_nipref.hpp"
 
 namespace {
 
 using nlohmann::json;
-
-struct Outcome {
-  int status;
-  std::string out;
-  std::string err;
-};
-
-Outcome run(const std::string& arguments) {
-  const ScratchFile errors;
-  const std::string command =
-      std::string("'") + NIPREF_EXECUTABLE + "' " + arguments + " 2>'" + errors.path() + "'";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string out;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    out.append(buffer.data(), count);
-  }
-  const int status = pclose(pipe);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, errors.text()};
-}
 
 std::string example(const std::string& name) {
   return std::string("'") + NIPREF_SOURCE_DIR + "/data/scenes/" + name + ".toml'";

@@ -30,6 +30,12 @@ TEST_CASE("hard cases of the contacts: none fails, each error is within what con
     CAPTURE(audit.ratio);
     CAPTURE(audit.poisson);
     CHECK(audit.kept());
+    if (audit.system == "line loads, no friction" && audit.against_ref) {
+      // The kernels' part is within what the condition makes of their last digits; ten elements are a tenth
+      // off.
+      CHECK(audit.kernel_error <= 1e-15 * audit.condition);
+      if (audit.ratio <= 1) CHECK(audit.discretisation_error > 0.05);
+    }
     if (audit.system.find("converged") == 0) CHECK(audit.error < 1e-5);
     // Many line loads with friction zigzag, the converged shear does not.
     if (audit.system == "converged, full friction") CHECK(audit.oscillation < 0.05);
