@@ -1,74 +1,34 @@
 #include "fast/contact_converged.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "data/bad_input.hpp"
+#include "fast/contact_domain.hpp"
 #include "fast/contact_functionals.hpp"
 #include "fast/contact_ladder.hpp"
 
 namespace nipref::fast {
 namespace {
 
-using data::BadInput;
+NipShape shape(const data::ElasticNip& nip) { return {nip.roller_radius, nip.sheet_thickness}; }
 
-constexpr double shortest = 1e-8;  // L/B
-constexpr double longest = 1e4;
-
-/// Units of HalfContact's dimensionless quantities.
-struct Units {
-  explicit Units(const data::ElasticNip& nip)
-      : length(nip.half_thickness()),
-        displacement(length / (2 * nip.roller_radius) * length),
-        pressure(length / (2 * nip.roller_radius) / nip.material.normal_compliance()),
-        load(pressure * length),
-        creep(length / (2 * nip.roller_radius)) {}
-  double length;
-  double displacement;
-  double pressure;
-  double load;
-  double creep;
-};
-
-void check_accuracy(double accuracy) {
-  if (!(accuracy >= 1e-13 && accuracy <= 0.1))
-    throw BadInput("accuracy", accuracy, "must be from 1e-13 to 0.1");
-}
+ContactUnits units_of(const data::ElasticNip& nip) { return {shape(nip), nip.material.normal_compliance()}; }
 
 double checked_position(double y) {
-  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  check_position(y);
   return std::fabs(y);
-}
-
-std::string allowed_length(const data::ElasticNip& nip) {
-  return fmt::format(
-      "must be from {:g} to {:g}: 1e-8 to 1e4 sheet thicknesses and at most the roller's radius, beyond "
-      "which a parabola no longer stands for the roller",
-      shortest * nip.sheet_thickness, std::min(longest * nip.sheet_thickness, nip.roller_radius));
-}
-
-bool length_is_allowed(const data::ElasticNip& nip, double contact_length) {
-  return contact_length >= shortest * nip.sheet_thickness &&
-         contact_length <= longest * nip.sheet_thickness && contact_length <= nip.roller_radius;
-}
-
-Estimate times(double unit, const Estimate& estimate) {
-  return {unit * estimate.value + 0.0, std::fabs(unit) * estimate.error};  // no -0
 }
 
 }  // namespace
 
 struct ConvergedContact::Implementation {
   Implementation(const data::ElasticNip& nip, data::Friction friction, ContactLadder solved)
-      : units(nip),
+      : units(units_of(nip)),
         surface{friction, nip.material.theta2() / nip.material.normal_compliance(), solved.tolerance()},
         ladder(std::move(solved)) {}
 
-  Units units;
+  ContactUnits units;
   SurfaceDisplacements surface;
   ContactLadder ladder;
 
@@ -183,10 +143,8 @@ ContactWork ConvergedContact::work() const { return implementation_->ladder.work
 ConvergedContact converged_for_length(const data::ElasticNip& nip, data::Friction friction,
                                       double contact_length, double accuracy) {
   nip.check();
-  check_accuracy(accuracy);
-  if (!length_is_allowed(nip, contact_length)) {
-    throw BadInput("contact_length", contact_length, allowed_length(nip));
-  }
+  check_contact_accuracy(accuracy);
+  check_contact_length(shape(nip), contact_length);
   return ConvergedContact(std::make_unique<ConvergedContact::Implementation>(
       nip, friction,
       ContactLadder::at_half_length(contact_length / nip.sheet_thickness, friction, nip.material.poisson,
@@ -196,17 +154,12 @@ ConvergedContact converged_for_length(const data::ElasticNip& nip, data::Frictio
 ConvergedContact converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
                                     double accuracy) {
   nip.check();
-  check_accuracy(accuracy);
-  if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
+  check_contact_accuracy(accuracy);
+  check_contact_load(load);
   auto solved = std::make_unique<ConvergedContact::Implementation>(
       nip, friction,
-      ContactLadder::at_load(load / Units(nip).load, friction, nip.material.poisson, accuracy));
-  const double contact_length = solved->half_length() * nip.sheet_thickness;
-  if (!length_is_allowed(nip, contact_length)) {
-    throw BadInput("load", load,
-                   fmt::format("must give an allowed contact length, not {:g}; {}", contact_length,
-                               allowed_length(nip)));
-  }
+      ContactLadder::at_load(load / units_of(nip).load, friction, nip.material.poisson, accuracy));
+  check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
   return ConvergedContact(std::move(solved));
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "fast/contact_panels.hpp"
 #include "fast/contact_spectral.hpp"
+#include "fast/load_search.hpp"
 #include "fast/sheet_tiers.hpp"
 
 namespace nipref::fast {
@@ -14,10 +14,7 @@ namespace {
 
 /// Where the global expansion would need more terms than the panels have.
 constexpr double longest_spectral = 12;
-/// A load that needs more is given up there: nobody asks for such contacts, see contact_converged.hpp.
-constexpr double longest_sought = 2e4;
 constexpr int most_levels = 8;
-constexpr int most_iterations = 40;
 /// Of a solution in double, relative.
 constexpr double rounding = 0x1p-48;
 
@@ -45,13 +42,6 @@ Resolution resolution(data::Friction friction, double near, int level) {
   return {false, panels, terms, std::pow(3 + std::sqrt(8.0), -terms)};
 }
 
-/// Half length of about this load without friction: between half-space and independent springs.
-double length_guess(double load) {
-  double length = std::min(std::sqrt(load / std::numbers::pi), std::cbrt(load * 3 / 8));
-  for (int i = 0; i < 5; ++i) length = std::sqrt(load / (std::numbers::pi + 8 * length / 3));
-  return std::min(length, longest_sought / 2);
-}
-
 }  // namespace
 
 ContactLadder::ContactLadder(data::Friction friction, double poisson, double accuracy)
@@ -70,34 +60,17 @@ std::unique_ptr<HalfContact> ContactLadder::solve(double half_length, double nea
   return panel_contact(half_length, friction_, poisson_, {now.panels, now.terms, tolerance}, kernels);
 }
 
-/// Secant iteration on ln(load) as a function of ln(length), which is nearly straight.
 std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double near, int level,
                                                            double enough) {
-  // The slope is 2 for a half-space, 3 for springs and 5 for an incompressible film without slip.
-  double slope = 3;
-  double log_length = std::log(near);
-  double last_log_length = 0, last_excess = 0;
-  for (int i = 0;; ++i) {
-    const double half_length = std::exp(log_length);
+  for (LoadSearch search(load, near, enough);;) {
+    const double half_length = search.half_length();
     // The layout follows large steps only: it makes the load jump.
-    if (level == 0 && std::fabs(log_length - std::log(near)) > 0.3) near = half_length;
+    if (level == 0 && std::fabs(std::log(half_length / near)) > 0.3) near = half_length;
     auto contact = solve(half_length, near, level);
     if (half_length > longest_sought) return contact;
-    if (!(contact->load > 0)) {
-      // Lost to rounding in a film far longer than the load needs.
-      if (i == most_iterations) throw std::runtime_error("no contact length found for the load");
-      log_length -= 1;
-      continue;
-    }
-    const double excess = std::log(contact->load / load);
-    load_residual_ = std::fabs(excess);
-    const bool at_rounding = i > 3 && load_residual_ < 1e-6 && load_residual_ > 0.5 * std::fabs(last_excess);
-    if (load_residual_ <= enough || at_rounding || i == most_iterations) return contact;
-    if (last_excess != 0)
-      slope = std::clamp((excess - last_excess) / (log_length - last_log_length), 1.8, 6.0);
-    last_log_length = log_length;
-    last_excess = excess;
-    log_length -= excess / slope;
+    const bool settled = search.settled(contact->load);
+    load_residual_ = search.residual();
+    if (settled) return contact;
   }
 }
 
@@ -124,7 +97,7 @@ ContactLadder ContactLadder::at_half_length(double half_length, data::Friction f
 ContactLadder ContactLadder::at_load(double load, data::Friction friction, double poisson, double accuracy) {
   ContactLadder ladder(friction, poisson, accuracy);
   const double enough = std::max(1e-2 * accuracy, 1e-14);
-  ladder.climb(length_guess(load), accuracy,
+  ladder.climb(half_length_guess(load), accuracy,
                [&](double near, int level) { return ladder.solve_for_load(load, near, level, enough); });
   return ladder;
 }
@@ -133,9 +106,7 @@ Estimate ContactLadder::own_estimate(const Functional& functional) const {
   std::array<double, 3> values{};
   std::ranges::transform(solutions_, values.begin(),
                          [&](const auto& contact) { return functional(*contact); });
-  const double before = std::fabs(values[1] - values[0]);
-  const double change = std::fabs(values[2] - values[1]);
-  return {values[2], 3 * change * (change < before ? change / before : 1)};
+  return estimate_from_levels(values);
 }
 
 double ContactLadder::largest_relative_error() const {

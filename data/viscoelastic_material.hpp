@@ -1,0 +1,40 @@
+#pragma once
+#include <complex>
+#include <vector>
+
+namespace nipref::data {
+
+/// amplitude e^(-rate t). Complex ones come in conjugate pairs, both members listed.
+struct RelaxationTerm {
+  std::complex<double> amplitude;  ///< 1/(stress time)
+  std::complex<double> rate;       ///< real part > 0, 1/time
+};
+
+/// theta(t) = instantaneous delta(t) + sum_r amplitude_r e^(-rate_r t), t >= 0: the strain that a unit
+/// impulse of stress leaves. (thesis 6.16, 6.17)
+struct MaterialFunction {
+  double instantaneous;               ///< gamma_0, 1/stress: the compliance at once
+  std::vector<RelaxationTerm> terms;  ///< no rate twice; none: elastic
+
+  /// The transform gamma_0 + sum_r amplitude_r/(p + rate_r), 1/stress; p is no rate's negative, 1/time.
+  [[nodiscard]] std::complex<double> transform(std::complex<double> p) const;
+  /// The compliance after a long time, transform(0), 1/stress.
+  [[nodiscard]] double long_time() const { return transform(0).real(); }
+};
+
+/// Isotropic linear viscoelastic material in plane strain.
+struct ViscoelasticMaterial {
+  MaterialFunction theta1;  ///< 1/(2G) as an operator
+  MaterialFunction theta2;  ///< 3/(6K + 2G) as an operator
+
+  /// Throws BadInput unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
+  /// real parts of the rates positive) and the material physical: positive compliances at once and after a
+  /// long time, and in shear and in dilatation no gain of energy at any frequency.
+  void check() const;
+
+  /// N = theta1 + theta2, what acts in the normal displacement under a normal load; terms of equal rate
+  /// joined.
+  [[nodiscard]] MaterialFunction normal_compliance() const;
+};
+
+}  // namespace nipref::data

@@ -1,0 +1,178 @@
+#include "fast/rolling_converged.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "fast/contact_domain.hpp"
+#include "fast/rolling_functionals.hpp"
+#include "fast/rolling_ladder.hpp"
+
+namespace nipref::fast {
+namespace {
+
+NipShape shape(const data::ViscoelasticNip& nip) { return {nip.roller_radius, nip.sheet_thickness}; }
+
+std::vector<MemoryTerm> memory_terms(const data::MaterialFunction& function, double way_per_time,
+                                     double compliance) {
+  std::vector<MemoryTerm> terms;
+  for (const data::RelaxationTerm& term : function.terms)
+    terms.push_back({term.amplitude / (way_per_time * compliance), term.rate / way_per_time});
+  return terms;
+}
+
+RollingMaterial rolling_material(const data::ViscoelasticNip& nip) {
+  const data::MaterialFunction normal = nip.material.normal_compliance();
+  const double half_thicknesses_per_time = nip.speed / nip.half_thickness();
+  const double compliance = normal.instantaneous;
+  return {memory_terms(normal, half_thicknesses_per_time, compliance),
+          nip.material.theta2.instantaneous / compliance,
+          memory_terms(nip.material.theta2, half_thicknesses_per_time, compliance)};
+}
+
+ContactUnits units_of(const data::ViscoelasticNip& nip) {
+  return {shape(nip), nip.material.normal_compliance().instantaneous};
+}
+
+}  // namespace
+
+struct RollingContact::Implementation {
+  Implementation(const data::ViscoelasticNip& nip, RollingLadder solved)
+      : units(units_of(nip)), roller_radius(nip.roller_radius), ladder(std::move(solved)) {}
+
+  ContactUnits units;
+  double roller_radius;
+  RollingLadder ladder;
+
+  [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
+  /// Dimensionless Y.
+  [[nodiscard]] double position(double y) const {
+    check_position(y);
+    return y / units.length;
+  }
+};
+
+RollingContact::RollingContact(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+RollingContact::RollingContact(RollingContact&&) noexcept = default;
+RollingContact::~RollingContact() = default;
+
+Estimate RollingContact::contact_length() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(2 * units.length, ladder.estimate(std::mem_fn(&RollingPressure::half_length)));
+}
+
+Estimate RollingContact::leading_length() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.length, ladder.estimate(std::mem_fn(&RollingPressure::leading_length),
+                                             implementation_->half_length()));
+}
+
+Estimate RollingContact::trailing_length() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.length, ladder.estimate(std::mem_fn(&RollingPressure::trailing_length),
+                                             implementation_->half_length()));
+}
+
+Estimate RollingContact::load() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.load, ladder.estimate(std::mem_fn(&RollingPressure::load)));
+}
+
+Estimate RollingContact::indentation() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.displacement, ladder.estimate(fast::indentation));
+}
+
+Estimate RollingContact::leading_displacement() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.displacement, ladder.estimate(std::mem_fn(&RollingPressure::edge_displacement),
+                                                   std::pow(implementation_->half_length(), 2)));
+}
+
+Estimate RollingContact::trailing_displacement() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.displacement,
+               ladder.estimate(fast::trailing_displacement, std::pow(implementation_->half_length(), 2)));
+}
+
+Estimate RollingContact::pressure(double y) const {
+  const auto& [units, radius, ladder] = *implementation_;
+  const double position = implementation_->position(y);
+  const auto at = [&](const RollingPressure& contact) {
+    const ContactPlace place = contact.place(position);
+    return place.e > 0 ? contact.pressure(place) : 0;
+  };
+  const bool inside = ladder.last().place(position).e > 0;
+  const double middle = ladder.last().pressure({Half::leading, implementation_->half_length()});
+  return times(units.pressure, ladder.estimate(at, inside ? middle : 0));
+}
+
+Estimate RollingContact::peak_pressure() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.pressure, ladder.estimate(fast::peak_pressure));
+}
+
+Estimate RollingContact::rolling_resistance() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  return times(units.length / radius, ladder.estimate_down_to_rounding(fast::eccentricity));
+}
+
+Estimate RollingContact::creep_ratio() const {
+  const auto& [units, radius, ladder] = *implementation_;
+  ContactKernels kernels = ladder.kernels();
+  const auto stretch = [&](const RollingPressure& contact) {
+    const double change =
+        contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels);
+    return change / (2 * contact.half_length());
+  };
+  return times(units.creep, ladder.estimate(stretch, implementation_->half_length()));
+}
+
+Estimate RollingContact::normal_displacement(double y) const {
+  const auto& [units, radius, ladder] = *implementation_;
+  const double position = implementation_->position(y);
+  ContactKernels kernels = ladder.kernels();
+  const auto displacement = [&](const RollingPressure& contact) {
+    return contact.normal_displacement(contact.place(position), ladder.tolerance(), kernels);
+  };
+  return times(units.displacement,
+               ladder.estimate(displacement, std::pow(implementation_->half_length(), 2)));
+}
+
+Estimate RollingContact::tangential_displacement(double y) const {
+  const auto& [units, radius, ladder] = *implementation_;
+  const double position = implementation_->position(y);
+  if (position == 0) return {0, 0};
+  ContactKernels kernels = ladder.kernels();
+  const auto displacement = [&](const RollingPressure& contact) {
+    return contact.tangential_displacement(contact.place(position), contact.place(0), ladder.tolerance(),
+                                           kernels);
+  };
+  const double half_length = implementation_->half_length();
+  return times(units.creep * units.length,
+               ladder.estimate(displacement, half_length * std::min(std::fabs(position), half_length)));
+}
+
+ContactWork RollingContact::work() const { return implementation_->ladder.work(); }
+
+RollingContact rolling_for_length(const data::ViscoelasticNip& nip, double contact_length, double accuracy) {
+  nip.check();
+  check_contact_accuracy(accuracy);
+  check_contact_length(shape(nip), contact_length);
+  return RollingContact(std::make_unique<RollingContact::Implementation>(
+      nip,
+      RollingLadder::at_half_length(contact_length / nip.sheet_thickness, rolling_material(nip), accuracy)));
+}
+
+RollingContact rolling_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
+  nip.check();
+  check_contact_accuracy(accuracy);
+  check_contact_load(load);
+  auto solved = std::make_unique<RollingContact::Implementation>(
+      nip, RollingLadder::at_load(load / units_of(nip).load, rolling_material(nip), accuracy));
+  check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
+  return RollingContact(std::move(solved));
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,63 @@
+#pragma once
+#include <memory>
+
+#include "data/viscoelastic_nip.hpp"
+#include "fast/contact_work.hpp"
+#include "fast/estimate.hpp"
+
+namespace nipref::fast {
+
+/// The continuous contact of a viscoelastic nip in steady frictionless rolling: pressure bounded at both
+/// ends, which makes the place of the contact (its leading and trailing lengths) part of the solution.
+/// (thesis 2.1-2.6, 7.6, 7.15, 7.17 as an integral equation with the load started infinitely long ago, not as
+/// line loads)
+///
+/// The sheet answers to p and to its fading memory int e^(-rate t) p along the way of the material, which
+/// obeys a differential equation; so only the elastic kernels are integrated. Pressure and memory are
+/// polynomials on panels that double away from both ends, from twice the shortest relaxation length (or 2.5
+/// half-thicknesses) on, with the square root of the end in the first. The number of unknowns follows from
+/// `accuracy`. Every result comes with an estimate of its error: differences of successive expansions.
+///
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
+/// (entry) side, any finite value, unit of length; otherwise BadInput.
+class RollingContact {
+ public:
+  RollingContact(RollingContact&&) noexcept;
+  ~RollingContact();
+
+  [[nodiscard]] Estimate contact_length() const;   ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimate leading_length() const;   ///< L1, contact on the entry side, unit of length
+  [[nodiscard]] Estimate trailing_length() const;  ///< L2, on the exit side; may be negative, unit of length
+  [[nodiscard]] Estimate load() const;             ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;  ///< d0, approach of roller and middle plane, unit of length
+  [[nodiscard]] Estimate leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimate trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimate pressure(double y) const;       ///< unit of stress, 0 outside the contact
+  [[nodiscard]] Estimate peak_pressure() const;          ///< unit of stress
+  /// int p Y dY/(W R): the coefficient of rolling resistance, dimensionless; error relative to its size, down
+  /// to rounding of L/R. (thesis 7.15)
+  [[nodiscard]] Estimate rolling_resistance() const;
+  /// (v(L1) - v(-L2))/L: mean stretch of the surface in the contact, dimensionless. (thesis 7.17)
+  [[nodiscard]] Estimate creep_ratio() const;
+  [[nodiscard]] Estimate normal_displacement(
+      double y) const;  ///< u, towards the middle plane, unit of length
+  [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
+  [[nodiscard]] ContactWork work() const;                          ///< spent so far
+
+ private:
+  struct Implementation;
+  explicit RollingContact(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+  friend RollingContact rolling_for_length(const data::ViscoelasticNip&, double, double);
+  friend RollingContact rolling_for_load(const data::ViscoelasticNip&, double, double);
+};
+
+/// The contact of length L = `contact_length`, unit of length: 1e-8 <= L/B <= 1e4 and L <= R, beyond which
+/// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise.
+RollingContact rolling_for_length(const data::ViscoelasticNip& nip, double contact_length, double accuracy);
+
+/// The contact that carries `load` per unit width, > 0 and finite, such that the contact length is as above;
+/// BadInput otherwise.
+RollingContact rolling_for_load(const data::ViscoelasticNip& nip, double load, double accuracy);
+
+}  // namespace nipref::fast

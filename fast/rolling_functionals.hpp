@@ -1,0 +1,20 @@
+#pragma once
+#include "fast/rolling_pressure.hpp"
+
+namespace nipref::fast {
+
+// What follows from a solved rolling contact, in its dimensionless units.
+
+/// Approach of roller and middle plane: u under the line through the centres.
+double indentation(const RollingPressure& contact);
+
+/// u at the trailing end.
+double trailing_displacement(const RollingPressure& contact);
+
+/// Distance of the pressure's resultant from the line through the centres, towards the leading side: R/b
+/// times the coefficient of rolling resistance.
+double eccentricity(const RollingPressure& contact);
+
+double peak_pressure(const RollingPressure& contact);
+
+}  // namespace nipref::fast

@@ -1,0 +1,178 @@
+#include "fast/rolling_operator.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/legendre.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace nipref::fast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// alpha increases towards the leading side, e away from the end: +1 on the trailing half.
+double orientation(const RollingPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
+
+struct UnitGauss {
+  std::vector<double> x, weight;
+};
+
+UnitGauss gauss_legendre(int count) {
+  UnitGauss rule;
+  const auto append = [&](double zero) {
+    const double slope = boost::math::legendre_p_prime(count, zero);
+    rule.x.push_back((1 + zero) / 2);
+    rule.weight.push_back(1 / ((1 - zero * zero) * slope * slope));
+  };
+  for (const double zero : boost::math::legendre_p_zeros<double>(count)) {
+    append(zero);
+    if (zero != 0) append(-zero);
+  }
+  return rule;
+}
+
+}  // namespace
+
+RollingOperator::RollingOperator(const RollingLayout& layout, double tolerance, ContactKernels& kernels)
+    : layout_(layout),
+      tolerance_(tolerance),
+      reach_(-std::log(tolerance) / 2.1),
+      rule_(double_exponential_rule(tolerance)),
+      kernels_(kernels) {}
+
+/// The point's e, counted from the end of the panel's half.
+double RollingOperator::coordinate(ContactPlace point, const RollingPanel& panel) const {
+  return point.half == panel.half ? point.e : 2 * layout_.half_length() - point.e;
+}
+
+/// So far that the kernel is as smooth on the panel as the pressure.
+bool RollingOperator::is_far(double at, const RollingPanel& panel) const {
+  const double gap = std::max(panel.left - at, at - (panel.left + panel.width));
+  return panel.width <= 8 && gap >= panel.width;
+}
+
+/// Pieces end where the kernel is singular, and where it has decayed, for it may be thousands of
+/// half-thicknesses to the panel's ends.
+RollingOperator::Nodes RollingOperator::near_nodes(double at, const RollingPanel& panel, double reach) const {
+  const double right = panel.left + panel.width;
+  std::vector<double> ends{panel.left, right};
+  for (const double cut : {at, at - 5, at + 5, at - reach, at + reach}) {
+    if (panel.left < cut && cut < right && (cut == at || panel.width > 8)) ends.push_back(cut);
+  }
+  std::ranges::sort(ends);
+  Nodes nodes;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double from = ends[i - 1], to = ends[i], width = to - from;
+    for (const UnitNode& node : rule_) {
+      const double x = from == panel.left && node.from_left < node.from_right
+                           ? width / panel.width * node.from_left
+                           : (from - panel.left + width * node.from_left) / panel.width;
+      const double distance =
+          at <= from ? (from - at) + width * node.from_left : -((at - to) + width * node.from_right);
+      nodes.xi.push_back(panel.xi(std::min(x, 1.0)));
+      nodes.weight.push_back(width * node.weight);
+      nodes.alpha.push_back(-orientation(panel) * distance);
+    }
+  }
+  return nodes;
+}
+
+std::vector<double> RollingOperator::values(RollingKernel kernel, const std::vector<double>& alpha) {
+  std::vector<double> result;
+  if (kernel == RollingKernel::normal) {
+    result = kernels_.I1(alpha);
+  } else if (kernel == RollingKernel::tangential) {
+    result = kernels_.I3(alpha);
+  } else {
+    for (const double a : alpha) result.push_back(a == 0 ? 0 : std::copysign(pi / 2, a));
+  }
+  for (double& value : result) value /= pi;
+  return result;
+}
+
+void RollingOperator::far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                                  const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result) {
+  if (rows.empty()) return;
+  const int degree = layout_.degree(panel);
+  // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
+  const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance_) / 3.5 + panel.width);
+  const UnitGauss rule = gauss_legendre(count);
+  Eigen::MatrixXd weighted(count, degree + 1);
+  std::vector<double> polynomials(static_cast<std::size_t>(degree) + 1);
+  std::vector<double> alpha;
+  for (int g = 0; g < count; ++g) {
+    const double xi = rule.x[static_cast<std::size_t>(g)];
+    shifted_chebyshev(xi, polynomials);
+    weighted.row(g) = Eigen::Map<Eigen::RowVectorXd>(polynomials.data(), degree + 1) *
+                      (rule.weight[static_cast<std::size_t>(g)] * panel.width * panel.slope(xi));
+  }
+  for (const std::size_t row : rows) {
+    for (const double xi : rule.x)
+      alpha.push_back(orientation(panel) * (at[row] - panel.left - panel.width * panel.x(xi)));
+  }
+  std::vector<double> kernel_values = values(kernel, alpha);
+  const Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>> table(
+      kernel_values.data(), static_cast<Eigen::Index>(rows.size()), count);
+  const Eigen::MatrixXd product = table * weighted;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    result.row(static_cast<Eigen::Index>(rows[i])) = product.row(static_cast<Eigen::Index>(i));
+}
+
+Eigen::MatrixXd RollingOperator::moments(const std::vector<ContactPlace>& points, const RollingPanel& panel,
+                                         RollingKernel kernel) {
+  const int degree = layout_.degree(panel);
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), degree + 1);
+  std::vector<double> at;
+  std::vector<std::size_t> far;
+  std::vector<double> polynomials(static_cast<std::size_t>(degree) + 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    at.push_back(coordinate(points[i], panel));
+    const double gap = std::max(panel.left - at[i], at[i] - (panel.left + panel.width));
+    if (kernel == RollingKernel::normal && gap > reach_) continue;
+    if (is_far(at[i], panel)) {
+      far.push_back(i);
+      continue;
+    }
+    const Nodes nodes = near_nodes(at[i], panel, reach_);
+    const std::vector<double> kernel_values = values(kernel, nodes.alpha);
+    for (std::size_t n = 0; n < nodes.xi.size(); ++n) {
+      shifted_chebyshev(nodes.xi[n], polynomials);
+      const double factor = kernel_values[n] * nodes.weight[n];
+      for (int j = 0; j <= degree; ++j)
+        result(static_cast<Eigen::Index>(i), j) += factor * polynomials[static_cast<std::size_t>(j)];
+    }
+  }
+  far_moments(at, far, panel, kernel, result);
+  return result;
+}
+
+std::complex<double> RollingOperator::trail(ContactPlace place, std::complex<double> rate,
+                                            RollingKernel kernel) {
+  // Of the point ahead of the trailing end.
+  const double ahead = place.half == Half::trailing ? place.e : 2 * layout_.half_length() - place.e;
+  const double nats = -std::log(tolerance_);
+  double last = nats / rate.real();
+  if (kernel == RollingKernel::normal) last = std::min(last, std::max(reach_ - ahead, 0.0));
+  std::vector<double> ends{0, last};
+  for (const double cut :
+       {-ahead, 5 - ahead, -5 - ahead, reach_ - ahead, -reach_ - ahead, 10 / rate.real()}) {
+    if (0 < cut && cut < last) ends.push_back(cut);
+  }
+  std::ranges::sort(ends);
+  std::vector<double> weight, alpha, way;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const double from = ends[i - 1], to = ends[i], width = to - from;
+    for (const UnitNode& node : rule_) {
+      alpha.push_back(ahead + from >= 0 ? ahead + from + width * node.from_left
+                                        : ahead + to - width * node.from_right);
+      way.push_back(from + width * node.from_left);
+      weight.push_back(width * node.weight);
+    }
+  }
+  const std::vector<double> kernel_values = values(kernel, alpha);
+  std::complex<double> sum = 0;
+  for (std::size_t n = 0; n < way.size(); ++n) sum += kernel_values[n] * weight[n] * std::exp(-rate * way[n]);
+  return sum;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,51 @@
+#pragma once
+#include <Eigen/Core>
+#include <map>
+#include <vector>
+
+#include "fast/contact_kernels.hpp"
+#include "fast/double_exponential.hpp"
+#include "fast/rolling_layout.hpp"
+#include "fast/rolling_memory.hpp"
+
+namespace nipref::fast {
+
+/// What a line load at distance alpha = y - y' does at a point, over pi.
+enum class RollingKernel {
+  normal,      ///< I1/pi: the normal displacement
+  tangential,  ///< I3/pi: of the tangential displacement, what N acts in
+  sign         ///< I2/pi: what theta2 acts in
+};
+
+/// Displacements of single points by what is given on panels, or trails behind the contact.
+class RollingOperator {
+ public:
+  RollingOperator(const RollingLayout& layout, double tolerance, ContactKernels& kernels);
+
+  /// int kernel(y - y') T_j(2 xi - 1) dy' over a panel, j = 0 .. degree, at each of the points: one row each.
+  [[nodiscard]] Eigen::MatrixXd moments(const std::vector<ContactPlace>& points, const RollingPanel& panel,
+                                        RollingKernel kernel);
+  /// int_0^inf kernel(y - y_T + w) e^(-rate w) dw, y_T the trailing end: what a memory that fades behind the
+  /// contact does, per unit of what it is there. At any place, behind the contact too.
+  [[nodiscard]] std::complex<double> trail(ContactPlace place, std::complex<double> rate,
+                                           RollingKernel kernel);
+
+ private:
+  struct Nodes {
+    std::vector<double> xi, weight, alpha;
+  };
+  [[nodiscard]] double coordinate(ContactPlace point, const RollingPanel& panel) const;
+  [[nodiscard]] bool is_far(double at, const RollingPanel& panel) const;
+  [[nodiscard]] Nodes near_nodes(double at, const RollingPanel& panel, double reach) const;
+  [[nodiscard]] std::vector<double> values(RollingKernel kernel, const std::vector<double>& alpha);
+  void far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                   const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result);
+
+  const RollingLayout& layout_;
+  double tolerance_;
+  double reach_;  ///< where I1 and pi/4 - I3 have decayed below the tolerance
+  std::vector<UnitNode> rule_;
+  ContactKernels& kernels_;
+};
+
+}  // namespace nipref::fast

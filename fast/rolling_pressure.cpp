@@ -1,0 +1,179 @@
+#include "fast/rolling_pressure.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "fast/rolling_operator.hpp"
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The memory of one term on all panels, and how it acts at the matching points.
+struct TermBlocks {
+  MemoryTerm term;
+  std::vector<PanelMemory> memory;
+};
+
+std::vector<TermBlocks> blocks(const RollingLayout& layout, const std::vector<MemoryTerm>& terms) {
+  std::vector<TermBlocks> result;
+  for (const MemoryTerm& term : terms) {
+    result.push_back({term, {}});
+    for (const RollingPanel& panel : layout.panels())
+      result.back().memory.push_back(panel_memory(layout, panel, term.rate));
+  }
+  return result;
+}
+
+}  // namespace
+
+RollingPressure::RollingPressure(const RollingLayout& layout, const RollingMaterial& material,
+                                 double tolerance, ContactKernels& kernels)
+    : layout_(layout) {
+  solve(material, tolerance, kernels);
+  integrate();
+  normal_response_ = response(1, material.normal);
+  theta2_response_ = response(material.theta2_instantaneous, material.theta2);
+}
+
+/// Each row is u at a matching point. What leaves a panel acts through the panels downstream of it and, at
+/// last, through the trail: it is gathered upstream, so that a row costs no more than its own length.
+void RollingPressure::solve(const RollingMaterial& material, double tolerance, ContactKernels& kernels) {
+  RollingOperator from(layout_, tolerance, kernels);
+  const auto points = layout_.matching_points();
+  const auto rows = static_cast<Eigen::Index>(points.size());
+  const auto terms = blocks(layout_, material.normal);
+  const auto& panels = layout_.panels();
+
+  std::vector<Eigen::VectorXcd> by_outflow;  // of each term's memory behind the panel at hand
+  for (const TermBlocks& block : terms) {
+    by_outflow.push_back(Eigen::VectorXcd::NullaryExpr(rows, [&](Eigen::Index i) {
+      return from.trail(points[static_cast<std::size_t>(i)], block.term.rate, RollingKernel::normal);
+    }));
+  }
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, rows);
+  for (std::size_t p = panels.size(); p-- > 0;) {
+    const Eigen::MatrixXd moments = from.moments(points, panels[p], RollingKernel::normal);
+    Eigen::MatrixXd to_response = pressure_in_chebyshev(layout_, panels[p]);
+    auto columns = matrix.middleCols(static_cast<Eigen::Index>(p) * layout_.terms(), layout_.terms());
+    for (std::size_t r = 0; r < terms.size(); ++r) {
+      const PanelMemory& memory = terms[r].memory[p];
+      const Complex amplitude = terms[r].term.amplitude;
+      to_response += (amplitude * memory.by_pressure).real();
+      columns += (amplitude * by_outflow[r] * memory.outflow_by_pressure).real();
+      by_outflow[r] = (moments * memory.by_inflow + memory.outflow_by_inflow * by_outflow[r]).eval();
+    }
+    columns += moments * to_response;
+  }
+  Eigen::VectorXd gap(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double d = layout_.downstream(points[static_cast<std::size_t>(i)]);
+    const double e = points[static_cast<std::size_t>(i)].e;
+    gap(i) = e * (2 * half_length() - e);
+    matrix(i, rows - 2) = -1;
+    matrix(i, rows - 1) = -2 * d;
+  }
+  unknowns_ = matrix.partialPivLu().solve(gap);
+  kernels.count_system(static_cast<int>(rows));
+  edge_displacement_ = unknowns_(rows - 2);
+  offset_ = unknowns_(rows - 1);
+}
+
+Eigen::VectorXd RollingPressure::coefficients(std::size_t panel) const {
+  return unknowns_.segment(static_cast<Eigen::Index>(panel) * layout_.terms(), layout_.terms());
+}
+
+RollingPressure::Response RollingPressure::response(double instantaneous,
+                                                    const std::vector<MemoryTerm>& terms) const {
+  Response result;
+  const auto& panels = layout_.panels();
+  for (std::size_t p = 0; p < panels.size(); ++p)
+    result.on_panel.push_back(instantaneous * (pressure_in_chebyshev(layout_, panels[p]) * coefficients(p)));
+  for (const TermBlocks& block : blocks(layout_, terms)) {
+    Complex inflow = 0;
+    for (std::size_t p = 0; p < panels.size(); ++p) {
+      const PanelMemory& memory = block.memory[p];
+      const Eigen::VectorXcd z = memory.by_pressure * coefficients(p) + memory.by_inflow * inflow;
+      result.on_panel[p] += (block.term.amplitude * z).real();
+      inflow = (memory.outflow_by_pressure * coefficients(p))(0) + memory.outflow_by_inflow * inflow;
+    }
+    result.trailing.push_back({block.term.amplitude * inflow, block.term.rate});
+  }
+  return result;
+}
+
+/// Exact for the polynomials in xi: the sum of T_j's integrals over the pressure's expansion.
+void RollingPressure::integrate() {
+  // On a panel: int p dx and int p x dx, with dx = dx/dxi dxi.
+  const auto& panels = layout_.panels();
+  for (std::size_t p = 0; p < panels.size(); ++p) {
+    const RollingPanel& panel = panels[p];
+    const int count = 2 * layout_.terms() + 4;
+    const Eigen::VectorXd c = coefficients(p);
+    double sum = 0, first = 0;
+    std::vector<double> basis;
+    // Fejer's rule in xi.
+    for (int i = 0; i < count; ++i) {
+      const double angle = (2 * i + 1) * M_PI / (2 * count);
+      double weight = 1;
+      for (int k = 1; k <= count / 2; ++k) weight -= 2 * std::cos(2 * k * angle) / (4.0 * k * k - 1);
+      const double xi = std::pow(std::cos(angle / 2), 2);
+      layout_.pressure_basis(panel, xi, basis);
+      const double value = Eigen::Map<Eigen::VectorXd>(basis.data(), layout_.terms()).dot(c);
+      const double part = weight / count * panel.slope(xi) * panel.width * value;
+      sum += part;
+      first += part * (half_length() - panel.left - panel.width * panel.x(xi));
+    }
+    load_ += sum;
+    moment_ += panel.half == Half::leading ? first : -first;
+  }
+}
+
+ContactPlace RollingPressure::place(double y) const {
+  const double from_middle = y - offset_;
+  return {from_middle >= 0 ? Half::leading : Half::trailing, half_length() - std::fabs(from_middle)};
+}
+
+double RollingPressure::pressure(ContactPlace place) const {
+  const std::size_t p = layout_.panel_of(place);
+  const RollingPanel& panel = layout_.panels()[p];
+  std::vector<double> basis;
+  layout_.pressure_basis(panel, panel.xi((place.e - panel.left) / panel.width), basis);
+  return Eigen::Map<Eigen::VectorXd>(basis.data(), layout_.terms()).dot(coefficients(p));
+}
+
+double RollingPressure::normal_displacement(ContactPlace place, double tolerance,
+                                            ContactKernels& kernels) const {
+  const double d = layout_.downstream(place);
+  if (place.e >= 0) return edge_displacement_ + place.e * (2 * half_length() - place.e) + 2 * offset_ * d;
+  RollingOperator from(layout_, tolerance, kernels);
+  double sum = 0;
+  for (std::size_t p = 0; p < layout_.panels().size(); ++p)
+    sum +=
+        (from.moments({place}, layout_.panels()[p], RollingKernel::normal) * normal_response_.on_panel[p])(0);
+  for (const MemoryTerm& term : normal_response_.trailing)
+    sum += (term.amplitude * from.trail(place, term.rate, RollingKernel::normal)).real();
+  return sum;
+}
+
+double RollingPressure::tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
+                                                ContactKernels& kernels) const {
+  RollingOperator from(layout_, tolerance, kernels);
+  const auto at = [&](const Response& response, RollingKernel kernel) {
+    double sum = 0;
+    for (std::size_t p = 0; p < layout_.panels().size(); ++p) {
+      const Eigen::VectorXd both =
+          from.moments({place, reference}, layout_.panels()[p], kernel) * response.on_panel[p];
+      sum += both(0) - both(1);
+    }
+    for (const MemoryTerm& term : response.trailing)
+      sum +=
+          (term.amplitude * (from.trail(place, term.rate, kernel) - from.trail(reference, term.rate, kernel)))
+              .real();
+    return sum;
+  };
+  return at(normal_response_, RollingKernel::tangential) - at(theta2_response_, RollingKernel::sign);
+}
+
+}  // namespace nipref::fast

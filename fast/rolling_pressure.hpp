@@ -1,0 +1,69 @@
+#pragma once
+#include <Eigen/Core>
+#include <vector>
+
+#include "fast/contact_kernels.hpp"
+#include "fast/rolling_layout.hpp"
+#include "fast/rolling_memory.hpp"
+
+namespace nipref::fast {
+
+/// The compliances of a steadily rolling sheet, in units of the instantaneous N: lengths in half-thicknesses,
+/// so that rate = (relaxation rate) b/speed, amplitude = (amplitude) b/(speed N_0).
+struct RollingMaterial {
+  std::vector<MemoryTerm> normal;  ///< of N beside its instantaneous part 1
+  double theta2_instantaneous;     ///< over that of N
+  std::vector<MemoryTerm> theta2;
+};
+
+/// A frictionless rolling contact of given length, solved: dimensionless as HalfContact (pressure times 2 R
+/// N_0/b, displacements times 2 R/b^2). With d the distance from the leading end the surface follows u =
+/// edge_displacement + d (2A - d) + 2 offset d.
+class RollingPressure {
+ public:
+  RollingPressure(const RollingLayout& layout, const RollingMaterial& material, double tolerance,
+                  ContactKernels& kernels);
+
+  [[nodiscard]] const RollingLayout& layout() const { return layout_; }
+  [[nodiscard]] double half_length() const { return layout_.half_length(); }
+  [[nodiscard]] double edge_displacement() const { return edge_displacement_; }  ///< at the leading end
+  /// Of the middle of the contact from the line through the rollers' centres, towards the leading side.
+  [[nodiscard]] double offset() const { return offset_; }
+  [[nodiscard]] double leading_length() const { return half_length() + offset_; }
+  [[nodiscard]] double trailing_length() const { return half_length() - offset_; }
+  /// Of Y = y, counted from the line through the rollers' centres.
+  [[nodiscard]] ContactPlace place(double y) const;
+  [[nodiscard]] double load() const { return load_; }
+  /// Of the pressure about the middle of the contact, positive if more of it is on the leading side.
+  [[nodiscard]] double moment() const { return moment_; }
+  [[nodiscard]] double pressure(ContactPlace place) const;  ///< inside the contact
+
+  /// Normal displacement anywhere: of the roller inside the contact, by quadrature outside.
+  [[nodiscard]] double normal_displacement(ContactPlace place, double tolerance,
+                                           ContactKernels& kernels) const;
+  /// Tangential displacement at `place` less that at `reference`, along the leading direction.
+  [[nodiscard]] double tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
+                                               ContactKernels& kernels) const;
+
+ private:
+  /// instantaneous p + sum of the terms' memories, on each panel, and what of it trails behind the contact.
+  struct Response {
+    std::vector<Eigen::VectorXd> on_panel;
+    std::vector<MemoryTerm> trailing;
+  };
+  void solve(const RollingMaterial& material, double tolerance, ContactKernels& kernels);
+  [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
+  [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms) const;
+  void integrate();
+
+  RollingLayout layout_;
+  Eigen::VectorXd unknowns_;
+  double edge_displacement_ = 0;
+  double offset_ = 0;
+  double load_ = 0;
+  double moment_ = 0;
+  Response normal_response_;
+  Response theta2_response_;
+};
+
+}  // namespace nipref::fast

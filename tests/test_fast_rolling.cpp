@@ -1,0 +1,292 @@
+// The converged rolling contact: its limits, its energy, two discretisations, its error estimates, its work.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "fast/contact_converged.hpp"
+#include "fast/rolling_converged.hpp"
+#include "fast/rolling_functionals.hpp"
+#include "fast/rolling_pressure.hpp"
+
+using namespace nipref;
+using data::ElasticNip;
+using data::ViscoelasticNip;
+using fast::ContactWork;
+using fast::Estimate;
+using fast::Half;
+using fast::rolling_for_length;
+using fast::rolling_for_load;
+using fast::RollingContact;
+using fast::RollingMaterial;
+using fast::RollingPressure;
+
+namespace {
+
+constexpr double radius = 6, thickness = 0.25, bulk = 1.45e5, load = 50;
+
+/// One relaxation time in shear and dilatation, twice the instantaneous compliance in the end.
+data::ViscoelasticMaterial solid(double relaxation_time) {
+  const auto function = [&](double compliance) {
+    return data::MaterialFunction{compliance, {{compliance / relaxation_time, 1 / relaxation_time}}};
+  };
+  return {function(4 / (3 * bulk)), function(4 / (9 * bulk))};
+}
+
+ViscoelasticNip nip(double relaxation_length) { return {radius, thickness, solid(relaxation_length), 1}; }
+
+/// The elastic nip of `compliance` times the instantaneous compliance of `solid`.
+ElasticNip elastic(double compliance) { return {radius, thickness, {bulk / compliance, 1.0 / 3}}; }
+
+/// The same, dimensionless.
+RollingMaterial rolling_material(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }
+
+RollingPressure solve(double half_length, const RollingMaterial& material, int panels, int terms) {
+  ContactWork work;
+  fast::ContactKernels kernels(fast::Accuracy{}, work);
+  return {fast::RollingLayout(half_length, panels, terms), material, 1e-16, kernels};
+}
+
+using Result = std::function<Estimate(const RollingContact&)>;
+
+std::vector<Result> results() {
+  return {[](const RollingContact& contact) { return contact.contact_length(); },
+          [](const RollingContact& contact) { return contact.indentation(); },
+          [](const RollingContact& contact) { return contact.peak_pressure(); },
+          [](const RollingContact& contact) { return contact.rolling_resistance(); },
+          [](const RollingContact& contact) { return contact.leading_length(); },
+          [](const RollingContact& contact) { return contact.load(); },
+          [](const RollingContact& contact) { return contact.leading_displacement(); },
+          [](const RollingContact& contact) { return contact.trailing_displacement(); },
+          [](const RollingContact& contact) { return contact.creep_ratio(); },
+          [](const RollingContact& contact) { return contact.pressure(0); },
+          [](const RollingContact& contact) {
+            return contact.normal_displacement(-1.5 * contact.trailing_length().value);
+          },
+          [](const RollingContact& contact) {
+            return contact.tangential_displacement(-2 * contact.trailing_length().value);
+          }};
+}
+
+}  // namespace
+
+TEST_CASE("without relaxation the rolling contact is the elastic one") {
+  const ViscoelasticNip rolling{radius, thickness, {{4 / (3 * bulk), {}}, {4 / (9 * bulk), {}}}, 1};
+  const auto contact = rolling_for_load(rolling, load, 1e-12);
+  const auto expected = fast::converged_for_load(elastic(1), data::Friction::none, load, 1e-12);
+  const auto check = [](const Estimate& found, const Estimate& truth) {
+    CHECK(found.value == doctest::Approx(truth.value).scale(0).epsilon(3e-12));
+  };
+  check(contact.contact_length(), expected.contact_length());
+  check(contact.indentation(), expected.indentation());
+  check(contact.leading_displacement(), expected.edge_displacement());
+  check(contact.trailing_displacement(), expected.edge_displacement());
+  check(contact.peak_pressure(), expected.peak_pressure());
+  check(contact.creep_ratio(), expected.creep_ratio());
+  check(contact.pressure(0.02), expected.pressure(0.02));
+  check(contact.pressure(-0.03), expected.pressure(0.03));
+  check(contact.normal_displacement(-0.2), expected.normal_displacement(0.2));
+  check(contact.tangential_displacement(-0.2), {-expected.tangential_displacement(0.2).value, 0});
+  CHECK(std::fabs(contact.rolling_resistance().value) < 1e-13 * thickness / radius);
+}
+
+TEST_CASE("fast and slow relaxation give the two elastic contacts, with errors of known order") {
+  const auto difference = [](double relaxation_length, double compliance, const auto& rolling_result,
+                             const auto& elastic_result) {
+    const double truth =
+        elastic_result(fast::converged_for_load(elastic(compliance), data::Friction::none, load, 1e-12))
+            .value;
+    return std::fabs(rolling_result(rolling_for_load(nip(relaxation_length), load, 1e-11)).value / truth - 1);
+  };
+  const auto check = [&](double quick_order, const auto& rolling_result, const auto& elastic_result) {
+    // The error shrinks as the small number is halved.
+    const double slow = difference(1e4, 1, rolling_result, elastic_result);
+    CHECK(slow < 1e-4);
+    CHECK(slow / difference(2e4, 1, rolling_result, elastic_result) == doctest::Approx(2).epsilon(1e-2));
+    const double quick = difference(1e-5, 2, rolling_result, elastic_result);
+    CHECK(quick < 1e-3);
+    CHECK(quick / difference(5e-6, 2, rolling_result, elastic_result) ==
+          doctest::Approx(std::exp2(quick_order)).epsilon(2e-2));
+  };
+  // The first correction of fast relaxation is odd in Y: the indentation knows the second only.
+  check(
+      2, [](const RollingContact& c) { return c.indentation(); },
+      [](const fast::ConvergedContact& c) { return c.indentation(); });
+  check(
+      1, [](const RollingContact& c) { return c.creep_ratio(); },
+      [](const fast::ConvergedContact& c) { return c.creep_ratio(); });
+}
+
+TEST_CASE("towards both elastic limits the pressure becomes its own mirror image") {
+  for (const double relaxation_length : {1e5, 1e-5}) {
+    CAPTURE(relaxation_length);
+    const auto asymmetry = [](double length) {
+      const auto contact = rolling_for_load(nip(length), load, 1e-11);
+      return contact.pressure(0.03).value / contact.pressure(-0.03).value - 1;
+    };
+    const double here = asymmetry(relaxation_length);
+    const double nearer = asymmetry(relaxation_length > 1 ? 10 * relaxation_length : relaxation_length / 10);
+    CHECK(here > 0);  // more pressure where the material enters
+    CHECK(here < 1e-3);
+    CHECK(here / nearer == doctest::Approx(10).epsilon(2e-2));
+  }
+}
+
+TEST_CASE("two discretisations agree") {
+  for (const double half_length : {1e-4, 0.4, 2.0, 15.0}) {
+    for (const double rate_length : {0.01, 1.0, 30.0}) {  // A over the relaxation length
+      CAPTURE(half_length);
+      CAPTURE(rate_length);
+      const auto material = rolling_material(rate_length / half_length);
+      const int panels = half_length > 10 || rate_length > 10 ? 7 : 3;
+      const auto one = solve(half_length, material, panels, 18),
+                 two = solve(half_length, material, panels + 2, 15);
+      const auto check = [&](double a, double b, double scale) {
+        CHECK(std::fabs(a - b) <= 1e-10 * std::max(scale, std::fabs(b)));
+      };
+      check(one.load(), two.load(), 0);
+      check(one.offset(), two.offset(), 0);
+      check(one.edge_displacement(), two.edge_displacement(), half_length * half_length);
+      check(fast::eccentricity(one), fast::eccentricity(two), 0);
+      check(fast::peak_pressure(one), fast::peak_pressure(two), 0);
+      for (const double part : {0.01, 0.3}) {
+        check(one.pressure({Half::trailing, part * half_length}),
+              two.pressure({Half::trailing, part * half_length}), fast::peak_pressure(two));
+      }
+    }
+  }
+}
+
+namespace {
+
+/// int_0^inf |p^(x)|^2 x Im theta(x) G(x) dx/(2 pi), with theta(x) = 1 + sum g/(rate - i x) and G = 2 sinh^2
+/// x/(x (sinh 2x + 2x)) the transform of I1: by Parseval the work that the pressure does on the passing
+/// surface, which goes into loss.
+double dissipation(const RollingPressure& contact, const RollingMaterial& material) {
+  // The pressure at nodes on its panels.
+  std::vector<double> y, weight;
+  const auto& gauss = boost::math::quadrature::gauss<double, 60>{};
+  for (const auto& panel : contact.layout().panels()) {
+    constexpr int parts = 12;
+    for (int part = 0; part < parts; ++part) {
+      for (std::size_t i = 0; i < gauss.abscissa().size(); ++i) {
+        for (const double side : {-1, 1}) {
+          const double xi = (part + 0.5 + side * gauss.abscissa()[i] / 2) / parts;
+          const fast::ContactPlace place{panel.half, panel.left + panel.width * panel.x(xi)};
+          y.push_back(-contact.layout().downstream(place));
+          weight.push_back(gauss.weights()[i] / (2 * parts) * panel.slope(xi) * panel.width *
+                           contact.pressure(place));
+        }
+      }
+    }
+  }
+  const auto integrand = [&](double x) {
+    std::complex<double> transform = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) transform += weight[i] * std::polar(1.0, -x * y[i]);
+    double loss = 0;
+    for (const auto& term : material.normal)
+      loss += (term.amplitude / (term.rate - std::complex(0.0, x))).imag();
+    const double e2 = std::exp(-2 * x), e4 = e2 * e2;
+    const double kernel = std::pow(-std::expm1(-2 * x), 2) / (1 - e4 + 4 * x * e2);  // x G
+    return std::norm(transform) * loss * kernel;
+  };
+  // At most half a period of the transform at a time, and less where kernel and loss vary; what is left falls
+  // like x^-4.
+  const double half_period = std::numbers::pi / (2 * contact.half_length());
+  const double end = 1000 * half_period;
+  double sum = 0;
+  for (double x = 0; x < end;) {
+    const double step = std::min(half_period, 0.5 + x / 4);
+    sum += boost::math::quadrature::gauss<double, 7>::integrate(integrand, x, x + step);
+    x += step;
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
+}  // namespace
+
+TEST_CASE("rolling resistance times speed is the energy lost, computed in frequency space") {
+  for (const auto& [half_length, rate] : {std::pair(0.4, 1.0), std::pair(3.0, 2.0), std::pair(0.1, 50.0)}) {
+    CAPTURE(half_length);
+    CAPTURE(rate);
+    const auto material = rolling_material(rate);
+    const auto contact = solve(half_length, material, 3, 18);
+    const double resistance = contact.load() * fast::eccentricity(contact);
+    CHECK(dissipation(contact, material) == doctest::Approx(resistance).scale(0).epsilon(1e-8));
+  }
+}
+
+TEST_CASE("results at 1e-8 over twelve decades of the relaxation length") {
+  for (const double relaxation : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e6}) {
+    CAPTURE(relaxation);
+    const double length = 0.1;
+    const auto rough = rolling_for_length(nip(relaxation * length), length, 1e-8);
+    const auto fine = rolling_for_length(nip(relaxation * length), length, 1e-11);
+    CHECK(rough.work().unknowns < fine.work().unknowns);
+    for (const Result& result : {results()[1], results()[2], results()[3], results()[5]}) {
+      CHECK(result(rough).value == doctest::Approx(result(fine).value).scale(0).epsilon(1e-8));
+    }
+  }
+}
+
+TEST_CASE("the error estimates cover the errors and are not idle") {
+  for (const double relaxation_length : {3.0, 0.1, 0.004}) {
+    const auto best = rolling_for_load(nip(relaxation_length), load, 1e-13);
+    for (const double accuracy : {1e-3, 1e-5, 1e-7, 1e-9}) {
+      const auto contact = rolling_for_load(nip(relaxation_length), load, accuracy);
+      int index = 0;
+      for (const Result& result : results()) {
+        CAPTURE(relaxation_length);
+        CAPTURE(accuracy);
+        CAPTURE(index++);
+        const Estimate found = result(contact), truth = result(best);
+        CHECK(std::fabs(found.value - truth.value) <= found.error + truth.error);
+        CHECK(found.error <= 100 * accuracy * std::max(std::fabs(truth.value), 1e-2 * load));
+      }
+      for (const Result& result : {results()[0], results()[1], results()[2], results()[3]}) {
+        const Estimate found = result(contact), truth = result(best);
+        CHECK(std::fabs(found.value - truth.value) <= accuracy * std::fabs(truth.value));
+      }
+    }
+  }
+}
+
+TEST_CASE("asking for less costs less") {
+  const auto cost = [](double accuracy) { return rolling_for_load(nip(0.1), load, accuracy).work(); };
+  const ContactWork little = cost(1e-4), much = cost(1e-11);
+  CHECK(little.unknowns < much.unknowns);
+  CHECK(little.kernel_evaluations[0] < much.kernel_evaluations[0]);
+  CHECK(much.kernel_evaluations[2] == 0);  // no tangential kernel before the creep is asked for
+}
+
+TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
+  const auto with = [](std::complex<double> split) {
+    const std::complex<double> rate = 2.0 + split;
+    return solve(0.8, {{{0.5, rate}, {0.5, std::conj(rate)}}, 0.25, {}}, 2, 14);
+  };
+  const auto joined = solve(0.8, {{{1.0, 2.0}}, 0.25, {}}, 2, 14);
+  CHECK(with({0, 1e-7}).load() == doctest::Approx(joined.load()).scale(0).epsilon(1e-12));
+  const double far = with({0, 0.1}).load() - joined.load(), near = with({0, 0.05}).load() - joined.load();
+  CHECK(far / near == doctest::Approx(4).epsilon(1e-2));  // even in the imaginary part
+}
+
+TEST_CASE("rolling contacts refuse what is outside their domain") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto rolling = nip(0.1);
+  CHECK_THROWS_AS(rolling_for_load(rolling, 0, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(rolling_for_load(rolling, nan, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(rolling_for_load(rolling, 1e9, 1e-6), data::BadInput);  // L > R
+  CHECK_THROWS_AS(rolling_for_length(rolling, 7, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(rolling_for_length(rolling, 0.1, 1e-14), data::BadInput);
+  CHECK_THROWS_AS((void)rolling_for_length(rolling, 0.1, 1e-6).pressure(nan), data::BadInput);
+  auto standing = rolling;
+  standing.speed = 0;
+  CHECK_THROWS_AS(rolling_for_length(standing, 0.1, 1e-6), data::BadInput);
+}
