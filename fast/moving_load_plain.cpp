@@ -1,0 +1,141 @@
+#include "fast/moving_load_plain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "data/bad_input.hpp"
+#include "fast/plain_series.hpp"
+#include "fast/sheet_roots.hpp"
+
+namespace nipref::fast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Complex = std::complex<double>;
+constexpr Complex i(0, 1);
+
+double positive(double value, const char* name) {
+  if (!(std::isfinite(value) && value > 0)) throw data::BadInput(name, value, "must be finite and > 0");
+  return value;
+}
+
+std::vector<Complex> roots(int terms) {
+  if (!(terms >= 1 && terms <= most_residue_terms)) {
+    throw data::BadInput("terms", terms, "must be from 1 to " + std::to_string(most_residue_terms));
+  }
+  std::vector<Complex> result;
+  for (int n = 1; n <= terms; ++n) result.push_back(sheet_root(n));
+  return result;
+}
+
+template <class Coefficient>
+std::vector<Complex> each(const std::vector<Complex>& roots, Coefficient coefficient) {
+  std::vector<Complex> result;
+  std::ranges::transform(roots, std::back_inserter(result), coefficient);
+  return result;
+}
+
+/// sign(w) e^(-rate (w - alpha)) integrated from alpha to T > alpha.
+double remembered_sign(double rate, double t, double T) {
+  const double alpha = T - t;
+  if (alpha >= 0) return -std::expm1(-rate * t) / rate;
+  if (T <= 0) return std::expm1(-rate * t) / rate;
+  return (std::expm1(rate * alpha) - std::exp(rate * alpha) * std::expm1(-rate * T)) / rate;
+}
+
+}  // namespace
+
+PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed,
+                                 double half_thickness, int terms)
+    : roots_(roots(terms)) {
+  material.check();
+  positive(speed, "speed");
+  positive(half_thickness, "half_thickness");
+  for (const data::MaterialFunction* function : {&material.theta1, &material.theta2}) {
+    for (const data::RelaxationTerm& term : function->terms) {
+      if (term.rate.imag() != 0)
+        throw data::BadInput("rate", term.rate.imag(), "must be real: the thesis's sums have no others");
+      const double rate = term.rate.real() * half_thickness / speed;
+      if (std::ranges::find(rates_, rate) == rates_.end()) rates_.push_back(rate);
+    }
+  }
+  theta1_ = memory(material.theta1, speed, half_thickness);
+  theta2_ = memory(material.theta2, speed, half_thickness);
+  both_ = theta1_;
+  both_.instantaneous += theta2_.instantaneous;
+  for (std::size_t r = 0; r < rates_.size(); ++r) both_.amplitude[r] += theta2_.amplitude[r];
+
+  normal_ = {1, 0, each(roots_, [](Complex z) { return i * pi * std::pow(std::tanh(z), 2) / z; })};
+  tangential_ = {-1, pi / 4, each(roots_, [](Complex z) { return pi / std::pow(std::cosh(z), 2); })};
+  sign_ = {-1, pi / 2, {}};
+  pinned_theta2_ = {-1, pi / 4,
+                    each(roots_, [](Complex z) { return pi * std::tanh(z) / (z * std::cosh(z)); })};
+  pinned_theta1_ = {-1, pi / 4, each(roots_, [](Complex z) { return pi / std::cosh(z); })};
+  normal_at_0_ = sums(normal_, 0);
+}
+
+PlainMovingLoad::Memory PlainMovingLoad::memory(const data::MaterialFunction& function, double speed,
+                                                double half_thickness) const {
+  Memory result{function.instantaneous, std::vector<double>(rates_.size())};
+  for (const data::RelaxationTerm& term : function.terms) {
+    const auto at = std::ranges::find(rates_, term.rate.real() * half_thickness / speed);
+    result.amplitude[static_cast<std::size_t>(at - rates_.begin())] +=
+        term.amplitude.real() * half_thickness / speed;
+  }
+  return result;
+}
+
+PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distance) const {
+  Sums result{distance, 0, std::vector<double>(rates_.size()), std::vector<double>(rates_.size())};
+  for (std::size_t n = 0; n < kernel.residues.size(); ++n) {
+    const Complex wave = kernel.residues[n] * std::exp(i * roots_[n] * distance);
+    result.kernel += wave.real();
+    for (std::size_t r = 0; r < rates_.size(); ++r) {
+      result.ahead[r] += (wave / (rates_[r] - i * roots_[n])).real();
+      result.behind[r] += (wave / (rates_[r] + i * roots_[n])).real();
+    }
+  }
+  return result;
+}
+
+/// theta * kernel: the elastic response and, for each rate, int e^(-rate (w - alpha)) kernel(w) dw from alpha
+/// to T.
+double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T,
+                                   const Sums& at_alpha, const Sums& at_T, const Sums& at_0) const {
+  const bool behind = t > T;
+  const double side = behind ? kernel.parity : 1;
+  double sum = memory.instantaneous * side * (kernel.constant + at_alpha.kernel);
+  for (std::size_t r = 0; r < rates_.size(); ++r) {
+    if (memory.amplitude[r] == 0) continue;
+    const double rate = rates_[r];
+    const double faded = std::exp(-rate * t);
+    double part = behind ? side * at_alpha.behind[r] : at_alpha.ahead[r];
+    if (behind && T > 0) part += std::exp(-rate * (t - T)) * (at_0.ahead[r] - side * at_0.behind[r]);
+    part -= T > 0 ? faded * at_T.ahead[r] : faded * side * at_T.behind[r];
+    if (kernel.constant != 0) part += kernel.constant * remembered_sign(rate, t, T);
+    sum += memory.amplitude[r] * part;
+  }
+  return sum;
+}
+
+double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T) const {
+  return remembered(kernel, memory, t, T, sums(kernel, std::fabs(T - t)), sums(kernel, std::fabs(T)),
+                    sums(kernel, 0));
+}
+
+double PlainMovingLoad::Un(double t, double T, const Sums& at_alpha, const Sums& at_T) const {
+  return remembered(normal_, both_, t, T, at_alpha, at_T, normal_at_0_) / pi;
+}
+
+double PlainMovingLoad::Un(double t, double T) const {
+  return Un(t, T, normal_sums(std::fabs(T - t)), normal_sums(std::fabs(T)));
+}
+
+double PlainMovingLoad::Vn(double t, double T, double t0) const {
+  return (remembered(tangential_, both_, t, T) - remembered(sign_, theta2_, t, T) +
+          remembered(pinned_theta2_, theta2_, t, t0) - remembered(pinned_theta1_, theta1_, t, t0)) /
+         pi;
+}
+
+}  // namespace nipref::fast

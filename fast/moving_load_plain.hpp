@@ -1,0 +1,67 @@
+#pragma once
+#include <complex>
+#include <vector>
+
+#include "data/viscoelastic_material.hpp"
+
+namespace nipref::fast {
+
+/// Tangential or normal displacement of the viscoelastic sheet's surface as the thesis computes it: the first
+/// `terms` residues of (6.23)-(6.28) as they stand, the after-contact sum among them, whose rest falls only
+/// like 0.2/terms. A peer for speed and accuracy, and what replays the thesis's tables; not a way to compute
+/// a displacement.
+///
+/// Lengths in half-thicknesses b and times in b/speed: what the load has gone. A point that the load reaches
+/// at T sees it at distance alpha = T - t. Sums depend on one distance each, so that many displacements share
+/// them.
+class PlainMovingLoad {
+ public:
+  /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise
+  /// BadInput.
+  PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness, int terms);
+
+  /// The residue sums at one distance x >= 0.
+  struct Sums {
+    double distance;
+    double kernel;               ///< sum Re c_n e^(i z_n x): the elastic kernel, its constant apart
+    std::vector<double> ahead;   ///< for each rate: sum Re c_n e^(i z_n x)/(rate - i z_n)
+    std::vector<double> behind;  ///< for each rate: sum Re c_n e^(i z_n x)/(rate + i z_n)
+  };
+  [[nodiscard]] Sums normal_sums(double distance) const { return sums(normal_, distance); }
+
+  /// Normal displacement by the unit normal load that started at t = 0, 1/stress. `at_alpha` and `at_T` are
+  /// normal_sums(|T - t|) and normal_sums(|T|). (thesis 6.23, 6.25)
+  [[nodiscard]] double Un(double t, double T, const Sums& at_alpha, const Sums& at_T) const;
+  [[nodiscard]] double Un(double t, double T) const;
+  /// Tangential displacement by that load, relative to the pinned point, which the load reaches at t0.
+  /// (thesis 6.24, 6.26-6.28)
+  [[nodiscard]] double Vn(double t, double T, double t0) const;
+
+ private:
+  /// A kernel: parity, its constant at infinity and its residue coefficients.
+  struct Kernel {
+    double parity;
+    double constant;
+    std::vector<std::complex<double>> residues;
+  };
+  /// A material function, in b and speed.
+  struct Memory {
+    double instantaneous;
+    std::vector<double> amplitude;  ///< for each of rates_
+  };
+  [[nodiscard]] Sums sums(const Kernel& kernel, double distance) const;
+  [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T,
+                                  const Sums& at_alpha, const Sums& at_T, const Sums& at_0) const;
+  [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T) const;
+  [[nodiscard]] Memory memory(const data::MaterialFunction& function, double speed,
+                              double half_thickness) const;
+
+  std::vector<double> rates_;  ///< all of both functions
+  std::vector<std::complex<double>> roots_;
+  Kernel normal_;
+  Kernel tangential_, sign_, pinned_theta1_, pinned_theta2_;  ///< I3, I2, I5, I4
+  Memory theta1_, theta2_, both_;
+  Sums normal_at_0_;
+};
+
+}  // namespace nipref::fast
