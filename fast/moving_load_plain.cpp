@@ -66,13 +66,24 @@ PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, dou
   both_.instantaneous += theta2_.instantaneous;
   for (std::size_t r = 0; r < rates_.size(); ++r) both_.amplitude[r] += theta2_.amplitude[r];
 
-  normal_ = {1, 0, each(roots_, [](Complex z) { return i * pi * std::pow(std::tanh(z), 2) / z; })};
-  tangential_ = {-1, pi / 4, each(roots_, [](Complex z) { return pi / std::pow(std::cosh(z), 2); })};
-  sign_ = {-1, pi / 2, {}};
-  pinned_theta2_ = {-1, pi / 4,
-                    each(roots_, [](Complex z) { return pi * std::tanh(z) / (z * std::cosh(z)); })};
-  pinned_theta1_ = {-1, pi / 4, each(roots_, [](Complex z) { return pi / std::cosh(z); })};
-  normal_at_0_ = sums(normal_, 0);
+  for (const double rate : rates_) {
+    ahead_.push_back(each(roots_, [&](Complex z) { return 1.0 / (rate - i * z); }));
+    behind_.push_back(each(roots_, [&](Complex z) { return 1.0 / (rate + i * z); }));
+  }
+
+  const auto kernel = [&](double parity, double constant, auto residue) {
+    return with_sums_at_0({parity, constant, each(roots_, residue), {}});
+  };
+  normal_ = kernel(1, 0, [](Complex z) { return i * pi * std::pow(std::tanh(z), 2) / z; });
+  tangential_ = kernel(-1, pi / 4, [](Complex z) { return pi / std::pow(std::cosh(z), 2); });
+  sign_ = with_sums_at_0({-1, pi / 2, {}, {}});
+  pinned_theta2_ = kernel(-1, pi / 4, [](Complex z) { return pi * std::tanh(z) / (z * std::cosh(z)); });
+  pinned_theta1_ = kernel(-1, pi / 4, [](Complex z) { return pi / std::cosh(z); });
+}
+
+PlainMovingLoad::Kernel PlainMovingLoad::with_sums_at_0(Kernel kernel) const {
+  kernel.at_0 = sums(kernel, 0);
+  return kernel;
 }
 
 PlainMovingLoad::Memory PlainMovingLoad::memory(const data::MaterialFunction& function, double speed,
@@ -89,11 +100,13 @@ PlainMovingLoad::Memory PlainMovingLoad::memory(const data::MaterialFunction& fu
 PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distance) const {
   Sums result{distance, 0, std::vector<double>(rates_.size()), std::vector<double>(rates_.size())};
   for (std::size_t n = 0; n < kernel.residues.size(); ++n) {
-    const Complex wave = kernel.residues[n] * std::exp(i * roots_[n] * distance);
+    const double size = std::exp(-roots_[n].imag() * distance);
+    if (size == 0) break;  // and so are all that follow
+    const Complex wave = kernel.residues[n] * std::polar(size, roots_[n].real() * distance);
     result.kernel += wave.real();
     for (std::size_t r = 0; r < rates_.size(); ++r) {
-      result.ahead[r] += (wave / (rates_[r] - i * roots_[n])).real();
-      result.behind[r] += (wave / (rates_[r] + i * roots_[n])).real();
+      result.ahead[r] += (wave * ahead_[r][n]).real();
+      result.behind[r] += (wave * behind_[r][n]).real();
     }
   }
   return result;
@@ -102,7 +115,7 @@ PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distanc
 /// theta * kernel: the elastic response and, for each rate, int e^(-rate (w - alpha)) kernel(w) dw from alpha
 /// to T.
 double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T,
-                                   const Sums& at_alpha, const Sums& at_T, const Sums& at_0) const {
+                                   const Sums& at_alpha, const Sums& at_T) const {
   const bool behind = t > T;
   const double side = behind ? kernel.parity : 1;
   double sum = memory.instantaneous * side * (kernel.constant + at_alpha.kernel);
@@ -111,7 +124,8 @@ double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, d
     const double rate = rates_[r];
     const double faded = std::exp(-rate * t);
     double part = behind ? side * at_alpha.behind[r] : at_alpha.ahead[r];
-    if (behind && T > 0) part += std::exp(-rate * (t - T)) * (at_0.ahead[r] - side * at_0.behind[r]);
+    if (behind && T > 0)
+      part += std::exp(-rate * (t - T)) * (kernel.at_0.ahead[r] - side * kernel.at_0.behind[r]);
     part -= T > 0 ? faded * at_T.ahead[r] : faded * side * at_T.behind[r];
     if (kernel.constant != 0) part += kernel.constant * remembered_sign(rate, t, T);
     sum += memory.amplitude[r] * part;
@@ -120,12 +134,11 @@ double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, d
 }
 
 double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, double t, double T) const {
-  return remembered(kernel, memory, t, T, sums(kernel, std::fabs(T - t)), sums(kernel, std::fabs(T)),
-                    sums(kernel, 0));
+  return remembered(kernel, memory, t, T, sums(kernel, std::fabs(T - t)), sums(kernel, std::fabs(T)));
 }
 
 double PlainMovingLoad::Un(double t, double T, const Sums& at_alpha, const Sums& at_T) const {
-  return remembered(normal_, both_, t, T, at_alpha, at_T, normal_at_0_) / pi;
+  return remembered(normal_, both_, t, T, at_alpha, at_T) / pi;
 }
 
 double PlainMovingLoad::Un(double t, double T) const {

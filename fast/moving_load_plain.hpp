@@ -38,30 +38,33 @@ class PlainMovingLoad {
   [[nodiscard]] double Vn(double t, double T, double t0) const;
 
  private:
-  /// A kernel: parity, its constant at infinity and its residue coefficients.
+  /// A kernel: parity, its constant at infinity, its residue coefficients and their sums at 0.
   struct Kernel {
     double parity;
     double constant;
     std::vector<std::complex<double>> residues;
+    Sums at_0;
   };
   /// A material function, in b and speed.
   struct Memory {
     double instantaneous;
     std::vector<double> amplitude;  ///< for each of rates_
   };
+  [[nodiscard]] Kernel with_sums_at_0(Kernel kernel) const;
   [[nodiscard]] Sums sums(const Kernel& kernel, double distance) const;
   [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T,
-                                  const Sums& at_alpha, const Sums& at_T, const Sums& at_0) const;
+                                  const Sums& at_alpha, const Sums& at_T) const;
   [[nodiscard]] double remembered(const Kernel& kernel, const Memory& memory, double t, double T) const;
   [[nodiscard]] Memory memory(const data::MaterialFunction& function, double speed,
                               double half_thickness) const;
 
   std::vector<double> rates_;  ///< all of both functions
   std::vector<std::complex<double>> roots_;
+  /// 1/(rate - i z_n) and 1/(rate + i z_n), for each rate.
+  std::vector<std::vector<std::complex<double>>> ahead_, behind_;
   Kernel normal_;
   Kernel tangential_, sign_, pinned_theta1_, pinned_theta2_;  ///< I3, I2, I5, I4
   Memory theta1_, theta2_, both_;
-  Sums normal_at_0_;
 };
 
 }  // namespace nipref::fast

@@ -3,10 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <optional>
 #include <string>
 
 #include "data/bad_input.hpp"
+#include "fast/moving_load.hpp"
 #include "fast/moving_load_plain.hpp"
 #include "fast/plain_series.hpp"
 
@@ -18,9 +19,29 @@ using data::BadInput;
 constexpr int most_elements = 500;
 constexpr int most_iterations = 60;
 
-PlainMovingLoad moving_load(const data::ViscoelasticNip& nip, int terms) {
-  return {nip.material, nip.speed, nip.half_thickness(), terms};
-}
+/// Displacements by a moving load, plain sums or exact, with lengths in half-thicknesses and times in
+/// b/speed.
+class Sheet {
+ public:
+  Sheet(const data::ViscoelasticNip& nip, int terms) : time_(nip.half_thickness() / nip.speed) {
+    if (terms == 0) {
+      exact_.emplace(nip.material, nip.speed, nip.half_thickness());
+    } else {
+      plain_.emplace(nip.material, nip.speed, nip.half_thickness(), terms);
+    }
+  }
+
+  [[nodiscard]] const PlainMovingLoad* plain() const { return plain_ ? &*plain_ : nullptr; }
+  [[nodiscard]] double Un(double t, double T) const { return exact_->Un(t * time_, T * time_); }
+  [[nodiscard]] double Vn(double t, double T, double t0) const {
+    return plain_ ? plain_->Vn(t, T, t0) : exact_->Vn(t * time_, T * time_, t0 * time_);
+  }
+
+ private:
+  double time_;
+  std::optional<PlainMovingLoad> plain_;
+  std::optional<MovingLoad> exact_;
+};
 
 /// (7.11), in half-thicknesses.
 struct Grid {
@@ -41,7 +62,7 @@ Grid grid(const data::ViscoelasticNip& nip, const RollingLineLoadMethod& method,
 }
 
 /// u at matching point i by load j depends on j - i and on T_j, so that the sums are few.
-Eigen::MatrixXd influence(const PlainMovingLoad& sheet, const Grid& grid) {
+Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) {
   std::vector<PlainMovingLoad::Sums> at_distance, at_T;
   for (int k = 0; k <= grid.loads; ++k) at_distance.push_back(sheet.normal_sums((2 * k + 1) * grid.element));
   for (int j = 0; j < grid.loads; ++j) at_T.push_back(sheet.normal_sums(grid.T(j)));
@@ -56,7 +77,14 @@ Eigen::MatrixXd influence(const PlainMovingLoad& sheet, const Grid& grid) {
   return matrix;
 }
 
-RollingLineLoads solve(const data::ViscoelasticNip& nip, const PlainMovingLoad& sheet,
+Eigen::MatrixXd influence(const Sheet& sheet, const Grid& grid) {
+  if (sheet.plain() != nullptr) return plain_influence(*sheet.plain(), grid);
+  return Eigen::MatrixXd::NullaryExpr(grid.loads + 1, grid.loads, [&](Eigen::Index i, Eigen::Index j) {
+    return sheet.Un(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
+  });
+}
+
+RollingLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
                        const RollingLineLoadMethod& method, double leading_length) {
   const Grid cells = grid(nip, method, leading_length);
   const double half_thickness = nip.half_thickness();
@@ -91,7 +119,7 @@ RollingLineLoads solve(const data::ViscoelasticNip& nip, const PlainMovingLoad& 
   return result;
 }
 
-RollingLineLoads solve_for_load(const data::ViscoelasticNip& nip, const PlainMovingLoad& sheet,
+RollingLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& sheet,
                                 const RollingLineLoadMethod& method, double load) {
   // (2.13) converges slowly but surely; from its second step on the secant of ln(load) over ln(length) is
   // better.
@@ -134,13 +162,13 @@ void RollingLineLoadMethod::check() const {
   check_elements("trailing_elements", trailing_elements, 0);
   if (!(std::isfinite(approach) && approach > 0))
     throw BadInput("approach_lengths", approach, "must be finite and > 0");
-  if (!(residue_terms >= 1 && residue_terms <= most_residue_terms)) {
-    throw BadInput("residue_terms", residue_terms, "must be from 1 to " + std::to_string(most_residue_terms));
+  if (!(residue_terms >= 0 && residue_terms <= most_residue_terms)) {
+    throw BadInput("residue_terms", residue_terms, "must be from 0 to " + std::to_string(most_residue_terms));
   }
 }
 
 bool RollingLineLoads::presses_everywhere() const {
-  return std::ranges::all_of(loads, [](double load) { return load >= 0; });
+  return std::ranges::all_of(loads, [](double force) { return force >= 0; });
 }
 
 RollingLineLoads rolling_line_loads_for_length(const data::ViscoelasticNip& nip,
@@ -149,7 +177,7 @@ RollingLineLoads rolling_line_loads_for_length(const data::ViscoelasticNip& nip,
   method.check();
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
     throw BadInput("leading_length", leading_length, "must be > 0 and at most the roller's radius");
-  return solve(nip, moving_load(nip, method.residue_terms), method, leading_length);
+  return solve(nip, Sheet(nip, method.residue_terms), method, leading_length);
 }
 
 RollingLineLoads rolling_line_loads_for_load(const data::ViscoelasticNip& nip,
@@ -157,7 +185,7 @@ RollingLineLoads rolling_line_loads_for_load(const data::ViscoelasticNip& nip,
   nip.check();
   method.check();
   check_load(load);
-  return solve_for_load(nip, moving_load(nip, method.residue_terms), method, load);
+  return solve_for_load(nip, Sheet(nip, method.residue_terms), method, load);
 }
 
 RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, RollingLineLoadMethod method,
@@ -166,7 +194,7 @@ RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, 
   check_load(load);
   method.trailing_elements = method.leading_elements;
   method.check();
-  const PlainMovingLoad sheet = moving_load(nip, method.residue_terms);
+  const Sheet sheet(nip, method.residue_terms);
   for (;; --method.trailing_elements) {
     RollingLineLoads result = solve_for_load(nip, sheet, method, load);
     if (result.presses_everywhere() || method.trailing_elements == 0) return result;
@@ -176,7 +204,7 @@ RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, 
 double creep_ratio(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
                    const RollingLineLoadMethod& method) {
   method.check();
-  const PlainMovingLoad sheet = moving_load(nip, method.residue_terms);
+  const Sheet sheet(nip, method.residue_terms);
   const Grid cells = grid(nip, method, loads.leading_length);
   const auto tangential = [&](int i) {
     double sum = 0;

@@ -11,7 +11,7 @@ struct RollingLineLoadMethod {
   int leading_elements;   ///< m1, >= 1; at most 500
   int trailing_elements;  ///< m2, >= 0; at most 500
   double approach;        ///< C_L, half-thicknesses, > 0
-  int residue_terms;      ///< of the plain sums, 1 to 500
+  int residue_terms;      ///< of the plain sums, 1 to 500; 0: exact kernels
 
   /// BadInput unless all are in their domains.
   void check() const;

@@ -2,6 +2,7 @@
 #include <gmpxx.h>
 
 #include <string_view>
+#include <utility>
 
 namespace nipref::ref {
 
@@ -11,6 +12,9 @@ class Exact {
  public:
   /// The value of a double, exactly. `name` is the argument's name for the error; BadInput unless finite.
   explicit Exact(double value, std::string_view name = "argument");
+
+  /// A rational number in lowest terms, as GMP's arithmetic leaves it.
+  explicit Exact(mpq_class value) : value_(std::move(value)) {}
 
   /// Decimal ("0.73", "-1e-12") or hexadecimal ("0x1.8p-3") text, exactly.
   /// BadInput for anything else, for nan and infinities, and for decimal or binary exponents beyond +-5000.
@@ -25,7 +29,6 @@ class Exact {
   [[nodiscard]] double approximate() const { return value_.get_d(); }
 
  private:
-  explicit Exact(mpq_class value) : value_(std::move(value)) {}
   mpq_class value_;
 };
 

@@ -12,6 +12,7 @@
 #include "verify/replay_corrected.hpp"
 #include "verify/replay_known.hpp"
 #include "verify/replay_line_loads.hpp"
+#include "verify/replay_rolling.hpp"
 #include "verify/tables_verb.hpp"
 
 using namespace nipref;
@@ -68,7 +69,8 @@ TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one sa
   double met = 0;
   double seed_errors = 0;
   double without_number = 0;
-  for (const std::string& id : verify::replayable_tables()) {
+  for (const verify::LineLoadTable& table : verify::line_load_tables()) {
+    const std::string id(table.id);
     const verify::Replay replay = verify::replay_table(id);
     for (const verify::ReplayedCell& replayed : replay.cells) {
       CAPTURE(id);
@@ -129,19 +131,23 @@ TEST_CASE("the notes of missed cells say what would meet them") {
   says(note("thesis-III", 5, "q_max"), "no other number of elements");
 }
 
-TEST_CASE("the known misses are misses, all of them") {
+TEST_CASE("the known misses are misses, all of them, and the only ones in the viscoelastic tables") {
   std::size_t known = 0;
   for (const std::string& id : verify::replayable_tables()) {
     const verify::Replay replay = verify::replay_table(id);
     for (const verify::ReplayedCell& replayed : replay.cells) {
-      if (!verify::is_known_miss(replay, replayed)) continue;
       CAPTURE(id);
+      CAPTURE(replayed.row);
       CAPTURE(replayed.column);
+      const bool missed = replayed.verdict == Verdict::unexplained &&
+                          replay.table.cell(replayed.row, replayed.column).is_readable();
+      if (verify::find_rolling_table(id) != nullptr) CHECK(verify::is_known_miss(replay, replayed) == missed);
+      if (!verify::is_known_miss(replay, replayed)) continue;
       CHECK(replayed.verdict == Verdict::unexplained);
       ++known;
     }
   }
-  CHECK(known == 15);
+  CHECK(known == 133);
 }
 
 TEST_CASE("corrected: the continuous contact at the stated load, which thick sheets are a sixth short of") {
@@ -165,14 +171,15 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
                 .scale(0));
     }
   }
-  REQUIRE(replay.discretisation.size() == 3);
-  const verify::Deviation& length = replay.discretisation[0];
+  REQUIRE(replay.costs.size() == 1);
+  REQUIRE(replay.costs[0].columns.size() == 3);
+  const verify::Deviation& length = replay.costs[0].columns[0];
   CHECK(length.column == "L");
   CHECK(length.largest < 0);
   CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more: issue 4
   CHECK(length.mean < 0.19);
   const std::string text = verify::tables_text({replay}, true);
-  CHECK(text.find("discretisation against the continuous contact") != std::string::npos);
+  CHECK(text.find("discretisation (against the continuous contact of the same load)") != std::string::npos);
 }
 
 TEST_CASE("corrected with full friction has the shear and the creep of its own") {
@@ -185,7 +192,7 @@ TEST_CASE("corrected with full friction has the shear and the creep of its own")
     if (cell["column"] == "creep") differs = differs || cell["corrected"] != cell["replayed"];
   }
   CHECK(differs);
-  CHECK(json["tables"][0]["discretisation"]["p_max"]["mean"].get<double>() > 0);
+  CHECK(json["tables"][0]["costs"]["discretisation"]["p_max"]["mean"].get<double>() > 0);
 }
 
 TEST_CASE("JSON of the replay has the shape that tools rely on") {

@@ -63,8 +63,8 @@ std::string scaled(const Replay& replay, const ReplayedCell& cell, double value)
 }
 
 /// Empty if it was not computed.
-std::string corrected(const Replay& replay, const ReplayedCell& cell) {
-  return cell.corrected ? scaled(replay, cell, *cell.corrected) : "";
+std::string scaled(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
+  return value ? scaled(replay, cell, *value) : "";
 }
 
 std::string row_label(const Replay& replay, std::size_t row) {
@@ -84,28 +84,31 @@ void append_full(std::string& text, const Replay& replay) {
     const std::string range = fmt::format("{} .. {}", scaled(replay, cell, cell.range.lower),
                                           scaled(replay, cell, cell.range.upper));
     fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", row_label(replay, cell.row),
-                   cell.column, printed_cell(replay, cell).printed, range, corrected(replay, cell),
-                   name(cell.verdict), cell.note);
+                   cell.column, printed_cell(replay, cell).printed, range,
+                   scaled(replay, cell, cell.corrected), name(cell.verdict), cell.note);
   }
 }
 
-/// How far the seed's discretisation is from the truth.
-void append_discretisation(std::string& text, const Replay& replay) {
-  if (replay.discretisation.empty()) return;
-  text += "  discretisation against the continuous contact of the same load:";
-  for (const Deviation& deviation : replay.discretisation) {
-    fmt::format_to(std::back_inserter(text), " {} {:.2f} % in the mean, {:+.2f} % at most{}",
-                   deviation.column, 100 * deviation.mean, 100 * deviation.largest,
-                   &deviation == &replay.discretisation.back() ? "\n" : ";");
+/// What the weaknesses of the seed's method cost.
+void append_costs(std::string& text, const Replay& replay) {
+  for (const Cost& cost : replay.costs) {
+    fmt::format_to(std::back_inserter(text), "  {} ({}):", cost.weakness, cost.against);
+    for (const Deviation& deviation : cost.columns) {
+      fmt::format_to(std::back_inserter(text), " {} {:.3g} % in the mean, {:+.3g} % at most{}",
+                     deviation.column, 100 * deviation.mean, 100 * deviation.largest,
+                     &deviation == &cost.columns.back() ? "\n" : ";");
+    }
   }
 }
 
-nlohmann::ordered_json discretisation_json(const Replay& replay) {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::object();
-  for (const Deviation& deviation : replay.discretisation) {
-    columns[deviation.column] = {{"mean", deviation.mean}, {"largest", deviation.largest}};
+nlohmann::ordered_json costs_json(const Replay& replay) {
+  nlohmann::ordered_json costs = nlohmann::ordered_json::object();
+  for (const Cost& cost : replay.costs) {
+    for (const Deviation& deviation : cost.columns) {
+      costs[cost.weakness][deviation.column] = {{"mean", deviation.mean}, {"largest", deviation.largest}};
+    }
   }
-  return columns;
+  return costs;
 }
 
 void append_exceptions(std::string& text, const Replay& replay) {
@@ -131,7 +134,8 @@ nlohmann::ordered_json cell_json(const Replay& replay, const ReplayedCell& cell)
       {"printed", printed.printed},
       {"read_as", printed.read_as},
       {"replayed", scaled(replay, cell, cell.value)},
-      {"corrected", corrected(replay, cell)},
+      {"corrected", scaled(replay, cell, cell.corrected)},
+      {"corrected_with_seed_material", scaled(replay, cell, cell.corrected_with_seed_material)},
       {"replayed_range", {scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
       {"verdict", name(cell.verdict)},
       {"note", cell.note}};
@@ -145,7 +149,7 @@ std::string tables_text(const std::vector<Replay>& replays, bool compact) {
     fmt::format_to(std::back_inserter(text), "{}: {}\n  {}\n", replay.table.id, replay.table.title,
                    replay.method);
     compact ? append_exceptions(text, replay) : append_full(text, replay);
-    append_discretisation(text, replay);
+    append_costs(text, replay);
   }
   const Counts counts = count(replays);
   fmt::format_to(std::back_inserter(text),
@@ -163,7 +167,7 @@ nlohmann::ordered_json tables_json(const std::vector<Replay>& replays) {
     for (const ReplayedCell& cell : replay.cells) cells.push_back(cell_json(replay, cell));
     tables.push_back({{"id", replay.table.id},
                       {"method", replay.method},
-                      {"discretisation", discretisation_json(replay)},
+                      {"costs", costs_json(replay)},
                       {"cells", std::move(cells)}});
   }
   const Counts counts = count(replays);

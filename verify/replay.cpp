@@ -4,6 +4,7 @@
 
 #include "data/table_index.hpp"
 #include "verify/replay_line_loads.hpp"
+#include "verify/replay_rolling.hpp"
 
 namespace nipref::verify {
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
@@ -23,11 +24,13 @@ Verdict judge(const data::TableCell& cell, const data::Interval& range) {
 std::vector<std::string> replayable_tables() {
   std::vector<std::string> ids;
   for (const LineLoadTable& table : line_load_tables()) ids.emplace_back(table.id);
+  for (const RollingTable& table : rolling_tables()) ids.emplace_back(table.id);
   return ids;
 }
 
 Replay replay_table(const std::string& id) {
   data::Table table = data::load_table_by_id(id);
+  if (const RollingTable* rolling = find_rolling_table(id)) return replay_rolling(std::move(table), *rolling);
   const LineLoadTable& how = line_load_table(id);
   return replay_line_loads(std::move(table), how.friction, how.elements_per_side);
 }

@@ -31,20 +31,29 @@ struct ReplayedCell {
   Verdict verdict;
   std::string note;
   std::optional<double> corrected = {};  ///< of the continuous contact, base units; see replay_corrected.hpp
+  /// The same with the material that the seed computed with, where that is not the one it defines.
+  std::optional<double> corrected_with_seed_material = {};
 };
 
-/// How far a column of the seed's method is from the truth at the same load: relative to the truth.
+/// How far a column is from what it should be at the same load, relative to that.
 struct Deviation {
   std::string column;
   double mean;     ///< of the rows' sizes
   double largest;  ///< in size, with its sign
 };
 
+/// What one weakness of the seed's method costs.
+struct Cost {
+  std::string weakness;
+  std::string against;  ///< in words: what is compared with what
+  std::vector<Deviation> columns;
+};
+
 struct Replay {
   data::Table table;
   std::string method;  ///< what was replayed, in words
   std::vector<ReplayedCell> cells;
-  std::vector<Deviation> discretisation = {};  ///< empty until corrected
+  std::vector<Cost> costs = {};  ///< empty until corrected
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };

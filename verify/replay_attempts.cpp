@@ -31,23 +31,8 @@ data::Interval range_with(const MissedCell& missed, const RowInput& input,
 
 double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
 
-/// A reading of the print that differs in one digit and would be met.
 std::string other_digit(const MissedCell& missed) {
-  const data::TableColumn& column = missed.table.columns[missed.table.column_index(missed.column)];
-  const data::Interval range = range_with(missed, missed.input, missed.method);
-  const std::string& text = cell_of(missed).read_as;
-  for (std::size_t place = text.size(); place-- > 0;) {
-    for (char digit = '0'; digit <= '9'; ++digit) {
-      std::string reading = text;
-      if (std::isdigit(static_cast<unsigned char>(reading[place])) == 0) break;
-      reading[place] = digit;
-      const auto number = data::read_printed_number(reading, column.scale_exponent);
-      if (number && number->rounding.lower <= range.upper && range.lower <= number->rounding.upper) {
-        return fmt::format("one digit from {}", reading);
-      }
-    }
-  }
-  return "";
+  return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
 }
 
 /// Where L and L/B are printed both and differ.
@@ -128,6 +113,24 @@ std::string other_shear(const MissedCell& missed) {
 }
 
 }  // namespace
+
+std::string one_digit(const data::Table& table, std::size_t row, const std::string& name,
+                      const data::Interval& range) {
+  const data::TableColumn& column = table.columns[table.column_index(name)];
+  const std::string& text = table.cell(row, name).read_as;
+  for (std::size_t place = text.size(); place-- > 0;) {
+    for (char digit = '0'; digit <= '9'; ++digit) {
+      std::string reading = text;
+      if (std::isdigit(static_cast<unsigned char>(reading[place])) == 0) break;
+      reading[place] = digit;
+      const auto number = data::read_printed_number(reading, column.scale_exponent);
+      if (number && number->rounding.lower <= range.upper && range.lower <= number->rounding.upper) {
+        return fmt::format("one digit from {}", reading);
+      }
+    }
+  }
+  return "";
+}
 
 std::string attempts(const MissedCell& missed) {
   std::string text;

@@ -1,19 +1,19 @@
 #include "verify/replay_corrected.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "fast/contact_converged.hpp"
 #include "fast/contact_line_loads_grip.hpp"
 #include "verify/replay_line_loads.hpp"
+#include "verify/replay_rolling.hpp"
+#include "verify/replay_rolling_corrected.hpp"
 #include "verify/replay_row.hpp"
 
 namespace nipref::verify {
 namespace {
 
 constexpr double accuracy = 1e-9;
-constexpr std::array<const char*, 3> compared{"L", "d0", "p_max"};
 
 RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, double load) {
   const fast::ConvergedContact contact = fast::converged_for_load(nip, friction, load, accuracy);
@@ -41,21 +41,7 @@ RowValues line_load_row(const Replay& replay, const data::ElasticNip& nip, const
                           input("creep"));
 }
 
-/// Deviations of rows of one column, gathered.
-Deviation gather(const std::string& column, const std::vector<RowValues>& rows,
-                 const std::vector<RowValues>& truth) {
-  Deviation deviation{column, 0, 0};
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    const double relative = rows[row].at(column) / truth[row].at(column) - 1;
-    deviation.mean += std::abs(relative) / static_cast<double>(rows.size());
-    if (std::abs(relative) > std::abs(deviation.largest)) deviation.largest = relative;
-  }
-  return deviation;
-}
-
-}  // namespace
-
-void correct(Replay& replay) {
+void correct_elastic(Replay& replay) {
   const LineLoadTable& how = line_load_table(replay.table.id);
   const data::ElasticNip nip = nip_of_the_tables(replay.table);
   std::vector<RowValues> corrected;
@@ -67,8 +53,33 @@ void correct(Replay& replay) {
     truth.push_back(converged_row(nip, how.friction, line_loads.back().at("W")));
   }
   for (ReplayedCell& cell : replay.cells) cell.corrected = corrected[cell.row].at(cell.column);
-  replay.discretisation.clear();
-  for (const char* column : compared) replay.discretisation.push_back(gather(column, line_loads, truth));
+  replay.costs = {{"discretisation", "against the continuous contact of the same load",
+                   deviations({"L", "d0", "p_max"}, line_loads, truth)}};
+}
+
+}  // namespace
+
+std::vector<Deviation> deviations(std::initializer_list<const char*> columns,
+                                  const std::vector<RowValues>& rows, const std::vector<RowValues>& truth) {
+  std::vector<Deviation> result;
+  for (const char* column : columns) {
+    Deviation deviation{column, 0, 0};
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const double relative = rows[row].at(column) / truth[row].at(column) - 1;
+      deviation.mean += std::abs(relative) / static_cast<double>(rows.size());
+      if (std::abs(relative) > std::abs(deviation.largest)) deviation.largest = relative;
+    }
+    result.push_back(std::move(deviation));
+  }
+  return result;
+}
+
+void correct(Replay& replay) {
+  if (find_rolling_table(replay.table.id) != nullptr) {
+    correct_rolling(replay);
+  } else {
+    correct_elastic(replay);
+  }
 }
 
 }  // namespace nipref::verify

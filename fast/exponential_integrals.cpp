@@ -1,0 +1,66 @@
+#include "fast/exponential_integrals.hpp"
+
+#include <boost/math/special_functions/expint.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace nipref::fast::internal {
+namespace {
+
+using Double = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+
+/// From here on the divergent series sum k!/(+-x)^k reaches e^-x < 2^-53 before it diverges.
+constexpr double kAsymptotic = 50;
+
+/// x e^x E1(x) for x = 1/step > 0, x e^-x Ei(x) for step < 0.
+double asymptotic(double step) {
+  double sum = 1;
+  for (int k = 22; k >= 1; --k) sum = 1 - k * step * sum;
+  return sum;
+}
+
+/// sum (-x)^k/((k + 1) (k + 1)!).
+double ein_series(double x) {
+  double sum = 0;
+  double power = 1;
+  for (int k = 1; std::fabs(power) > 1e-18; ++k) {
+    sum += power / k;
+    power *= -x / (k + 1);
+  }
+  return sum;
+}
+
+}  // namespace
+
+double phi1(double x) { return x < 1e-17 ? 1 : -std::expm1(-x) / x; }
+
+std::complex<double> phi1(std::complex<double> z) {
+  if (std::abs(z) < 0.5) {
+    std::complex<double> sum = 0;
+    for (int k = 12; k >= 0; --k) sum = 1.0 - z * sum / (k + 2.0);
+    return sum;
+  }
+  const double faded = std::exp(-z.real());
+  const double half = std::sin(z.imag() / 2);
+  return std::complex<double>(-std::expm1(-z.real()) + 2 * faded * half * half, faded * std::sin(z.imag())) /
+         z;
+}
+
+double ein_ratio(double x) {
+  if (x <= 1) return ein_series(x);
+  const double far = x < 700 ? boost::math::expint(1, x, Double()) : 0;
+  return (far + (std::log(x) + std::numbers::egamma)) / x;
+}
+
+double faded_ein_ratio(double x) {
+  if (x <= 1) return std::exp(-x) * ein_series(-x);
+  if (x >= kAsymptotic) return asymptotic(-1 / x) / x / x;
+  return std::exp(-x) * (boost::math::expint(x, Double()) - (std::log(x) + std::numbers::egamma)) / x;
+}
+
+double scaled_E1(double x) {
+  if (x >= kAsymptotic) return asymptotic(1 / x) / x;
+  return std::exp(x) * boost::math::expint(1, x, Double());
+}
+
+}  // namespace nipref::fast::internal

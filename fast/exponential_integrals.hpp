@@ -1,0 +1,24 @@
+#pragma once
+#include <complex>
+
+namespace nipref::fast::internal {
+
+// What a logarithm leaves under an exponential, scaled so that nothing overflows or cancels; x >= 0, relative
+// accuracy a few units in the last place.
+
+/// (1 - e^-x)/x, 1 at 0.
+double phi1(double x);
+
+/// The same for any complex z, to a few units in the last place of the modulus; overflows as e^-z does.
+std::complex<double> phi1(std::complex<double> z);
+
+/// Ein(x)/x = (1/x) int_0^x (1 - e^-t)/t dt, 1 at 0.
+double ein_ratio(double x);
+
+/// e^-x (1/x) int_0^x (e^t - 1)/t dt, 1 at 0.
+double faded_ein_ratio(double x);
+
+/// e^x E1(x), x > 0.
+double scaled_E1(double x);
+
+}  // namespace nipref::fast::internal

@@ -1,0 +1,38 @@
+#include "fast/hereditary_kernels.hpp"
+
+#include <cmath>
+
+#include "data/bad_input.hpp"
+#include "fast/argument_checks.hpp"
+#include "fast/hereditary.hpp"
+
+namespace nipref::fast {
+namespace {
+
+using namespace internal;
+
+void check_rate(double Lambda) {
+  if (!(Lambda >= 0) || !std::isfinite(Lambda)) {
+    throw data::BadInput("Lambda", Lambda, "must be a finite number, 0 or more");
+  }
+}
+
+double steady(double alpha, double Lambda, Accuracy accuracy) {
+  return steady_memory(Kernel::I1, spot({alpha, 0}, accuracy), Two{Lambda, 0}, accuracy);
+}
+
+}  // namespace
+
+double steady_I1(double alpha, double Lambda, Accuracy accuracy) {
+  check_argument("alpha", alpha, Domain::finite);
+  check_rate(Lambda);
+  return steady(alpha, Lambda, accuracy);
+}
+
+void steady_I1(std::span<const double> alpha, double Lambda, std::span<double> value, Accuracy accuracy) {
+  check_arguments("alpha", alpha, value.size(), Domain::finite);
+  check_rate(Lambda);
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = steady(alpha[i], Lambda, accuracy);
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,145 @@
+#include "fast/hereditary_waves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fast/exponential_integrals.hpp"
+#include "fast/sheet_roots.hpp"
+
+namespace nipref::fast::internal {
+namespace {
+
+using Wide = long double;
+
+struct Root {
+  Two frequency, decay;                         ///< z = frequency + i decay
+  std::array<Complex, kKernelCount> amplitude;  ///< C_n of each kernel
+};
+
+Two two_words(Wide x) {
+  const double high = static_cast<double>(x);
+  return {high, static_cast<double>(x - high)};
+}
+
+/// More than a double's bits, as the first wave matters up to 340 half-thicknesses.
+std::complex<Wide> wide_root(int n) {
+  std::complex<Wide> z = sheet_root(n);
+  const std::complex<Wide> c = std::cosh(z);
+  z -= (std::sinh(Wide{2} * z) + Wide{2} * z) / (Wide{4} * c * c);  // Newton
+  return z;
+}
+
+Root root(int n) {
+  const std::complex<Wide> z = wide_root(n), c = std::cosh(z), s = std::sinh(z);
+  const Wide pi = std::numbers::pi_v<Wide>;
+  const std::complex<Wide> amplitude_I1 = std::complex<Wide>(0, pi) * (s * s) / (c * c) / z;
+  return {two_words(z.real()),
+          two_words(z.imag()),
+          {Complex(amplitude_I1), Complex(pi / (c * c)), Complex(pi * s / (z * c * c)), Complex(pi / c)}};
+}
+
+const std::array<Root, kMostWaves>& roots() {
+  static const std::array<Root, kMostWaves> all = [] {
+    std::array<Root, kMostWaves> first;
+    for (int n = 0; n < kMostWaves; ++n) first[static_cast<std::size_t>(n)] = root(n + 1);
+    return first;
+  }();
+  return all;
+}
+
+/// The smaller sizes: at a distance x the n-th wave is about e^(-pi (n - 1) x) of the first.
+int wave_count(double distance, double tolerance) {
+  return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, kMostWaves);
+}
+
+Complex wave(const Root& root, Two distance) {
+  const Two exponent = root.decay * distance;
+  if (exponent.high > 800) return 0;
+  const double size = decay(exponent);
+  const Two phase = root.frequency * distance;
+  const double c = std::cos(phase.high), s = std::sin(phase.high);
+  return {size * (c - s * phase.low), size * (s + c * phase.low)};
+}
+
+/// The real part of a sum over the waves of C wave transform(i z), for a real rate; for a complex one both
+/// the wave and its mirror, as the transform is no longer the conjugate at the conjugate.
+template <typename Rate, typename Transform>
+Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
+  Rate sum = 0;
+  for (int n = at.count - 1; n >= 0; --n) {
+    const Root& root = roots()[static_cast<std::size_t>(n)];
+    const Complex term =
+        root.amplitude[static_cast<std::size_t>(kernel)] * at.value[static_cast<std::size_t>(n)];
+    const Complex exponent{-root.decay.high, root.frequency.high};
+    if constexpr (std::is_same_v<Rate, double>) {
+      sum += (term * transform(n, exponent)).real();
+    } else {
+      sum += 0.5 * (term * transform(n, exponent) + std::conj(term) * transform(n, std::conj(exponent)));
+    }
+  }
+  return sum;
+}
+
+/// Multiplication by 1/z without the library's care for infinities.
+Complex inverse(Complex z) {
+  const double scale = 1 / (z.real() * z.real() + z.imag() * z.imag());
+  return {z.real() * scale, -z.imag() * scale};
+}
+
+}  // namespace
+
+Waves waves(Two distance, double tolerance) {
+  if (distance.high < 0) distance = -distance;
+  Waves at;
+  at.count = wave_count(distance.high, tolerance);
+  for (int n = 0; n < at.count; ++n) {
+    at.value[static_cast<std::size_t>(n)] = wave(roots()[static_cast<std::size_t>(n)], distance);
+  }
+  return at;
+}
+
+double faded_kernel(Kernel kernel, const Waves& at) {
+  return sum_over<double>(kernel, at, [](int, Complex) { return 1.0; });
+}
+
+template <typename Rate>
+Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
+  return sum_over<Rate>(kernel, from, [&](int, Complex exponent) { return inverse(rate - exponent); });
+}
+
+template <typename Rate>
+Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
+  return sum_over<Rate>(kernel, from,
+                        [&](int, Complex exponent) { return length * phi1((rate - exponent) * length); });
+}
+
+template <typename Rate>
+Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
+                            Rate faded) {
+  const auto short_piece = [&](Complex exponent) { return std::abs(rate + exponent) * length < 1; };
+  // Each wave runs from one end's value to the other's; where they differ by little, from the far one's
+  // alone.
+  const Rate far = sum_over<Rate>(kernel, from, [&](int, Complex exponent) {
+    const Complex slope = rate + exponent;
+    return short_piece(exponent) ? length * phi1(slope * length) : inverse(slope);
+  });
+  const Rate near = sum_over<Rate>(kernel, to, [&](int n, Complex exponent) {
+    const bool with_far = n < from.count && short_piece(exponent);
+    return with_far ? Complex(0) : inverse(rate + exponent);
+  });
+  return far - faded * near;
+}
+
+double residues_behind(Kernel kernel, const Waves& at, double rate) {
+  return sum_over<double>(kernel, at, [&](int, Complex exponent) { return inverse(rate + exponent); });
+}
+
+template double memory_from_far(Kernel, const Waves&, double);
+template Complex memory_from_far(Kernel, const Waves&, Complex);
+template double memory_of_piece_ahead(Kernel, const Waves&, double, double);
+template Complex memory_of_piece_ahead(Kernel, const Waves&, Complex, double);
+template double memory_of_piece_behind(Kernel, const Waves&, const Waves&, double, double, double);
+template Complex memory_of_piece_behind(Kernel, const Waves&, const Waves&, Complex, double, Complex);
+
+}  // namespace nipref::fast::internal

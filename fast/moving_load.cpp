@@ -1,0 +1,154 @@
+#include "fast/moving_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "data/bad_input.hpp"
+#include "fast/argument_checks.hpp"
+#include "fast/exponential_integrals.hpp"
+#include "fast/hereditary.hpp"
+
+namespace nipref::fast {
+namespace {
+
+using namespace internal;
+
+constexpr double pi = std::numbers::pi;
+
+void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw data::BadInput(name, value, "must be a finite number > 0");
+}
+
+void check_clock(double t) {
+  if (!(t >= 0) || !std::isfinite(t)) throw data::BadInput("t", t, "must be a finite number, 0 or more");
+}
+
+/// The sum over the terms of amplitude memory(rate), time in units of b/F0: of each conjugate pair one is
+/// evaluated.
+template <typename Memory>
+double over_terms(const data::MaterialFunction& theta, Two time_unit, Memory memory) {
+  double sum = 0;
+  for (const data::RelaxationTerm& term : theta.terms) {
+    if (term.rate.imag() == 0) {
+      sum += term.amplitude.real() * time_unit.high * memory(Two{term.rate.real(), 0} * time_unit);
+    } else if (term.rate.imag() > 0) {
+      sum += 2 * (term.amplitude * time_unit.high * memory(term.rate * time_unit.high)).real();
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// The way of the load against one point: from `start`, where the point is now, to `end`, where it was when
+/// the load started; no end if that was infinitely long ago.
+struct MovingLoad::Journey {
+  Spot start;
+  std::optional<Spot> end;
+  Two length{std::numeric_limits<double>::infinity(), 0};
+
+  /// How far behind the load the point is, as far as the load has come.
+  [[nodiscard]] double behind() const { return std::clamp(-start.at.high, 0.0, length.high); }
+  [[nodiscard]] int sign() const { return (start.at.high > 0) - (start.at.high < 0); }
+
+  template <typename Rate>
+  auto memory(Kernel kernel, Rate rate, Accuracy accuracy) const {
+    if (!end) return steady_memory(kernel, start, rate, accuracy);
+    return internal::memory(kernel, start, *end, length, rate, accuracy);
+  }
+};
+
+namespace {
+
+/// int_from^to e^(-rate w) dw, from and to >= 0 in either order.
+double fading_way(double from, double to, Two rate) {
+  return (to - from) * std::exp(-rate.high * std::min(from, to)) * phi1(rate.high * std::fabs(to - from));
+}
+Complex fading_way(double from, double to, Complex rate) {
+  return (to - from) * std::exp(-rate * std::min(from, to)) * phi1(rate * std::fabs(to - from));
+}
+
+}  // namespace
+
+MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
+                       Accuracy accuracy)
+    : theta1_(material.theta1),
+      theta2_(material.theta2),
+      speed_(speed),
+      half_thickness_(half_thickness),
+      accuracy_(accuracy) {
+  material.check();
+  check_positive("speed", speed);
+  check_positive("half_thickness", half_thickness);
+  normal_ = material.normal_compliance();
+}
+
+double MovingLoad::Un(double t, double T) const {
+  check_clock(t);
+  check_argument("T", T, Domain::finite);
+  if (t == T) throw data::BadInput("T", T, "must differ from t: Un is infinite under the load");
+  return Un(journey(t, T));
+}
+
+double MovingLoad::Vn(double t, double T, double t0) const {
+  check_clock(t);
+  check_argument("T", T, Domain::finite);
+  check_argument("t0", t0, Domain::finite);
+  return Vn(journey(t, T), journey(t, t0));
+}
+
+double MovingLoad::Un_steady(double alpha) const {
+  check_argument("alpha", alpha, Domain::finite_nonzero);
+  return Un(Journey{spot({alpha, 0}, accuracy_), {}});
+}
+
+double MovingLoad::Vn_steady(double alpha, double eta) const {
+  check_argument("alpha", alpha, Domain::finite);
+  check_argument("eta", eta, Domain::finite);
+  return Vn(Journey{spot({alpha, 0}, accuracy_), {}}, Journey{spot({eta, 0}, accuracy_), {}});
+}
+
+MovingLoad::Journey MovingLoad::journey(double t, double T) const {
+  const Two speed{speed_, 0};
+  const auto place = [&](Two time) { return time * speed / half_thickness_; };
+  Journey way{spot(place(two_sum(T, -t)), accuracy_), spot(place({T, 0}), accuracy_)};
+  way.length = place({t, 0});
+  return way;
+}
+
+double MovingLoad::Un(const Journey& journey) const {
+  double sum = normal_.instantaneous * faded_kernel(Kernel::I1, journey.start, accuracy_);
+  if (journey.length.high > 0) {
+    sum += over_terms(normal_, Two{half_thickness_, 0} / speed_,
+                      [&](auto rate) { return journey.memory(Kernel::I1, rate, accuracy_); });
+  }
+  return sum / pi;
+}
+
+double MovingLoad::Vn(const Journey& to_point, const Journey& to_pin) const {
+  const double under_point = faded_kernel(Kernel::I3, to_point.start, accuracy_);
+  const double signs = pi / 4 * (to_point.sign() - to_pin.sign());
+  double sum =
+      theta1_.instantaneous * (under_point - faded_kernel(Kernel::I5, to_pin.start, accuracy_) + signs) +
+      theta2_.instantaneous * (under_point + faded_kernel(Kernel::I4, to_pin.start, accuracy_) - signs);
+  if (to_point.length.high == 0) return sum / pi;
+  // The memory of the signs: between the passage of the pinned point and that of the other they differ by 2.
+  const auto memory_of_signs = [&](auto rate) {
+    return pi / 2 * fading_way(to_point.behind(), to_pin.behind(), rate);
+  };
+  const Two time_unit = Two{half_thickness_, 0} / speed_;
+  sum += over_terms(theta1_, time_unit, [&](auto rate) {
+    return to_point.memory(Kernel::I3, rate, accuracy_) - to_pin.memory(Kernel::I5, rate, accuracy_) +
+           memory_of_signs(rate);
+  });
+  sum += over_terms(theta2_, time_unit, [&](auto rate) {
+    return to_point.memory(Kernel::I3, rate, accuracy_) + to_pin.memory(Kernel::I4, rate, accuracy_) -
+           memory_of_signs(rate);
+  });
+  return sum / pi;
+}
+
+}  // namespace nipref::fast

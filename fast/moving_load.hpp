@@ -1,0 +1,51 @@
+#pragma once
+
+#include "data/viscoelastic_material.hpp"
+#include "fast/accuracy.hpp"
+
+namespace nipref::fast {
+
+/// Displacements of the surface of a viscoelastic sheet under unit line loads that press on both sides and
+/// move along it with constant speed: thesis (6.23)-(6.28), corrected. Any consistent units.
+///
+///   t          time since the load started, >= 0
+///   T, t0      times at which it passes the point and the pinned point, either sign: the point is
+///              alpha = F0 (T - t)/b half-thicknesses ahead of the load, the pinned one eta
+///   accuracy   max(8 units in the last place, rtol) of the scale, the same sums and integrals over the
+///              magnitudes of amplitudes and kernels, max(|kernel|, envelope), for rates up to 1e12 F0/b; a
+///              few roundings for each radian that a complex rate turns while it fades. Results below 1e-290
+///              are good to 1e-305 only
+///   cost       Un: half a microsecond for a real rate, twice that just behind the load; Vn: a few. Complex
+///              rates are integrated by panels: tens of microseconds, more if they turn often while they fade
+///   bad input  nan, infinite, t < 0, and a point under the load, where Un is infinite: data::BadInput
+class MovingLoad {
+ public:
+  /// speed: F0 > 0, length/time. half_thickness: b > 0, length. The material has to pass its check(). All
+  /// else: BadInput.
+  MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
+             Accuracy accuracy = {});
+
+  /// Normal displacement towards the middle plane, 1/stress.
+  [[nodiscard]] double Un(double t, double T) const;
+
+  /// Displacement along the sheet against the pinned point, 1/stress.
+  [[nodiscard]] double Vn(double t, double T, double t0) const;
+
+  /// Un of a load that started infinitely long ago. alpha: either sign, not 0.
+  [[nodiscard]] double Un_steady(double alpha) const;
+
+  /// Vn of a load that started infinitely long ago.
+  [[nodiscard]] double Vn_steady(double alpha, double eta) const;
+
+ private:
+  struct Journey;
+  [[nodiscard]] Journey journey(double t, double T) const;
+  [[nodiscard]] double Un(const Journey& journey) const;
+  [[nodiscard]] double Vn(const Journey& to_point, const Journey& to_pin) const;
+
+  data::MaterialFunction theta1_, theta2_, normal_;
+  double speed_, half_thickness_;
+  Accuracy accuracy_;
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,157 @@
+#include "ref/memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "data/bad_input.hpp"
+#include "ref/memory_intervals.hpp"
+#include "ref/panel_quadrature.hpp"
+
+namespace nipref::ref {
+namespace {
+
+mpfr_prec_t bits_for(double nats) {
+  return static_cast<mpfr_prec_t>(std::ceil(std::max(nats, 1.0) / std::numbers::ln2)) + 32;
+}
+
+/// e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv, all exact, length > 0: the memory of a
+/// decaying wave, its largest exponential taken out so that rate >= 0.
+struct DampedWave {
+  mpq_class decay;
+  mpq_class angle;
+  mpq_class rate;
+  mpq_class frequency;
+  mpq_class length;
+
+  [[nodiscard]] ComplexInterval integral(double nats) const {
+    const mpfr_prec_t bits = bits_for(nats);
+    return wave(decay, angle, bits) * damped_wave_integral(rate, frequency, length, bits);
+  }
+};
+
+struct Arguments {
+  const mpq_class& lambda;
+  const mpq_class& a;
+  const mpq_class& b;
+  const mpq_class& t;
+  const mpq_class& T;
+};
+
+/// Before the load has passed, in v = T - tau - (distance at the end).
+DampedWave before(const Arguments& x) {
+  const mpq_class last = x.T > x.t ? mpq_class(x.T - x.t) : mpq_class(0);
+  return {x.lambda * (x.t - x.T) + (x.lambda + x.a) * last, x.b * last, x.lambda + x.a, x.b, x.T - last};
+}
+
+/// After it, in w = tau - T from `first` to `last`: counted from the end where the integrand is larger.
+DampedWave after(const Arguments& x) {
+  const mpq_class first = x.T < 0 ? mpq_class(-x.T) : mpq_class(0);
+  const mpq_class last = x.t - x.T;
+  const mpq_class length = last - first;
+  if (x.lambda >= x.a) return {x.a * last, x.b * last, x.lambda - x.a, -x.b, length};
+  return {x.lambda * length + x.a * first, x.b * first, x.a - x.lambda, x.b, length};
+}
+
+void check_not_negative(const Exact& value, const char* name) {
+  if (value.sign() < 0) throw data::BadInput(name, value.approximate(), "must be >= 0");
+}
+
+void check_extent(const Exact& rate, const char* name, const Exact& t, const Exact& T) {
+  check_not_negative(rate, name);
+  const mpq_class longest = std::max<mpq_class>(t.value(), abs(T.value()));
+  if (rate.value() * longest > mpq_class(1'000'000'000'000'000)) {
+    throw data::BadInput(name, rate.approximate(), "times t and times |T| must be at most 1e15");
+  }
+}
+
+/// 0 for what is below e^{-7e8} times a length, which Exact's exponents keep below e^{1e8}.
+Enclosure faded_away(int digits) {
+  Enclosure result = exact_zero(digits);
+  mpfr_set_si(result.error_bound.get(), -600'000'000, MPFR_RNDU);
+  mpfr_exp(result.error_bound.get(), result.error_bound.get(), MPFR_RNDU);
+  return result;
+}
+
+/// The real or the imaginary part of a wave's integral; with b = 0 the latter is nothing.
+Enclosure part(const DampedWave& wave, bool sine, long sign, int digits) {
+  if (wave.length <= 0 || (sine && wave.frequency == 0)) return exact_zero(digits);
+  if (wave.decay > 700'000'000) return faded_away(digits);
+  return enclose(digits, 0, [&](double nats) {
+    const ComplexInterval integral = wave.integral(nats);
+    return sign * (sine ? integral.imag : integral.real);
+  });
+}
+
+Enclosure convolution(DampedWave (*side)(const Arguments&), bool sine, long sign, const Exact& lambda,
+                      const Exact& a, const Exact& b, const Exact& t, const Exact& T, int digits) {
+  check_not_negative(t, "t");
+  check_extent(lambda, "lambda", t, T);
+  check_extent(a, "a", t, T);
+  check_extent(b, "b", t, T);
+  return part(side({lambda.value(), a.value(), b.value(), t.value(), T.value()}), sine, sign, digits);
+}
+
+/// e^{-decay} int_0^length e^{-rate v} dv
+Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& length, double nats) {
+  return DampedWave{decay, 0, rate, 0, length}.integral(nats).real;
+}
+
+Interval rational(const mpq_class& value, double nats) {
+  Interval result(bits_for(nats));
+  mpfi_set_q(result.get(), value.get_mpq_t());
+  return result;
+}
+
+}  // namespace
+
+Interval sign_memory(const mpq_class& lambda, const mpq_class& t, const mpq_class& T, double nats) {
+  const mpq_class turn = std::clamp<mpq_class>(T, 0, t);
+  const mpq_class since = t - turn;
+  return fading(lambda * since, lambda, turn, nats) - fading(0, lambda, since, nats);
+}
+
+Enclosure J1(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T,
+             int digits) {
+  return convolution(before, true, 1, lambda, a, b, t, T, digits);
+}
+
+Enclosure J2(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T,
+             int digits) {
+  return convolution(before, false, 1, lambda, a, b, t, T, digits);
+}
+
+Enclosure J3(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T,
+             int digits) {
+  return convolution(after, true, -1, lambda, a, b, t, T, digits);
+}
+
+Enclosure J4(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T,
+             int digits) {
+  return convolution(after, false, 1, lambda, a, b, t, T, digits);
+}
+
+Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t, const Exact& T,
+             int digits) {
+  check_not_negative(t, "t");
+  check_extent(lambda, "lambda", t, T);
+  const mpq_class at_once = gamma0.value() * sgn(mpq_class(T.value() - t.value()));
+  const mpq_class turn = std::clamp<mpq_class>(T.value(), 0, t.value());
+  const bool forgets = lambda.sign() > 0 && gamma.sign() != 0 && t.sign() > 0;
+  // Where nothing fades the value is a rational number, and may well be 0. Elsewhere it is none, as
+  // exponentials of rational numbers are independent over the rationals.
+  const mpq_class unfading = at_once + gamma.value() * (2 * turn - t.value());
+  if (!forgets && unfading == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) {
+    if (!forgets) return rational(unfading, nats);
+    return rational(at_once, nats) +
+           rational(gamma.value(), nats) * sign_memory(lambda.value(), t.value(), T.value(), nats);
+  });
+}
+
+Enclosure J6(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const Exact& t, const Exact& T,
+             int digits) {
+  return J5(gamma0, gamma, lambda, t, T, digits);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,269 @@
+#include "ref/moving_load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "data/bad_input.hpp"
+#include "ref/fading_memory.hpp"
+#include "ref/memory_intervals.hpp"
+#include "ref/sheet_intervals.hpp"
+#include "ref/sheet_kernels.hpp"
+
+namespace nipref::ref {
+namespace {
+
+constexpr double ln2 = std::numbers::ln2;
+
+/// Where the load is seen from a point of the surface, in half thicknesses: `alpha` before it now, and, if it
+/// has started at all, `start` before it when it did.
+struct Place {
+  Exact alpha;
+  std::optional<Exact> start;
+};
+
+enum class Kernel { I1, I2, I3, I4, I5 };
+
+Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats) {
+  switch (kernel) {
+    case Kernel::I1:
+      return I1_interval(alpha, nats);
+    case Kernel::I2:
+      return I2_interval(alpha, nats);
+    case Kernel::I3:
+      break;
+    case Kernel::I4:
+      return alpha.sign() == 0 ? Interval(64) : I4_interval(alpha, nats);
+    case Kernel::I5:
+      return alpha.sign() == 0 ? Interval(64) : I5_interval(alpha, nats);
+  }
+  return alpha.sign() == 0 ? Interval(64) : I3_interval(alpha, nats);
+}
+
+Interval rational(const mpq_class& value, double nats) {
+  Interval result(working_precision(std::max(nats, 40.0), 1) + 64);
+  mpfi_set_q(result.get(), value.get_mpq_t());
+  return result;
+}
+
+double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
+
+MemoryKernel memory_kernel(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::I1:
+      return MemoryKernel::I1;
+    case Kernel::I4:
+      return MemoryKernel::I4;
+    case Kernel::I5:
+      return MemoryKernel::I5;
+    default:
+      return MemoryKernel::I3;
+  }
+}
+
+/// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw
+Interval sign_history(const Exact& alpha, const mpq_class& rate, double nats) {
+  const Interval half_pi = Interval::pi(working_precision(nats, 1) + 64) / 2;
+  const Interval long_ago = half_pi / rational(rate, nats);
+  if (alpha.sign() >= 0) return long_ago;
+  return long_ago * (2 * exp(rational(mpq_class(rate * alpha.value()), nats)) - 1);
+}
+
+Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats) {
+  if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
+  return fading_memory(memory_kernel(kernel), alpha, Exact(rate), nats);
+}
+
+/// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
+Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats) {
+  // Each part is as large as 1/rate may be; the interval is relative to that.
+  const double large = std::max(0.0, -ln_magnitude(rate));
+  const double nats = std::max(wanted_nats + 2, 40.0);
+  if (!place.start) return whole_history(kernel, place.alpha, rate, nats + large);
+  const mpq_class way = place.start->value() - place.alpha.value();
+  if (kernel == Kernel::I2) {
+    const Interval half_pi = Interval::pi(working_precision(nats + large, 1) + 64) / 2;
+    return half_pi * sign_memory(rate, way, place.start->value(), nats + large);
+  }
+  const Interval now = whole_history(kernel, place.alpha, rate, nats);
+  const mpq_class faded = rate * way;
+  // No |history| exceeds 4 max(1, 1/rate).
+  if (faded.get_d() > nats + large + 4) return now.widened(exp(Interval(-nats, 64)));
+  return now - exp(-rational(faded, nats + large)) * whole_history(kernel, *place.start, rate, nats);
+}
+
+/// theta * I(place), without the sheet's 1/pi.
+struct Part {
+  ExactFunction theta;
+  Kernel kernel;
+  Place place;
+  bool negative = false;
+
+  [[nodiscard]] Interval at_once(double nats) const {
+    const double needed = std::max(nats + ln_magnitude(theta.instantaneous) + 3, 40.0);
+    return rational(theta.instantaneous, needed) * kernel_interval(kernel, place.alpha, needed);
+  }
+
+  /// `way_per_time` is speed/half_thickness.
+  [[nodiscard]] Interval value(const mpq_class& way_per_time, double nats) const {
+    Interval sum = at_once(nats);
+    const bool no_history = place.start && place.start->value() == place.alpha.value();
+    for (const ExactFunction::Term& term : theta.terms) {
+      if (no_history || sgn(term.amplitude) == 0) continue;
+      const mpq_class amplitude = term.amplitude / way_per_time;
+      const mpq_class rate = term.rate / way_per_time;
+      const double needed = nats + ln_magnitude(amplitude) + 3;
+      sum = sum + rational(amplitude, std::max(needed, 40.0) + std::max(0.0, -ln_magnitude(rate))) *
+                      history(kernel, place, rate, needed);
+    }
+    return negative ? -sum : sum;
+  }
+};
+
+/// -ln of the size of a displacement near the load.
+double size_nats(const ExactMaterial& material) {
+  return std::max(0.0, -ln_magnitude(material.normal().instantaneous));
+}
+
+Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
+                      int digits) {
+  return enclose(digits, first_nats, [&](double nats) {
+    Interval sum(64);
+    for (const Part& part : parts) sum = sum + part.value(way_per_time, nats);
+    return sum / Interval::pi(sum.precision());
+  });
+}
+
+void check_positive(const mpq_class& value, const std::string& name) {
+  if (value <= 0) throw data::BadInput(name, value.get_d(), "must be > 0");
+}
+
+void check_function(const ExactFunction& function, const std::string& name) {
+  check_positive(function.instantaneous, name + " instantaneous");
+  for (const ExactFunction::Term& term : function.terms) check_positive(term.rate, name + " rate");
+}
+
+mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,
+                               const ExactMaterial& material) {
+  check_positive(speed.value(), "speed");
+  check_positive(half_thickness.value(), "half_thickness");
+  check_function(material.theta1, "theta1");
+  check_function(material.theta2, "theta2");
+  return speed.value() / half_thickness.value();
+}
+
+Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_time, const char* name) {
+  if (t.sign() < 0) throw data::BadInput("t", t.approximate(), "must be >= 0");
+  const Exact alpha(mpq_class((T.value() - t.value()) * way_per_time));
+  const Exact start(mpq_class(T.value() * way_per_time));
+  for (const Exact* way : {&alpha, &start}) {
+    if (abs(way->value()) > 1000) {
+      throw data::BadInput(name, T.approximate(), "must be within 1000 half_thickness/speed of both 0 and t");
+    }
+  }
+  return {alpha, start};
+}
+
+/// The slowest decay of Un with the distance of the load, 1/half thickness.
+double decay_of_normal(const ExactFunction& normal, const Place& place, const mpq_class& way_per_time) {
+  double slowest = slowest_decay;
+  if (place.alpha.sign() > 0) return slowest;
+  for (const ExactFunction::Term& term : normal.terms)
+    slowest = std::min(slowest, mpq_class(term.rate / way_per_time).get_d());
+  return slowest;
+}
+
+Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
+                int digits) {
+  const ExactFunction normal = material.normal();
+  const double distance = std::abs(place.alpha.approximate());
+  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, place, way_per_time);
+  return sum_over_pi({{normal, Kernel::I1, place}}, way_per_time, first_nats, digits);
+}
+
+Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
+                const ExactMaterial& material, int digits) {
+  const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
+  if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
+  return sum_over_pi({{material.normal(), Kernel::I3, alpha},
+                      {material.theta2, Kernel::I2, alpha, true},
+                      {material.theta2, Kernel::I4, eta},
+                      {material.theta1, Kernel::I5, eta, true}},
+                     way_per_time, size_nats(material), digits);
+}
+
+ExactFunction exact_function(const data::MaterialFunction& function, const char* name) {
+  ExactFunction result{mpq_class(function.instantaneous), {}};
+  for (const data::RelaxationTerm& term : function.terms) {
+    if (term.rate.imag() != 0)
+      throw data::BadInput(std::string(name) + " rate", term.rate.imag(),
+                           "must be real on the reference path");
+    result.terms.push_back({mpq_class(term.amplitude.real()), mpq_class(term.rate.real())});
+  }
+  return result;
+}
+
+}  // namespace
+
+ExactFunction ExactMaterial::normal() const {
+  ExactFunction sum{theta1.instantaneous + theta2.instantaneous, theta1.terms};
+  for (const ExactFunction::Term& term : theta2.terms) {
+    const auto same =
+        std::ranges::find_if(sum.terms, [&](const ExactFunction::Term& x) { return x.rate == term.rate; });
+    if (same == sum.terms.end()) {
+      sum.terms.push_back(term);
+    } else {
+      same->amplitude += term.amplitude;
+    }
+  }
+  return sum;
+}
+
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
+  material.check();
+  return {exact_function(material.theta1, "theta1"), exact_function(material.theta2, "theta2")};
+}
+
+ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
+  check_positive(bulk.value(), "bulk");
+  check_positive(tau.value(), "tau");
+  const mpq_class shear = 4 / (3 * bulk.value());
+  const mpq_class rate = 1 / tau.value();
+  const mpq_class rate2 = solid == Solid::thesis ? mpq_class(2 * rate) : rate;
+  return {{shear, {{shear * rate, rate}}}, {shear / 3, {{shear / 3 * rate, rate2}}}};
+}
+
+Enclosure Un(const Exact& t, const Exact& T, const Exact& speed, const Exact& half_thickness,
+             const ExactMaterial& material, int digits) {
+  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
+  const Place place = started_place(t, T, way_per_time, "T");
+  if (place.alpha.sign() == 0)
+    throw data::BadInput("T", T.approximate(), "must differ from t: the displacement is infinite there");
+  return Un_at(place, way_per_time, material, digits);
+}
+
+Enclosure Vn(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed, const Exact& half_thickness,
+             const ExactMaterial& material, int digits) {
+  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
+  return Vn_at(started_place(t, T, way_per_time, "T"), started_place(t, t0, way_per_time, "t0"), way_per_time,
+               material, digits);
+}
+
+Enclosure Un_steady(const Exact& alpha, const Exact& speed, const Exact& half_thickness,
+                    const ExactMaterial& material, int digits) {
+  check_nonzero_argument(alpha, "alpha");
+  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
+  return Un_at({alpha, std::nullopt}, way_per_time, material, digits);
+}
+
+Enclosure Vn_steady(const Exact& alpha, const Exact& eta, const Exact& speed, const Exact& half_thickness,
+                    const ExactMaterial& material, int digits) {
+  check_argument(alpha, "alpha");
+  check_argument(eta, "eta");
+  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
+  return Vn_at({alpha, std::nullopt}, {eta, std::nullopt}, way_per_time, material, digits);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,79 @@
+#pragma once
+#include <vector>
+
+#include "data/viscoelastic_material.hpp"
+#include "ref/enclosure.hpp"
+#include "ref/exact.hpp"
+
+namespace nipref::ref {
+
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t) with real constants known exactly, as
+/// data::MaterialFunction has them in double; rate > 0.
+struct ExactFunction {
+  struct Term {
+    mpq_class amplitude;  ///< 1/(stress time)
+    mpq_class rate;       ///< 1/time
+  };
+  mpq_class instantaneous;  ///< 1/stress
+  std::vector<Term> terms;  ///< no rate twice
+};
+
+/// The sheet's material, known exactly.
+struct ExactMaterial {
+  ExactFunction theta1;
+  ExactFunction theta2;
+
+  /// N = theta1 + theta2, terms of equal rate joined.
+  [[nodiscard]] ExactFunction normal() const;
+};
+
+/// The doubles of a material, exactly. BadInput unless it is well formed (see its check()) and its rates are
+/// real.
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
+
+/// The thesis's standard linear solid, G = 3K/8, both moduli falling to one half.
+enum class Solid {
+  standard_linear_solid,  ///< as it was defined: theta2 fades like e^{-t/tau}
+  thesis                  ///< as it was printed and used: theta2 fades like e^{-2t/tau} (thesis AIII.15)
+};
+
+/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau], theta2 a third of it, up to what `solid` says. bulk > 0 is
+/// the modulus at once, unit of stress; tau > 0 the relaxation time. BadInput otherwise. (thesis AIII.14)
+ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
+
+/// Displacements of the surface of a viscoelastic sheet under a pair of opposite unit line loads that move at
+/// `speed` > 0 over the sheet, which was at rest before.
+///
+/// t >= 0 is the time since the load started, T the time at which it passes the point looked at, t0 the one
+/// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units. T,
+/// t0 and t speed/half_thickness, and the differences T - t and t0 - t, at most 1000 half thicknesses of way.
+/// Results in 1/stress for a unit load per length.
+///
+/// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
+///
+///     pi Un = N * I1(alpha),   pi Vn = N * I3(alpha) - theta2 * I2(alpha) + theta2 * I4(eta) - theta1 *
+///     I5(eta),
+///
+/// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
+///
+/// error_bound is an estimate where Enclosure has a proof: it includes every error of the quadrature, but
+/// those of the memory integrals by measured constants, see fading_memory.hpp. It is meant to hold with a
+/// large margin. Otherwise the promise is Enclosure's. Bad arguments throw data::BadInput.
+
+/// Normal displacement; t != T.
+Enclosure Un(const Exact& t, const Exact& T, const Exact& speed, const Exact& half_thickness,
+             const ExactMaterial& material, int digits);
+
+/// Tangential displacement against the point held. At T = t, where it jumps, the mean of both sides (sign(0)
+/// = 0), at t0 = t it is continuous.
+Enclosure Vn(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed, const Exact& half_thickness,
+             const ExactMaterial& material, int digits);
+
+/// The same for a load that started infinitely long ago, alpha half thicknesses behind the point (alpha > 0:
+/// the load has yet to come) and eta behind the one held; |alpha|, |eta| <= 1000.
+Enclosure Un_steady(const Exact& alpha, const Exact& speed, const Exact& half_thickness,
+                    const ExactMaterial& material, int digits);
+Enclosure Vn_steady(const Exact& alpha, const Exact& eta, const Exact& speed, const Exact& half_thickness,
+                    const ExactMaterial& material, int digits);
+
+}  // namespace nipref::ref
