@@ -1,15 +1,11 @@
 #include "fast/hereditary_core.hpp"
 
 #include <algorithm>
-#include <array>
-#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <numbers>
-#include <span>
-#include <vector>
 
 #include "fast/exponential_integrals.hpp"
-#include "fast/sheet_kernels.hpp"
+#include "fast/hereditary_rules.hpp"
 #include "fast/sheet_tables.hpp"
 
 namespace nipref::fast::internal {
@@ -17,121 +13,16 @@ namespace {
 
 /// I1 = ln(kLogEnd/w) + a smooth even function that begins with w^2.
 constexpr double kLogEnd = 0x1.68324269695c0p-1;
-/// Where the logarithm is taken apart; as the table of the smooth function.
-constexpr double kInner = kNearEnd;
 /// Here e^-x has faded to 2^-58.
 constexpr double kFaded = 40;
 /// Between distances from the logarithm in less than this ratio a Gauss rule will do.
 constexpr double kSmoothRatio = 6;
 
-struct GaussRule {
-  std::vector<double> at, weight;  ///< on [0, 1]
-};
-
-/// From extended precision: the nodes next to 0 are wanted to their own last place.
-GaussRule gauss_rule(int count) {
-  GaussRule rule;
-  const auto add = [&](long double zero) {
-    const long double slope = boost::math::legendre_p_prime(count, zero);
-    rule.at.push_back(static_cast<double>((1 + zero) / 2));
-    rule.weight.push_back(static_cast<double>(1 / ((1 - zero * zero) * slope * slope)));
-  };
-  for (const long double zero : boost::math::legendre_p_zeros<long double>(count)) {
-    add(zero);
-    add(-zero);
-  }
-  return rule;
-}
-
-constexpr int kRules[] = {8, 10, 16, 32};
-constexpr int kMostNodes = 32;
-using Nodes = std::array<double, kMostNodes>;
-
-const GaussRule& rule(int index) {
-  static const std::array<GaussRule, std::size(kRules)> all = [] {
-    std::array<GaussRule, std::size(kRules)> made;
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = gauss_rule(kRules[i]);
-    return made;
-  }();
-  return all[static_cast<std::size_t>(index)];
-}
-
-/// e^(-x s) on [0, 1] needs about 12 + 0.85 x nodes' degree 2 n at full accuracy, and the kernels, whose
-/// singularities are at a quarter of the interval or farther, 30.
-int rule_for(double decays, double ratio, Accuracy accuracy) {
-  const bool easy = decays <= 6 && ratio <= 3;
-  if (accuracy.rtol() >= 1e-8) return easy ? 0 : 2;
-  return easy ? 2 : 3;
-}
-
-/// I(v) less its limit, v > 0, at a rule's points between v and v + step length.
-void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, Nodes& values,
-                    Accuracy accuracy) {
-  Nodes points;
-  const std::size_t count = rule.at.size();
-  for (std::size_t i = 0; i < count; ++i) points[i] = v + way * rule.at[i];
-  const std::span<const double> at(points.data(), count);
-  const std::span<double> value(values.data(), count);
-  if (kernel == Kernel::I1) return I1(at, value, accuracy);
-  if (kernel == Kernel::I3) I3(at, value, accuracy);
-  if (kernel == Kernel::I4) I4(at, value, accuracy);
-  if (kernel == Kernel::I5) I5(at, value, accuracy);
-  for (double& x : value) x -= std::numbers::pi / 4;
-}
-
-/// The pieces that most integrals are made of: [1/2, 1] and, for the kernels without logarithm, [0, 1/2],
-/// both ways.
-struct WholePieces {
-  Nodes value[kKernelCount][2][2][std::size(kRules)];
-
-  WholePieces() {
-    for (int kernel = 0; kernel < kKernelCount; ++kernel) {
-      for (int outer = kernel == 0 ? 1 : 0; outer < 2; ++outer) {
-        for (int i = 0; i < static_cast<int>(std::size(kRules)); ++i) {
-          const double near = outer * kInner;
-          kernel_between(static_cast<Kernel>(kernel), near, kInner, rule(i), value[kernel][outer][1][i], {});
-          kernel_between(static_cast<Kernel>(kernel), near + kInner, -kInner, rule(i),
-                         value[kernel][outer][0][i], {});
-        }
-      }
-    }
-  }
-};
-
-const Nodes* whole_piece(Kernel kernel, double v, int step, double length, int index) {
-  if (length != kInner) return nullptr;
-  const double near = step > 0 ? v : v - length;
-  if (near != kInner && (near != 0 || kernel == Kernel::I1)) return nullptr;
-  static const WholePieces all;
-  return &all.value[static_cast<int>(kernel)][near > 0][step > 0][index];
-}
-
-/// int_0^length e^(-rate d) D(v +- d) dd by one rule; step is 1 ahead of the load, -1 behind, and v > 0 in
-/// both.
-template <typename Rate>
-Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accuracy accuracy) {
-  const double end = v + step * length;
-  const double ratio = kernel == Kernel::I1 ? std::max(v, end) / std::min(v, end) : 2;
-  const int index = rule_for(std::abs(rate) * length, ratio, accuracy);
-  const GaussRule& gauss = rule(index);
-  Nodes computed;
-  const Nodes* value = whole_piece(kernel, v, step, length, index);
-  if (!value) {
-    kernel_between(kernel, v, step * length, gauss, computed, accuracy);
-    value = &computed;
-  }
-  Rate sum = 0;
-  for (std::size_t i = 0; i < gauss.at.size(); ++i) {
-    sum += gauss.weight[i] * (*value)[i] * std::exp(-rate * (length * gauss.at[i]));
-  }
-  return length * sum;
-}
-
 /// The smooth part of I1, w^2 times a polynomial in w^2, on any piece of [-1/2, 1/2].
 double smooth_part(double w, double length, double rate, Accuracy accuracy) {
   const ComponentTable& table = kComponentTables[static_cast<int>(Component::I1)];
   const double decays = rate * length;
-  const GaussRule& gauss = rule(decays <= 2 ? 1 : rule_for(decays, 1, accuracy));
+  const GaussRule& gauss = gauss_rule_for(decays, accuracy);
   double sum = 0;
   for (std::size_t i = 0; i < gauss.at.size(); ++i) {
     const double d = length * gauss.at[i];
@@ -196,9 +87,10 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double most = 12 / std::abs(rate);
-  const double tiny =
-      1e-9 / (1 + std::abs(rate));  // weight and smooth part are constant within, the rest is closed
   length = std::min(length, kFaded / std::max(rate.real(), 1e-300));
+  // Within `tiny` of the load weight and smooth part are constant, the logarithm is integrated in closed
+  // form.
+  const double tiny = std::max(1e-9 / (1 + std::abs(rate)), 1e-13 * length);
   Complex sum = 0;
   double done = 0;
   while (done < length) {
@@ -230,7 +122,7 @@ Rate memory_under_load(Kernel kernel, double w, double end, double length, Rate 
   Rate sum = 0;
   double done = 0;
   for (const double stop : {-kInner, 0.0, kInner, 1.0}) {
-    if (w >= stop || w >= end) continue;
+    if (w >= stop || (w >= end && done > 0)) continue;
     const bool last = end <= stop;
     const double left = done == 0 ? length : end - w;
     const double part = last ? left : stop - w;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "fast/exponential_integrals.hpp"
 #include "fast/sheet_roots.hpp"

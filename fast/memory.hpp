@@ -12,7 +12,8 @@
 //   domain      every magnitude at most 1e150, so that no product of two overflows
 //   accuracy    4 units in the last place of the scale, the same integral over the size of the integrand:
 //               exponentials times min(1, b |T - tau|) under a sine, times 1 under a cosine or a sign. A few
-//               units more where long double is no wider than double
+//               units more where long double is no wider than double. Results below 2^-1022: one unit of
+//               2^-1074
 //   bad input   anything outside the domain, nan: data::BadInput
 
 namespace nipref::fast {

@@ -45,9 +45,10 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 /// `speed` > 0 over the sheet, which was at rest before.
 ///
 /// t >= 0 is the time since the load started, T the time at which it passes the point looked at, t0 the one
-/// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units. T,
-/// t0 and t speed/half_thickness, and the differences T - t and t0 - t, at most 1000 half thicknesses of way.
-/// Results in 1/stress for a unit load per length.
+/// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units.
+/// The way of the load in T, t0, T - t and t0 - t is at most 1000 half thicknesses. Results in 1/stress for a
+/// unit load per length. A value takes milliseconds, but seconds where the load is still some hundreds of
+/// half thicknesses away and what there is of it is below e^{-2.1} to that power.
 ///
 /// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
 ///

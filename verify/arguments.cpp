@@ -38,6 +38,15 @@ std::string text_of(const Argument& argument, const Quantity& quantity, const As
                  fmt::format("{} needs it: must be {}", quantity.name, domain(argument.kind)));
 }
 
+/// A solid's name stands for its number.
+ref::Exact parse(const Argument& argument, const std::string& text) {
+  if (argument.kind != ArgumentKind::solid) return ref::Exact::parse(text, argument.name);
+  const auto* found = std::ranges::find(solid_names, text);
+  if (found == solid_names.end())
+    throw BadInput(argument.name, text, "must be " + std::string(domain(argument.kind)));
+  return ref::Exact(static_cast<double>(found - solid_names.begin()));
+}
+
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
   const double value = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(value) || (value == 0 && exact.sign() != 0)) {
@@ -51,7 +60,9 @@ double nearest_double(const std::string& name, const std::string& text, const re
 Point ParsedArguments::nearest(const Quantity& quantity) const {
   Point point;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    point.push_back(nearest_double(quantity.arguments[i].name, text[i], exact[i]));
+    const Argument& argument = quantity.arguments[i];
+    point.push_back(argument.kind == ArgumentKind::solid ? exact[i].approximate()
+                                                         : nearest_double(argument.name, text[i], exact[i]));
   }
   return point;
 }
@@ -61,7 +72,7 @@ ParsedArguments parse_arguments(const Quantity& quantity, const Assignments& ass
   ParsedArguments parsed;
   for (const Argument& argument : quantity.arguments) {
     parsed.text.push_back(text_of(argument, quantity, assignments));
-    parsed.exact.push_back(ref::Exact::parse(parsed.text.back(), argument.name));
+    parsed.exact.push_back(parse(argument, parsed.text.back()));
   }
   return parsed;
 }

@@ -107,14 +107,15 @@ double mean_ulps(const std::vector<Finding>& findings) {
 
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
   const Judge judge(quantity, options.accuracy);
-  const std::vector<Point> points = candidates(quantity, options.points);
+  const std::size_t wanted = options.points == 0 ? quantity.audit_points : options.points;
+  const std::vector<Point> points = candidates(quantity, wanted);
   std::vector<Finding> findings(points.size());
   parallel_for(
       points.size(), [&](std::size_t i) { findings[i] = judge(points[i]); }, options.progress);
 
   const std::vector<std::size_t> starts = worst_few(findings);
   const std::size_t steps =
-      static_cast<std::size_t>(share_of_search * static_cast<double>(options.points)) / starts_of_search;
+      static_cast<std::size_t>(share_of_search * static_cast<double>(wanted)) / starts_of_search;
   std::vector<Climb> climbs;
   for (const std::size_t start : starts) climbs.push_back({points[start], findings[start]});
   parallel_for(climbs.size(), [&](std::size_t i) { climbs[i] = climb(quantity, judge, climbs[i], steps, i); },

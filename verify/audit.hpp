@@ -8,8 +8,9 @@
 namespace nipref::verify {
 
 struct AuditOptions {
-  std::size_t points =
-      20'000;  ///< about so many points; all hard cases are among them from about 10000 for each position on
+  /// About so many points; all hard cases are among them from about 10000 for each position on. 0: as many as
+  /// the quantity's entry says.
+  std::size_t points = 0;
   fast::Accuracy accuracy;  ///< the accuracy asked of fast
   /// Called now and then with the number of points done; may be empty.
   std::function<void(std::size_t done)> progress;

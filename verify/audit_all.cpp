@@ -11,7 +11,8 @@ std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantitie
   std::vector<AuditResult> results;
   for (const Quantity* quantity : quantities) {
     options.progress = [&](std::size_t done) {
-      progress.show(fmt::format("audit {}: {} of about {} points", quantity->name, done, options.points));
+      progress.show(fmt::format("audit {}: {} of about {} points", quantity->name, done,
+                                options.points == 0 ? quantity->audit_points : options.points));
     };
     results.push_back(audit(*quantity, options));
   }

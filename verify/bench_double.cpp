@@ -54,13 +54,22 @@ double representative(ArgumentKind kind, const Range& range, Random& random) {
       return 0.3;
     case ArgumentKind::index:
       return std::floor(random.log_uniform(1, 1000));
+    default:  // see draw_columns
+      return 0;
   }
-  return 0;
 }
 
 Columns draw_columns(const Quantity& quantity, const Range& range) {
   Random random("bench " + quantity.name + range.name);
   Columns columns;
+  if (quantity.draw) {
+    columns.resize(quantity.arguments.size());
+    for (std::size_t i = 0; i < points_in_a_set; ++i) {
+      const Point point = quantity.draw(random);
+      for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
+    }
+    return columns;
+  }
   for (const Argument& argument : quantity.arguments) {
     columns.emplace_back();
     for (std::size_t i = 0; i < points_in_a_set; ++i) {
@@ -73,6 +82,7 @@ Columns draw_columns(const Quantity& quantity, const Range& range) {
 std::string range_text(const Quantity& quantity, const Range& range) {
   const ArgumentKind kind = quantity.arguments.front().kind;
   if (kind == ArgumentKind::index) return "n in [1,1000] log-uniform";
+  if (quantity.draw) return "as in the audit";
   return fmt::format("{} in {}", quantity.arguments.front().name, range.name);
 }
 

@@ -10,6 +10,8 @@ namespace nipref::verify {
 
 std::vector<Quantity> root_entries();          ///< roots of sinh 2z + 2z = 0, thesis appendix IV
 std::vector<Quantity> kernel_entries();        ///< I1 to I7, thesis (4.9), (4.20)
+std::vector<Quantity> memory_entries();        ///< J1 to J6, thesis (6.20)
+std::vector<Quantity> moving_load_entries();   ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
 std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 
 // Arguments that several entries share, with their hard values.
@@ -24,7 +26,7 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
   entry.by_fast = evaluate;
   entry.by_fast_loop = [evaluate](Quantity::Columns columns, std::span<double> values,
                                   fast::Accuracy accuracy) {
-    std::array<double, 4> point{};
+    std::array<double, 8> point{};
     const std::span<const double> arguments(point.data(), columns.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (std::size_t j = 0; j < columns.size(); ++j) point[j] = columns[j][i];

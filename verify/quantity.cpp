@@ -18,6 +18,16 @@ std::string_view domain(ArgumentKind kind) {
       return "a number > -1 and <= 0.5";
     case ArgumentKind::index:
       return "a whole number from 1 to 1000000";
+    case ArgumentKind::rate:
+    case ArgumentKind::time:
+      return "a finite number >= 0";
+    case ArgumentKind::amplitude:
+    case ArgumentKind::passing_time:
+      return "a finite number";
+    case ArgumentKind::positive:
+      return "a finite number > 0";
+    case ArgumentKind::solid:
+      return "standard-linear-solid or thesis";
   }
   return "";
 }

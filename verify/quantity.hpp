@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -9,6 +10,7 @@
 #include "fast/accuracy.hpp"
 #include "ref/enclosure.hpp"
 #include "ref/exact.hpp"
+#include "verify/random.hpp"
 
 namespace nipref::verify {
 
@@ -21,7 +23,13 @@ enum class ArgumentKind {
   position,          ///< distance/half-thickness
   young,             ///< Young's modulus, unit of stress
   poisson,           ///< Poisson's ratio
-  index              ///< number of a root
+  index,             ///< number of a root
+  rate,              ///< 1/time
+  amplitude,         ///< constant of a material function
+  time,              ///< since a load started
+  passing_time,      ///< at which a load passes a point
+  positive,          ///< speed, half-thickness, modulus, relaxation time
+  solid              ///< which standard linear solid: on the command line a name, in a Point 0 or 1
 };
 
 struct Argument {
@@ -31,6 +39,9 @@ struct Argument {
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
 };
+
+/// Names of the solids, in the order of their numbers.
+inline constexpr std::array<std::string_view, 2> solid_names{"standard-linear-solid", "thesis"};
 
 /// Domain of a kind of argument, in words that continue "must be ...".
 std::string_view domain(ArgumentKind kind);
@@ -69,6 +80,11 @@ struct Quantity {
   /// The size that the value would have away from its zeros, unit of the quantity; 0 where it is the value
   /// itself.
   std::function<double(std::span<const double> arguments)> envelope;
+
+  /// Where the audit looks, if the arguments depend on each other so much that it cannot draw each for
+  /// itself.
+  std::function<Point(Random&)> draw;
+  std::size_t audit_points = 20'000;  ///< unless the caller says how many
 
   std::vector<Peer> peers;
   std::vector<MultiprecisionPeer> multiprecision_peers;

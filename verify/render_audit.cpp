@@ -11,8 +11,10 @@ namespace {
 std::string worst_text(const AuditResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.worst.size(); ++i) {
-    text += fmt::format(" {}={:a} ({:.6g})", result.quantity->arguments[i].name, result.worst[i],
-                        result.worst[i]);
+    const Argument& argument = result.quantity->arguments[i];
+    text += argument.kind == ArgumentKind::solid
+                ? fmt::format(" {}={}", argument.name, solid_names[static_cast<std::size_t>(result.worst[i])])
+                : fmt::format(" {}={:a} ({:.6g})", argument.name, result.worst[i], result.worst[i]);
   }
   return text;
 }
@@ -25,10 +27,10 @@ std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
 }  // namespace
 
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
-  std::string text = fmt::format("{:8} {:>9} {:>10} {:>10} {:>13} {:>6}  {:7} {}\n", "quantity", "points",
+  std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:7} {}\n", "quantity", "points",
                                  "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
   for (const AuditResult& result : results) {
-    text += fmt::format("{:8} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:7}{}\n", result.quantity->name,
+    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:7}{}\n", result.quantity->name,
                         result.points, result.max_error_ulp, result.mean_error_ulp,
                         promise_text(result, accuracy), 100 * result.allowance_used,
                         result.kept() ? "kept" : "BROKEN", worst_text(result));
@@ -41,7 +43,10 @@ nlohmann::ordered_json audit_json(const std::vector<AuditResult>& results) {
   for (const AuditResult& result : results) {
     nlohmann::ordered_json worst = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < result.worst.size(); ++i) {
-      worst[result.quantity->arguments[i].name] = fmt::format("{:a}", result.worst[i]);
+      const Argument& argument = result.quantity->arguments[i];
+      worst[argument.name] = argument.kind == ArgumentKind::solid
+                                 ? std::string(solid_names[static_cast<std::size_t>(result.worst[i])])
+                                 : fmt::format("{:a}", result.worst[i]);
     }
     json["rows"].push_back({{"quantity", result.quantity->name},
                             {"points", result.points},

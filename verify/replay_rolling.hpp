@@ -12,7 +12,9 @@ namespace nipref::verify {
 struct RollingTable {
   std::string_view id;
   int leading_elements;  ///< m1
-  double approach;       ///< C_L, half-thicknesses: fitted once for each thickness
+  /// C_L, half-thicknesses. From 16 on no cell depends on it but the creep at F0 tau = 1e-3 or 1e-2, by what
+  /// underflows (replay_rolling_row.hpp): 24 meets that in most tables, 60 in XXIV to XXVI.
+  double approach;
 };
 
 /// Thesis XI to XXVI.

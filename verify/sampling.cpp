@@ -48,8 +48,9 @@ double spread(ArgumentKind kind, double fraction) {
       return -1 + 1.5 * (1 - fraction);
     case ArgumentKind::index:
       return std::floor(between(1, largest_index));
+    default:  // entries with such arguments draw their own points
+      return fraction;
   }
-  return fraction;
 }
 
 /// A second position in some relation to the first.
@@ -92,8 +93,11 @@ double into_domain(ArgumentKind kind, double value) {
       return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
     case ArgumentKind::index:
       return std::clamp(std::round(value), 1.0, largest_index);
+    case ArgumentKind::solid:
+      return value < 0.5 ? 0 : 1;
+    default:  // steps are relative: they leave no sign behind
+      return value;
   }
-  return value;
 }
 
 /// The other position of a quantity of two, if there are two and `changed` is one of them.
@@ -113,6 +117,7 @@ double draw(ArgumentKind kind, Random& random) {
 }
 
 Point draw_point(const Quantity& quantity, Random& random) {
+  if (quantity.draw) return quantity.draw(random);
   Point point;
   std::optional<double> earlier_position;
   for (const Argument& argument : quantity.arguments) {
@@ -148,6 +153,7 @@ std::vector<Point> hard_points(const Quantity& quantity, Random& random) {
 }
 
 std::vector<Point> dense_points(const Quantity& quantity, std::size_t count, Random& random) {
+  if (quantity.draw) return random_points(quantity, count, random);
   std::vector<Point> points;
   points.reserve(count);
   const ArgumentKind kind = quantity.arguments.front().kind;
@@ -175,7 +181,9 @@ Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
   double value = point[i];
   if (kind == ArgumentKind::index) {
     value += random.uniform(-20, 20);
-  } else if (random.chance(0.3)) {
+  } else if (kind == ArgumentKind::solid) {
+    value = 1 - value;
+  } else if (value != 0 && random.chance(0.3)) {
     value = neighbour(value, static_cast<int>(random.index(9)) - 4);
   } else {
     value *= 1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(2 + random.index(48)));

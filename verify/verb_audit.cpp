@@ -15,7 +15,7 @@ namespace nipref::verify {
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
   const auto [quantities, contacts] = selection(line);
-  const AuditOptions options{points_option(line, AuditOptions{}.points), accuracy_option(line), {}};
+  const AuditOptions options{points_option(line, 0), accuracy_option(line), {}};
   const std::vector<AuditResult> results = audit_all(quantities, options);
   Progress progress;
   const auto contact_audits =

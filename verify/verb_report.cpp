@@ -90,7 +90,7 @@ void print_json(const BenchReport& speed, const Audits& audits, const Tables& ta
 }  // namespace
 
 int report_verb(const CommandLine& line, std::ostream& out) {
-  const AuditOptions options{points_option(line, AuditOptions{}.points), {}, {}};
+  const AuditOptions options{points_option(line, 0), {}, {}};
   const BenchReport speed =
       run_bench();  // before the audit, which would build ref's nodes: their cost is measured
   const Audits audits = run_audits(options);

@@ -1,0 +1,281 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "ref/moving_load.hpp"
+#include "ref/sheet_displacements.hpp"
+#include "ref/sheet_kernels.hpp"
+
+// The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the hereditary
+// integral itself, by quadrature over the elastic kernels in real space, and what is known of its limits.
+
+using namespace nipref::ref;
+using nipref::data::BadInput;
+
+namespace {
+
+namespace mp = boost::multiprecision;
+using Float = mp::number<mp::mpfr_float_backend<45>, mp::et_off>;
+
+constexpr int digits = 32;
+
+Exact exact(const std::string& text) { return Exact::parse(text); }
+Exact exact(const Float& x) { return Exact::parse(x.str(45, std::ios_base::scientific)); }
+Float number(const Enclosure& x) { return Float(x.value_text()); }
+
+using KernelFunction = std::function<Float(const Float&)>;
+
+Float kernel_1(const Float& w) { return number(I1(exact(w), 36)); }
+Float kernel_2(const Float& w) {
+  const Float half_pi = boost::math::constants::half_pi<Float>();
+  return w > 0 ? half_pi : Float(-half_pi);
+}
+Float kernel_3(const Float& w) { return number(I3(exact(w), 36)); }
+Float kernel_4(const Float& w) { return number(I4(exact(w), 36)); }
+Float kernel_5(const Float& w) { return number(I5(exact(w), 36)); }
+
+/// int_from^to e^{-rate (w - from)} I(w) dw in pieces that end at 0, where I1 and I2 are singular.
+Float hereditary(const KernelFunction& kernel, const Float& from, const Float& to, const Float& rate) {
+  static boost::math::quadrature::tanh_sinh<Float> rule(9);
+  const Float nothing("1e-80");
+  const Float zero = 0;
+  const auto piece = [&](const Float& a, const Float& b) -> Float {
+    if (!(b > a)) return 0;
+    // Measured from the end nearer to 0, so that the distance to the singularity is exact.
+    const bool backwards = b <= 0;
+    const Float origin = backwards ? b : a;
+    const auto integrand = [&](const Float& v) -> Float {
+      if (v < nothing) return 0;
+      const Float w = backwards ? Float(origin - v) : Float(origin + v);
+      return exp(-rate * (w - from)) * kernel(w);
+    };
+    return rule.integrate(integrand, zero, Float(b - a), Float("1e-34"));
+  };
+  Float sum = piece(from, std::min(to, zero));
+  // Short pieces near the start, where the memory is fresh.
+  Float left = std::max(from, zero);
+  for (Float length = 2; left < to; length *= 2) {
+    const Float right = std::min(to, Float(left + length));
+    sum += piece(left, right);
+    left = right;
+  }
+  return sum;
+}
+
+Float convolution(const ExactFunction& theta, const KernelFunction& kernel, const Float& from,
+                  const Float& to) {
+  const auto real = [](const mpq_class& x) -> Float {
+    return Float(x.get_num().get_str()) / Float(x.get_den().get_str());
+  };
+  Float sum = real(theta.instantaneous) * kernel(from);
+  for (const ExactFunction::Term& term : theta.terms)
+    sum += real(term.amplitude) * hereditary(kernel, from, to, real(term.rate));
+  return sum;
+}
+
+void check_agrees(const Enclosure& reference, const Float& other) {
+  const Float tolerance("1e-30");
+  CHECK(abs(number(reference) - other) <= tolerance * abs(other));
+}
+
+/// A solid with two relaxation times of its own in theta1, another one in theta2; speed and half thickness 1.
+ExactMaterial two_times() {
+  return {{mpq_class(1), {{mpq_class(3, 2), mpq_class(4)}, {mpq_class(1, 4), mpq_class(1, 2)}}},
+          {mpq_class(1, 3), {{mpq_class(1, 5), mpq_class(7)}}}};
+}
+
+const Exact one(1.0);
+
+void check_Un(const std::string& t, const std::string& T) {
+  CAPTURE(t);
+  CAPTURE(T);
+  const ExactMaterial solid = two_times();
+  const Float from = Float(T) - Float(t);
+  check_agrees(Un(exact(t), exact(T), one, one, solid, digits),
+               convolution(solid.normal(), kernel_1, from, Float(T)) / boost::math::constants::pi<Float>());
+}
+
+void check_Vn(const std::string& t, const std::string& T, const std::string& t0) {
+  CAPTURE(t);
+  CAPTURE(T);
+  CAPTURE(t0);
+  const ExactMaterial solid = two_times();
+  const Float alpha = Float(T) - Float(t);
+  const Float eta = Float(t0) - Float(t);
+  const Float sum = convolution(solid.normal(), kernel_3, alpha, Float(T)) -
+                    convolution(solid.theta2, kernel_2, alpha, Float(T)) +
+                    convolution(solid.theta2, kernel_4, eta, Float(t0)) -
+                    convolution(solid.theta1, kernel_5, eta, Float(t0));
+  check_agrees(Vn(exact(t), exact(T), exact(t0), one, one, solid, digits),
+               sum / boost::math::constants::pi<Float>());
+}
+
+double relative_difference(const Enclosure& x, const Enclosure& y) {
+  return static_cast<double>(abs(number(x) / number(y) - 1));
+}
+
+}  // namespace
+
+TEST_CASE("moving load: Un is the hereditary integral over the elastic kernel, in all cases of T") {
+  check_Un("1.5", "2.25");
+  check_Un("1.5", "0.5");
+  check_Un("1.5", "-0.75");
+  check_Un("2", "0");
+  check_Un("0.125", "0.126");
+  check_Un("6", "3");
+}
+
+TEST_CASE("moving load: Vn is the hereditary integral over the elastic kernels, in all four cases") {
+  check_Vn("1.5", "2.25", "1");
+  check_Vn("1.5", "0.5", "-0.5");
+  check_Vn("1.5", "-0.75", "0.25");
+  check_Vn("1.5", "-0.75", "-2");
+}
+
+TEST_CASE("moving load: steady Un is the hereditary integral of a load that came from far away") {
+  const ExactMaterial solid = two_times();
+  for (const std::string alpha : {"0.5", "-1.25", "1e-6"}) {
+    CAPTURE(alpha);
+    // Beyond w = 40 the kernel is below e^{-84}.
+    check_agrees(
+        Un_steady(exact(alpha), one, one, solid, digits),
+        convolution(solid.normal(), kernel_1, Float(alpha), Float(40)) / boost::math::constants::pi<Float>());
+  }
+}
+
+TEST_CASE("moving load: the displacements do not jump where the cases meet") {
+  const ExactMaterial solid = two_times();
+  const auto U = [&](const char* t, const char* T) { return Un(exact(t), exact(T), one, one, solid, 25); };
+  CHECK(relative_difference(U("1.5", "1e-20"), U("1.5", "-1e-20")) < 1e-17);
+  const auto V = [&](const char* T, const char* t0) {
+    return Vn(exact("1.5"), exact(T), exact(t0), one, one, solid, 25);
+  };
+  CHECK(relative_difference(V("1e-20", "0.4"), V("-1e-20", "0.4")) < 1e-18);
+  CHECK(relative_difference(V("0.4", "1e-20"), V("0.4", "-1e-20")) < 1e-18);
+  const char* near_now = "1.50000000000000000001";
+  CHECK(relative_difference(V("0.4", near_now), V("0.4", "1.5")) < 1e-17);
+  // At T = t the jump is that of theta2's step, and the value is the mean.
+  const Float mean = (number(V(near_now, "0.4")) + number(V("1.49999999999999999999", "0.4"))) / 2;
+  CHECK(abs(mean / number(V("1.5", "0.4")) - 1) < Float("1e-17"));
+}
+
+TEST_CASE("moving load: what happened long ago is forgotten") {
+  const ExactMaterial solid = two_times();
+  // The slowest rate is 1/2: e^{-50} is 2e-22.
+  const Enclosure steady = Un_steady(exact("-0.75"), one, one, solid, 25);
+  CHECK(relative_difference(Un(exact("100"), exact("99.25"), one, one, solid, 25), steady) < 1e-19);
+  const Enclosure steady_shear = Vn_steady(exact("-0.75"), exact("1.5"), one, one, solid, 25);
+  CHECK(relative_difference(Vn(exact("100"), exact("99.25"), exact("101.5"), one, one, solid, 25),
+                            steady_shear) < 1e-19);
+}
+
+TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
+  const ExactMaterial solid = two_times();
+  const Float pi = boost::math::constants::pi<Float>();
+  check_agrees(Un(exact("0"), exact("0.75"), one, one, solid, digits),
+               Float(4) / 3 * kernel_1(Float("0.75")) / pi);
+  // Young 4/3 and Poisson 1/3 have theta1 = 1, theta2 = 1/3; their rounding to double is seen.
+  const double elastic = vn(exact("0.75"), exact("0.5"), Exact(4.0 / 3), Exact(1.0 / 3), 25).to_double();
+  CHECK(Vn(exact("0"), exact("0.75"), exact("0.5"), one, one, solid, 25).to_double() ==
+        doctest::Approx(elastic).epsilon(1e-14));
+  // The memory grows in proportion to the time.
+  const Float start = number(Un(exact("0"), exact("0.75"), one, one, solid, digits));
+  const auto growth = [&](const char* t) -> Float {
+    return (number(Un(exact(t), exact("0.75"), one, one, solid, digits)) - start) / Float(t);
+  };
+  CHECK(static_cast<double>(abs(growth("1e-10") / growth("2e-10") - 1)) < 1e-9);
+}
+
+TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic sheet, to first order") {
+  const auto deviation = [](const char* tau, double stiffness) {
+    const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, exact("1"), exact(tau));
+    const Float value = number(Un_steady(exact("0.5"), one, one, solid, 25));
+    const Float elastic =
+        Float(stiffness) * 16 / 9 * kernel_1(Float("0.5")) / boost::math::constants::pi<Float>();
+    return static_cast<double>(value / elastic - 1);
+  };
+  CHECK(std::abs(deviation("1e-6", 2)) < 1e-5);
+  CHECK(deviation("1e-6", 2) / deviation("1e-5", 2) == doctest::Approx(0.1).epsilon(1e-3));
+  CHECK(std::abs(deviation("1e6", 1)) < 1e-5);
+  CHECK(deviation("1e6", 1) / deviation("1e5", 1) == doctest::Approx(0.1).epsilon(1e-3));
+}
+
+TEST_CASE("moving load: only speed tau/half thickness counts, and bulk scales") {
+  const ExactMaterial solid = exact_solid(Solid::thesis, exact("2"), exact("0.5"));
+  const ExactMaterial other = exact_solid(Solid::thesis, exact("1"), exact("1"));
+  const Enclosure x = Un(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
+  const Enclosure y = Un(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
+  CHECK(abs(2 * number(x) / number(y) - 1) < Float("1e-24"));
+}
+
+TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
+  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, exact("3"), exact("0.25"));
+  const ExactMaterial thesis = exact_solid(Solid::thesis, exact("3"), exact("0.25"));
+  CHECK(solid.theta1.instantaneous == mpq_class(4, 9));
+  CHECK(solid.theta2.instantaneous == mpq_class(4, 27));
+  CHECK(solid.theta1.terms[0].amplitude == mpq_class(16, 9));
+  CHECK(solid.theta2.terms[0].rate == 4);
+  CHECK(thesis.theta2.terms[0].rate == 8);
+  CHECK(thesis.theta2.terms[0].amplitude == solid.theta2.terms[0].amplitude);
+  CHECK(solid.normal().terms.size() == 1);
+  CHECK(thesis.normal().terms.size() == 2);
+}
+
+TEST_CASE("moving load: a material in double is taken as it is, complex rates are refused") {
+  using nipref::data::RelaxationTerm;
+  nipref::data::ViscoelasticMaterial material{{1.5, {{0.5, 2.0}}}, {0.5, {{0.125, 2.0}}}};
+  const ExactMaterial taken = exact_material(material);
+  CHECK(taken.theta1.instantaneous == mpq_class(3, 2));
+  CHECK(taken.theta2.terms[0].amplitude == mpq_class(1, 8));
+  CHECK(taken.normal().terms[0].amplitude == mpq_class(5, 8));
+  material.theta1.terms = {{{0.25, 0}, {2.0, 0.125}}, {{0.25, 0}, {2.0, -0.125}}};
+  material.theta2.terms = {{{0.0625, 0}, {2.0, 0.125}}, {{0.0625, 0}, {2.0, -0.125}}};
+  CHECK_THROWS_AS(exact_material(material), BadInput);
+}
+
+TEST_CASE("moving load: the estimated bounds hold against more digits, whatever the rate and the place") {
+  // More digits mean another step and other nodes: nothing of the quadrature's error is shared.
+  for (const std::string tau : {"1e-6", "0.3", "1e6"}) {
+    const ExactMaterial solid = exact_solid(Solid::thesis, exact("1"), exact(tau));
+    for (const std::string alpha : {"-30", "-0.01", "1e-9", "2.5", "30"}) {
+      CAPTURE(tau);
+      CAPTURE(alpha);
+      const auto difference = [&](auto value) {
+        const Enclosure few = value(16);
+        Real error(64);
+        mpfr_sub(error.get(), few.value.get(), value(30).value.get(), MPFR_RNDA);
+        CHECK(mpfr_cmpabs(error.get(), few.error_bound.get()) <= 0);
+      };
+      difference([&](int n) { return Un_steady(exact(alpha), one, one, solid, n); });
+      difference([&](int n) { return Vn_steady(exact(alpha), exact("0.7"), one, one, solid, n); });
+      difference([&](int n) { return Un(exact("4"), exact(Float(alpha) + 4), one, one, solid, n); });
+      difference(
+          [&](int n) { return Vn(exact("4"), exact(Float(alpha) + 4), exact("-3"), one, one, solid, n); });
+    }
+  }
+}
+
+TEST_CASE("moving load: bad arguments are refused") {
+  const ExactMaterial solid = two_times();
+  CHECK_THROWS_AS(Un(exact("-1"), one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(Un(one, one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(Un(one, exact("2000"), one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(Un(one, exact("2"), exact("0"), one, solid, 20), BadInput);
+  CHECK_THROWS_AS(Un(one, exact("2"), one, exact("-1"), solid, 20), BadInput);
+  CHECK_THROWS_AS(Un(one, exact("2"), one, one, solid, 10), BadInput);
+  CHECK_THROWS_AS(Un_steady(exact("0"), one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(Vn_steady(exact("2000"), one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(exact_solid(Solid::thesis, exact("0"), one), BadInput);
+  CHECK_THROWS_AS(exact_solid(Solid::thesis, one, exact("-1")), BadInput);
+  ExactMaterial growing = solid;
+  growing.theta1.terms[0].rate = -1;
+  CHECK_THROWS_AS(Un_steady(one, one, one, growing, 20), BadInput);
+}
