@@ -10,11 +10,13 @@
 #include <set>
 
 #include "data/closest_name.hpp"
+#include "data/scene_material.hpp"
 
 namespace nipref::data {
 namespace {
 
 constexpr int most_elements = 10000;
+constexpr int most_rolling_elements = 500;
 constexpr int most_terms = 500;
 constexpr int most_points = 100'000;
 
@@ -44,8 +46,22 @@ void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
   }
 }
 
+/// The material's own names are those of its functions, "theta1 rate"; all stand in one table.
+void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
+  static const std::map<std::string, std::string, std::less<>> keys{
+      {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"}, {"speed", "rolling.speed"}};
+  try {
+    nip.check();
+  } catch (const BadInput& error) {
+    const std::string_view message = error.what();
+    const auto known = keys.find(message.substr(0, message.find(' ')));
+    if (known == keys.end()) refuse_material(error, origin);
+    origin.refuse_as(known->second, error);
+  }
+}
+
 struct GivenCheck {
-  const ElasticNip& nip;
+  double roller_radius;
   const SceneOrigin& origin;
 
   void operator()(const GivenLoad& load) const {
@@ -55,10 +71,10 @@ struct GivenCheck {
   void operator()(const GivenLength& length) const {
     const double value = length.contact_length;
     require(is_positive(value), origin, "contact.length", value, "must be finite and > 0");
-    require(value <= nip.roller_radius, origin, "contact.length", value,
+    require(value <= roller_radius, origin, "contact.length", value,
             fmt::format("must be at most the roller's radius, {}: beyond it a parabola no longer stands for "
                         "the roller",
-                        nip.roller_radius));
+                        roller_radius));
   }
 };
 
@@ -75,7 +91,33 @@ struct MethodCheck {
         loads.trailing_elements,
         fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
   }
+  void operator()(const RollingLineLoads& loads) const {
+    check_whole(loads.leading_elements, 1, most_rolling_elements, origin, "method.leading_elements");
+    if (loads.trailing_elements)
+      check_whole(*loads.trailing_elements, 0, most_rolling_elements, origin, "method.trailing_elements");
+    check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
+    require(is_positive(loads.approach_lengths), origin, "method.approach_lengths", loads.approach_lengths,
+            "must be finite and > 0");
+  }
 };
+
+/// The thesis searches for m2 at a given load only, and its sums are for real rates.
+void check_rolling_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
+  const auto* loads = std::get_if<RollingLineLoads>(&problem.method);
+  if (loads == nullptr) return;
+  if (!loads->trailing_elements && std::holds_alternative<GivenLength>(problem.given)) {
+    origin.refuse("method.trailing_elements", "(missing)",
+                  "must be given with [contact] length: the search for it is at a given load");
+  }
+  const auto is_real = [](const MaterialFunction& function) {
+    return std::ranges::all_of(function.terms,
+                               [](const RelaxationTerm& term) { return term.rate.imag() == 0; });
+  };
+  const ViscoelasticMaterial& material = problem.nip.material;
+  require(loads->residue_terms == 0 || (is_real(material.theta1) && is_real(material.theta2)), origin,
+          "method.residue_terms", loads->residue_terms,
+          "must be 0: the material has complex relaxation rates");
+}
 
 struct ProfileCheck {
   const SceneOrigin& origin;
@@ -106,9 +148,16 @@ struct SystemCheck {
 
   void operator()(const ElasticNipProblem& problem) const {
     check_nip(problem.nip, origin);
-    std::visit(GivenCheck{problem.nip, origin}, problem.given);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     std::visit(MethodCheck{origin}, problem.method);
     check_creep(problem, origin);
+    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+  }
+  void operator()(const ViscoelasticNipProblem& problem) const {
+    check_nip(problem.nip, origin);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
+    std::visit(MethodCheck{origin}, problem.method);
+    check_rolling_line_loads(problem, origin);
     if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
   }
 };

@@ -8,6 +8,7 @@
 #include "data/friction.hpp"
 #include "data/scene_origin.hpp"
 #include "data/scene_results.hpp"
+#include "data/viscoelastic_nip.hpp"
 
 namespace nipref::data {
 
@@ -24,6 +25,8 @@ struct GivenLength {
   double contact_length;  ///< L, > 0 and at most the roller's radius, unit of length; contact.length
 };
 
+using Given = std::variant<GivenLoad, GivenLength>;
+
 /// The continuous contact; as much work as the accuracy needs.
 struct ConvergedMethod {};
 
@@ -35,25 +38,50 @@ struct LineLoads {
                           ///< thesis sums them, 1 to 500; method.residue_terms
 };
 
-/// Where the profiles are wanted. Y counts from the middle of the nip.
+/// The same in a viscoelastic nip, which has no symmetry: line loads that started all at once some way before
+/// the nip. (thesis 7.1-7.17)
+struct RollingLineLoads {
+  int leading_elements;  ///< on the entry side, 1 to 500; method.leading_elements
+  /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
+  /// 2.5), which needs a given load.
+  std::optional<int> trailing_elements;
+  int residue_terms = 0;    ///< as above; real relaxation rates only
+  double approach_lengths;  ///< C_L, how far before the nip the loads started, > 0, half-thicknesses;
+                            ///< method.approach_lengths
+};
+
+/// Where the profiles are wanted. Y counts from the line through the rollers' centres, to the entry side.
 struct EvenlySpaced {
-  int points;  ///< 2 to 100000, from the middle of the nip to the end of the contact, both included
+  /// 2 to 100000, from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
+  /// leading end, both included.
+  int points;
 };
 struct Positions {
   std::vector<double> y;  ///< finite, unit of length, inside the contact or outside; at least one
 };
+using Profile = std::variant<EvenlySpaced, Positions>;
 
 /// An elastic sheet between two cylinders.
 struct ElasticNipProblem {
   ElasticNip nip;
-  std::variant<GivenLoad, GivenLength> given;
+  Given given;
   Friction friction = Friction::none;
   /// Line loads with full friction only: the creep to be taken in place of the thesis's choice (section 5.5);
   /// finite, dimensionless.
   std::optional<double> creep_ratio;
   std::variant<ConvergedMethod, LineLoads> method;
   /// Needed if a profile is wanted.
-  std::optional<std::variant<EvenlySpaced, Positions>> profile;
+  std::optional<Profile> profile;
+};
+
+/// A viscoelastic sheet rolled between two cylinders, without friction. The converged method is its steady
+/// motion, line loads its started motion.
+struct ViscoelasticNipProblem {
+  ViscoelasticNip nip;
+  Given given;
+  std::variant<ConvergedMethod, RollingLineLoads> method;
+  /// Needed if a profile is wanted.
+  std::optional<Profile> profile;
 };
 
 struct Scene {
@@ -61,7 +89,7 @@ struct Scene {
   std::vector<std::string> wanted;  ///< names out of scene_results(), at least one, none twice
   /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
   double accuracy = 1e-10;
-  std::variant<ElasticNipProblem> system;  ///< other systems join here
+  std::variant<ElasticNipProblem, ViscoelasticNipProblem> system;
   SceneOrigin origin;
 
   /// Throws BadInput, naming the key and its place, unless every value is in its domain and whatever is

@@ -3,19 +3,12 @@
 #include <utility>
 
 #include "data/bad_input.hpp"
+#include "data/scene_material.hpp"
 #include "data/scene_table.hpp"
 #include "data/table_index.hpp"
 
 namespace nipref::data {
 namespace {
-
-/// First of all, so that a scene for another material is not refused for some other key of its own.
-void check_material_model(const SceneTable& file, const SceneOrigin& origin) {
-  const SceneTable material = file.table("material");
-  const std::string model = material.text("model");
-  if (model != "elastic")
-    origin.refuse("material.model", model, "must be elastic, the only model known so far");
-}
 
 ElasticNip read_nip(const SceneTable& file) {
   const SceneTable roller = file.table("roller");
@@ -39,7 +32,7 @@ GivenLength read_contact(const SceneTable& contact) {
   return {contact.number("length")};
 }
 
-std::variant<GivenLoad, GivenLength> read_given(const SceneTable& file, const SceneOrigin& origin) {
+Given read_given(const SceneTable& file, const SceneOrigin& origin) {
   if (file.has("contact")) {
     const SceneTable contact = file.table("contact");
     if (file.has("load"))
@@ -58,17 +51,21 @@ void read_friction(const SceneTable& friction, ElasticNipProblem& problem) {
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
 }
 
+/// It has nothing to say but its name.
+bool is_converged(const SceneTable& method) {
+  if (method.choice("kind", {"converged", "line-loads"}) != "converged") return false;
+  method.allow({"kind"});
+  return true;
+}
+
 std::variant<ConvergedMethod, LineLoads> read_method(const SceneTable& method) {
-  if (method.choice("kind", {"converged", "line-loads"}) == "converged") {
-    method.allow({"kind"});
-    return ConvergedMethod{};
-  }
+  if (is_converged(method)) return ConvergedMethod{};
   method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms"});
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
-std::variant<EvenlySpaced, Positions> read_profile(const SceneTable& profile, const SceneOrigin& origin) {
+Profile read_profile(const SceneTable& profile, const SceneOrigin& origin) {
   profile.allow({"points", "positions"});
   if (profile.has("points") == profile.has("positions")) {
     origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
@@ -90,17 +87,64 @@ ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& or
   return problem;
 }
 
+std::variant<ConvergedMethod, RollingLineLoads> read_rolling_method(const SceneTable& method) {
+  if (is_converged(method)) return ConvergedMethod{};
+  method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms", "approach_lengths"});
+  RollingLineLoads loads{.leading_elements = method.whole("leading_elements"),
+                         .trailing_elements = {},
+                         .approach_lengths = method.number("approach_lengths")};
+  if (method.has("trailing_elements")) loads.trailing_elements = method.whole("trailing_elements");
+  if (method.has("residue_terms")) loads.residue_terms = method.whole("residue_terms");
+  return loads;
+}
+
+ViscoelasticNip read_viscoelastic_nip(const SceneTable& file, const SceneOrigin& origin) {
+  const SceneTable roller = file.table("roller");
+  const SceneTable sheet = file.table("sheet");
+  const SceneTable rolling = file.table("rolling");
+  roller.allow({"radius"});
+  sheet.allow({"thickness"});
+  rolling.allow({"speed"});
+  return {roller.number("radius"), sheet.number("thickness"),
+          read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
+}
+
+void read_no_friction(const SceneTable& friction, const SceneOrigin& origin) {
+  friction.allow({"model"});
+  const std::string model = friction.choice("model", {"none", "full"});
+  if (model != "none")
+    origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
+}
+
+ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const SceneOrigin& origin) {
+  ViscoelasticNipProblem problem{.nip = read_viscoelastic_nip(file, origin),
+                                 .given = read_given(file, origin),
+                                 .method = {},
+                                 .profile = {}};
+  read_no_friction(file.table("friction"), origin);
+  problem.method = read_rolling_method(file.table("method"));
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  return problem;
+}
+
+/// A sheet that rolls is a viscoelastic one, if only by name.
+std::variant<ElasticNipProblem, ViscoelasticNipProblem> read_system(const SceneTable& file,
+                                                                    const SceneOrigin& origin) {
+  const bool is_elastic = material_model(file.table("material")) == "elastic";
+  if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
+  return read_elastic_nip(file, origin);
+}
+
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
   const SceneTable top = SceneTable::read(file, origin);
-  if (top.has("material")) check_material_model(top, origin);
-  top.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "load", "contact", "friction",
-             "method", "profile"});
+  top.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
+             "friction", "method", "profile"});
   Scene scene{.title = top.text("title"),
               .wanted = top.texts("wanted"),
-              .system = read_elastic_nip(top, origin),
+              .system = read_system(top, origin),
               .origin = {}};
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
   scene.origin = std::move(origin);

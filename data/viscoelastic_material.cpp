@@ -1,5 +1,7 @@
 #include "data/viscoelastic_material.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -44,6 +46,11 @@ void check_function(const MaterialFunction& function, const std::string& name) {
     throw BadInput(name + " long-time compliance", function.long_time(), "must be > 0");
 }
 
+std::string gains_energy(double frequency) {
+  return fmt::format("must be >= 0 at every frequency: this one gains energy at {:.3g} rad per unit of time",
+                     frequency);
+}
+
 /// Energy is lost, not gained, in a cycle of this frequency: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K =
 /// 3/theta2 - 1/theta1. Both to rounding: where a modulus does not relax its loss is 0.
 void check_loss(const ViscoelasticMaterial& material, double frequency) {
@@ -52,13 +59,11 @@ void check_loss(const ViscoelasticMaterial& material, double frequency) {
   const Complex plane = material.theta2.transform(p);
   constexpr double rounding = 1e-12;
   if (shear.imag() > rounding * std::abs(shear)) {
-    throw BadInput("material shear loss", -shear.imag(),
-                   "must be >= 0 at every frequency: this one gains energy at " + std::to_string(frequency));
+    throw BadInput("material shear loss", -shear.imag(), gains_energy(frequency));
   }
   const Complex dilatation = 3.0 / plane - 1.0 / shear;
   if (dilatation.imag() < -rounding * (std::abs(3.0 / plane) + std::abs(1.0 / shear))) {
-    throw BadInput("material dilatation loss", dilatation.imag(),
-                   "must be >= 0 at every frequency: this one gains energy at " + std::to_string(frequency));
+    throw BadInput("material dilatation loss", dilatation.imag(), gains_energy(frequency));
   }
 }
 

@@ -6,7 +6,7 @@
 
 #include "fast/contact_panels.hpp"
 #include "fast/contact_spectral.hpp"
-#include "fast/load_search.hpp"
+#include "fast/length_search.hpp"
 #include "fast/sheet_tiers.hpp"
 
 namespace nipref::fast {
@@ -62,7 +62,7 @@ std::unique_ptr<HalfContact> ContactLadder::solve(double half_length, double nea
 
 std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double near, int level,
                                                            double enough) {
-  for (LoadSearch search(load, near, enough);;) {
+  for (LengthSearch search(load, near, enough);;) {
     const double half_length = search.half_length();
     // The layout follows large steps only: it makes the load jump.
     if (level == 0 && std::fabs(std::log(half_length / near)) > 0.3) near = half_length;

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fast/load_search.hpp"
+#include "fast/length_search.hpp"
 #include "fast/rolling_functionals.hpp"
 
 namespace nipref::fast {
@@ -49,7 +49,7 @@ std::unique_ptr<RollingPressure> RollingLadder::solve(double half_length, double
 
 std::unique_ptr<RollingPressure> RollingLadder::solve_for_load(double load, double near, int level) {
   const double enough = std::max(1e-2 * accuracy_, 1e-14);
-  for (LoadSearch search(load, near, enough);;) {
+  for (LengthSearch search(load, near, enough);;) {
     const double half_length = search.half_length();
     // The layout follows large steps only: it makes the load jump.
     if (level == 0 && std::fabs(std::log(half_length / near)) > 0.3) near = half_length;

@@ -101,6 +101,7 @@ RollingLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
   const Eigen::VectorXd solved = matrix.partialPivLu().solve(gap);
 
   RollingLineLoads result{};
+  result.systems = 1;
   result.leading_length = leading_length;
   result.trailing_length = 2 * method.trailing_elements * cells.element * half_thickness;
   result.indentation = solved(0) * half_thickness;
@@ -129,6 +130,7 @@ RollingLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& s
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     length = std::min(length, nip.roller_radius);
     RollingLineLoads result = solve(nip, sheet, method, length);
+    result.systems = iteration + 1;
     if (!(result.load > 0)) {
       length *= 0.7;
       continue;
@@ -195,8 +197,9 @@ RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, 
   method.trailing_elements = method.leading_elements;
   method.check();
   const Sheet sheet(nip, method.residue_terms);
-  for (;; --method.trailing_elements) {
+  for (int systems = 0;; --method.trailing_elements) {
     RollingLineLoads result = solve_for_load(nip, sheet, method, load);
+    result.systems = systems += result.systems;
     if (result.presses_everywhere() || method.trailing_elements == 0) return result;
   }
 }

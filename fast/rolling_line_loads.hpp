@@ -26,6 +26,7 @@ struct RollingLineLoads {
   double load;                   ///< W, force per unit width
   double peak_pressure;          ///< largest load over its element's width, unit of stress
   double rolling_resistance;     ///< (7.15), dimensionless
+  int systems;                   ///< linear systems solved on the way here
   std::vector<double> loads;     ///< P_j from the leading end on, force per unit width
 
   [[nodiscard]] double contact_length() const { return leading_length + trailing_length; }

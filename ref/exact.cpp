@@ -5,6 +5,7 @@
 #include <string>
 
 #include "data/bad_input.hpp"
+#include "ref/real.hpp"
 
 namespace nipref::ref {
 namespace {
@@ -100,6 +101,12 @@ Exact Exact::parse(std::string_view text, std::string_view name) {
 }
 
 Exact Exact::magnitude() const { return Exact(mpq_class(abs(value_))); }
+
+double Exact::approximate() const {
+  Real nearest(53);
+  mpfr_set_q(nearest.get(), value_.get_mpq_t(), MPFR_RNDN);
+  return mpfr_get_d(nearest.get(), MPFR_RNDN);
+}
 
 double Exact::log2_magnitude() const {
   if (sign() == 0) return -INFINITY;

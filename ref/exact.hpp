@@ -25,8 +25,8 @@ class Exact {
   [[nodiscard]] Exact magnitude() const;
   /// log2 of the magnitude, to 1e-12; -infinity for 0. Good where the double under- or overflows.
   [[nodiscard]] double log2_magnitude() const;
-  /// Nearest double, for choosing the work only.
-  [[nodiscard]] double approximate() const { return value_.get_d(); }
+  /// Nearest double, for choosing the work and for messages only.
+  [[nodiscard]] double approximate() const;
 
  private:
   mpq_class value_;

@@ -137,7 +137,7 @@ Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_t
 }
 
 void check_positive(const mpq_class& value, const std::string& name) {
-  if (value <= 0) throw data::BadInput(name, value.get_d(), "must be > 0");
+  if (value <= 0) throw data::BadInput(name, Exact(value).approximate(), "must be > 0");
 }
 
 void check_function(const ExactFunction& function, const std::string& name) {

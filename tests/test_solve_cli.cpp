@@ -90,8 +90,8 @@ TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") 
 TEST_CASE("a bad scene: status 2, one line with file, line, key and value") {
   const ScratchFile scene("title = \"x\"\n[roller]\nradius = 0\n");
   check_refused("solve " + scene.path(), scene.path() + ": wanted = (missing)");
-  const ScratchFile two_lines("title = \"x\"\n\n[material]\nmodel = \"ela\\nstic\"\n");
-  check_refused("solve " + two_lines.path(), two_lines.path() + ":4: material.model = ela stic: ");
+  const ScratchFile two_lines("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n");
+  check_refused("solve " + two_lines.path(), two_lines.path() + ":5: material.model = ela stic: ");
 }
 
 TEST_CASE("a load whose contact would be longer than the radius is refused at its line") {

@@ -63,6 +63,7 @@ void append(BenchReport& report, const BenchReport& more) {
 BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress) {
   BenchReport report;
   for (const Quantity* quantity : quantities) {
+    if (!quantity->timed_alone) continue;
     // ref's first calls are timed: nothing else may have asked it for this quantity's nodes before.
     std::vector<BenchRow> in_digits = bench_digits(*quantity, progress);
     std::ranges::move(bench_double(*quantity, progress), std::back_inserter(report.rows));

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace nipref::verify {
 
-/// Where the scene's profiles are wanted in a contact of this length; nothing if none is wanted.
-std::vector<double> profile_positions(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                                      double contact_length);
+/// Where the scene's profiles are wanted, evenly spaced ones over `extent`; nothing if none is wanted.
+std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
+                                      const ProfileExtent& extent);
 
 template <class Number>
 std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
@@ -29,11 +30,11 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::
 
 /// Asks the contact for everything that the scene wants, and for nothing else.
 template <class Number>
-SceneSolution<Number> collect_results(const data::Scene& scene, const data::ElasticNipProblem& problem,
+SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const SolvedContact<Number>& contact) {
   SceneSolution<Number> solution;
   solution.title = scene.title;
-  solution.positions = profile_positions(scene, problem, contact.contact_length());
+  solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);
     if (what->is_profile) {

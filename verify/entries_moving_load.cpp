@@ -124,6 +124,7 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.scale = remembered_size;
   entry.promise = moving_load_promise;
   entry.audit_points = 100;
+  entry.timed_alone = false;
   return entry;
 }
 
@@ -153,7 +154,7 @@ Quantity entry_Un() {
     return joined({unit * t, unit * draw_passing_time(t, random)}, sheet);
   };
   entry.by_ref = [](Exacts x, int digits) { return ref::Un(x[0], x[1], x[2], x[3], exact_at(x, 2), digits); };
-  entry.by_fast = [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); };
+  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[2] / x[3];
     return size_Un(material_at(x, 2), way_per_time, started(x[0], x[1], way_per_time));
@@ -180,7 +181,8 @@ Quantity entry_Vn() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Vn(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
   };
-  entry.by_fast = [](Arguments x, Accuracy accuracy) { return load_at(x, 3, accuracy).Vn(x[0], x[1], x[2]); };
+  set_fast(entry,
+           [](Arguments x, Accuracy accuracy) { return load_at(x, 3, accuracy).Vn(x[0], x[1], x[2]); });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[3] / x[4];
     return size_Vn(material_at(x, 3), way_per_time, started(x[0], x[1], way_per_time),
@@ -199,7 +201,7 @@ Quantity entry_Un_steady() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Un_steady(x[0], x[1], x[2], exact_at(x, 1), digits);
   };
-  entry.by_fast = [](Arguments x, Accuracy accuracy) { return load_at(x, 1, accuracy).Un_steady(x[0]); };
+  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 1, accuracy).Un_steady(x[0]); });
   entry.envelope = [](Arguments x) { return size_Un(material_at(x, 1), x[1] / x[2], steady(x[0])); };
   return entry;
 }
@@ -217,9 +219,8 @@ Quantity entry_Vn_steady() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Vn_steady(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
   };
-  entry.by_fast = [](Arguments x, Accuracy accuracy) {
-    return load_at(x, 2, accuracy).Vn_steady(x[0], x[1]);
-  };
+  set_fast(entry,
+           [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Vn_steady(x[0], x[1]); });
   entry.envelope = [](Arguments x) {
     return size_Vn(material_at(x, 2), x[2] / x[3], steady(x[0]), steady(x[1]));
   };

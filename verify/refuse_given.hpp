@@ -6,7 +6,7 @@ namespace nipref::verify {
 
 /// Throws what a solver refused again, naming the scene's key. The scene itself being in order, it is where
 /// the load or the length leads.
-[[noreturn]] void refuse_given(const data::Scene& scene, const data::ElasticNipProblem& problem,
+[[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
                                const data::BadInput& error);
 
 }  // namespace nipref::verify

@@ -12,6 +12,16 @@ namespace {
 
 using Solved = std::unique_ptr<SolvedContact<fast::Estimate>>;
 
+struct SolveRollingByMethod {
+  const data::ViscoelasticNipProblem& problem;
+  double accuracy;
+
+  Solved operator()(const data::ConvergedMethod&) const { return solve_rolling(problem, accuracy); }
+  Solved operator()(const data::RollingLineLoads& loads) const {
+    return solve_rolling_line_loads(problem, loads);
+  }
+};
+
 struct SolveByMethod {
   const data::ElasticNipProblem& problem;
   double accuracy;
@@ -20,11 +30,22 @@ struct SolveByMethod {
   Solved operator()(const data::LineLoads& loads) const { return solve_line_loads(problem, loads, accuracy); }
 };
 
-Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem) {
+struct SolveSystem {
+  double accuracy;
+
+  Solved operator()(const data::ElasticNipProblem& problem) const {
+    return std::visit(SolveByMethod{problem, accuracy}, problem.method);
+  }
+  Solved operator()(const data::ViscoelasticNipProblem& problem) const {
+    return std::visit(SolveRollingByMethod{problem, accuracy}, problem.method);
+  }
+};
+
+Solved solve_named(const data::Scene& scene, const data::Given& given) {
   try {
-    return std::visit(SolveByMethod{problem, scene.accuracy}, problem.method);
+    return std::visit(SolveSystem{scene.accuracy}, scene.system);
   } catch (const data::BadInput& error) {
-    refuse_given(scene, problem, error);
+    refuse_given(scene, given, error);
   }
 }
 
@@ -33,8 +54,8 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
 SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   SceneSolution<fast::Estimate> solution;
-  const auto solve_system = [&](const data::ElasticNipProblem& problem) {
-    solution = collect_results(scene, problem, *solve_named(scene, problem));
+  const auto solve_system = [&](const auto& problem) {
+    solution = collect_results(scene, problem.profile, *solve_named(scene, problem.given));
   };
   const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
   solution.seconds = seconds;

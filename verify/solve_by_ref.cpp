@@ -39,9 +39,27 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
     return std::visit(SolveByMethod{problem, digits}, problem.method);
   } catch (const data::BadInput& error) {
     if (std::string_view(error.what()).starts_with("digits = ")) throw;
-    refuse_given(scene, problem, error);
+    refuse_given(scene, problem.given, error);
   }
 }
+
+SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                          int digits) {
+  std::visit(CheckMethod{scene, problem}, problem.method);
+  return collect_results(scene, problem.profile, *solve_named(scene, problem, digits));
+}
+
+struct SolveSystem {
+  const data::Scene& scene;
+  int digits;
+
+  SceneSolution<LongEstimate> operator()(const data::ElasticNipProblem& problem) const {
+    return solve_elastic(scene, problem, digits);
+  }
+  SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem&) const {
+    scene.origin.refuse("rolling", "(a table)", "must be left out: the reference solves elastic nips only");
+  }
+};
 
 }  // namespace
 
@@ -57,11 +75,7 @@ void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string
 SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();
   SceneSolution<LongEstimate> solution;
-  const auto solve_system = [&](const data::ElasticNipProblem& problem) {
-    std::visit(CheckMethod{scene, problem}, problem.method);
-    solution = collect_results(scene, problem, *solve_named(scene, problem, digits));
-  };
-  const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
+  const double seconds = seconds_of([&] { solution = std::visit(SolveSystem{scene, digits}, scene.system); });
   solution.seconds = seconds;
   return solution;
 }

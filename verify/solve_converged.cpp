@@ -6,6 +6,7 @@
 
 #include "fast/contact_converged.hpp"
 #include "verify/solve_methods.hpp"
+#include "verify/solve_symmetry.hpp"
 
 namespace nipref::verify {
 namespace {
@@ -35,12 +36,15 @@ class Converged : public SolvedContact<Estimate> {
   explicit Converged(ConvergedContact contact) : contact_(std::move(contact)) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
+    if (const auto same = by_symmetry(*this, name)) return *same;
     return std::invoke(numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     return std::invoke(profiles.at(name), contact_, y);
   }
-  [[nodiscard]] double contact_length() const override { return contact_.contact_length().value; }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {0, contact_.contact_length().value / 2};
+  }
   [[nodiscard]] fast::ContactWork work() const override { return contact_.work(); }
 
  private:

@@ -10,6 +10,7 @@
 #include "fast/contact_line_loads_displacements.hpp"
 #include "fast/contact_line_loads_grip.hpp"
 #include "verify/solve_methods.hpp"
+#include "verify/solve_symmetry.hpp"
 
 namespace nipref::verify {
 namespace {
@@ -104,6 +105,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
         solution_(solve_loads(problem, method_, work_)) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
+    if (const auto same = by_symmetry(*this, name)) return *same;
     const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
                                                : solution_.*numbers.at(name);
     return beside(value, truth_->number(name));
@@ -111,7 +113,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     return beside(profile(name, y), truth_->at(name, y));
   }
-  [[nodiscard]] double contact_length() const override { return solution_.contact_length; }
+  [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
   [[nodiscard]] ContactWork work() const override { return work_; }
   [[nodiscard]] ContactWork error_work() const override { return truth_->work(); }
 

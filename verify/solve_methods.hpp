@@ -16,4 +16,12 @@ std::unique_ptr<SolvedContact<fast::Estimate>> solve_line_loads(const data::Elas
                                                                 const data::LineLoads& loads,
                                                                 double accuracy);
 
+// The rolling viscoelastic nip likewise.
+
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling(const data::ViscoelasticNipProblem& problem,
+                                                             double accuracy);
+/// Without accuracy: their kernels are as good as double allows, or the series that the scene asks for.
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::RollingLineLoads& loads);
+
 }  // namespace nipref::verify

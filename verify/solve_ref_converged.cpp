@@ -33,7 +33,9 @@ class RefConverged : public SolvedContact<LongEstimate> {
   [[nodiscard]] LongEstimate at(std::string_view, double y) const override {
     return long_estimate(contact_.pressure(y));
   }
-  [[nodiscard]] double contact_length() const override { return contact_.contact_length().to_double(); }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {0, contact_.contact_length().to_double() / 2};
+  }
   [[nodiscard]] fast::ContactWork work() const override {
     fast::ContactWork work;
     work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.kernel_values());

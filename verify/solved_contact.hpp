@@ -5,6 +5,11 @@
 
 namespace nipref::verify {
 
+/// Where evenly spaced profiles begin and end: Y, unit of length.
+struct ProfileExtent {
+  double first, last;
+};
+
 /// A solved contact that answers by the names of data::scene_results(). Nothing is computed before it is
 /// asked for.
 template <class Number>
@@ -18,7 +23,7 @@ class SolvedContact {
   [[nodiscard]] virtual Number number(std::string_view name) const = 0;
   /// A profile's value at Y, unit of length.
   [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
-  [[nodiscard]] virtual double contact_length() const = 0;
+  [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
   /// Spent so far on the results, and on nothing but their error estimates.
   [[nodiscard]] virtual fast::ContactWork work() const = 0;
   [[nodiscard]] virtual fast::ContactWork error_work() const { return {}; }

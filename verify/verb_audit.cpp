@@ -14,7 +14,8 @@
 namespace nipref::verify {
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
-  const auto [quantities, contacts] = selection(line);
+  const auto [quantities, contacts, rolling] = selection(line);
+  static_cast<void>(rolling);  // its quantities are in the catalogue
   const AuditOptions options{points_option(line, 0), accuracy_option(line), {}};
   const std::vector<AuditResult> results = audit_all(quantities, options);
   Progress progress;

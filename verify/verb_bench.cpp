@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/bench_contacts.hpp"
+#include "verify/bench_rolling.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_bench.hpp"
 #include "verify/verb_options.hpp"
@@ -22,11 +23,12 @@ constexpr auto notes =
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const auto [quantities, contacts] = selection(line);
+  const auto [quantities, contacts, rolling] = selection(line);
   Progress progress;
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
   BenchReport report = bench(quantities, show);
   if (contacts) append(report, bench_contacts(show));
+  if (rolling) append(report, bench_rolling(show));
   if (line.json) {
     fmt::print(out, "{}\n", bench_json(report).dump(2));
   } else {

@@ -26,9 +26,11 @@ std::size_t points_option(const CommandLine& line, std::size_t otherwise) {
 
 Selection selection(const CommandLine& line) {
   std::vector<std::string> names = line.words;
+  const bool all = names.empty();
   const bool contacts = std::erase(names, "contact") > 0;
-  if (line.words.empty() || !names.empty()) return {select_quantities(names), contacts || line.words.empty()};
-  return {{}, true};
+  const bool rolling = std::erase(names, "rolling") > 0;
+  if (!all && names.empty()) return {{}, contacts, rolling};
+  return {select_quantities(names), contacts || all, rolling || all};
 }
 
 }  // namespace nipref::verify

@@ -14,11 +14,12 @@ namespace nipref::verify {
 fast::Accuracy accuracy_option(const CommandLine& line);
 std::size_t points_option(const CommandLine& line, std::size_t otherwise);
 
-/// What of the catalogue and of the contacts the words name: all of both if there are none; the word
-/// "contact" stands for the contacts. BadInput for words that are neither.
+/// What the words name: quantities of the catalogue, "contact" the elastic contacts, "rolling" the
+/// viscoelastic ones; all of it if there are none. BadInput for other words.
 struct Selection {
   std::vector<const Quantity*> quantities;
   bool contacts;
+  bool rolling;
 };
 Selection selection(const CommandLine& line);
 

@@ -8,6 +8,7 @@
 #include "verify/audit_all.hpp"
 #include "verify/audit_contacts.hpp"
 #include "verify/bench_contacts.hpp"
+#include "verify/bench_rolling.hpp"
 #include "verify/catalogue.hpp"
 #include "verify/machine.hpp"
 #include "verify/progress.hpp"
@@ -36,6 +37,7 @@ BenchReport run_bench() {
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
   BenchReport report = bench(select_quantities({}), show);
   append(report, bench_contacts(show));
+  append(report, bench_rolling(show));
   return report;
 }
 
@@ -62,7 +64,8 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   std::vector<BenchRow> essential;
   std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
     return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
-           row.method.find("digits") != std::string::npos || row.quantity == "contact";
+           row.method.find("digits") != std::string::npos || row.quantity == "contact" ||
+           row.quantity == "rolling";
   });
   return essential;
 }

@@ -11,10 +11,10 @@ inline constexpr double longest_sought = 2e4;
 
 /// Search for the contact length that carries a load: secant iteration on ln(load) as a function of
 /// ln(length), which is nearly straight.
-class LoadSearch {
+class LengthSearch {
  public:
   /// From half length `near` on, until ln(load found/load) is at most `enough` or rounding allows no less.
-  LoadSearch(double load, double near, double enough);
+  LengthSearch(double load, double near, double enough);
 
   [[nodiscard]] double half_length() const;
   /// |ln(load found/load)| at the last half length.

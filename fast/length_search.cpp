@@ -1,4 +1,4 @@
-#include "fast/load_search.hpp"
+#include "fast/length_search.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +21,12 @@ double half_length_guess(double load) {
   return std::min(length, longest_sought / 2);
 }
 
-LoadSearch::LoadSearch(double load, double near, double enough)
+LengthSearch::LengthSearch(double load, double near, double enough)
     : load_(load), enough_(enough), log_length_(std::log(near)), slope_(first_slope) {}
 
-double LoadSearch::half_length() const { return std::exp(log_length_); }
+double LengthSearch::half_length() const { return std::exp(log_length_); }
 
-bool LoadSearch::settled(double found) {
+bool LengthSearch::settled(double found) {
   if (!(found > 0)) {
     // Lost to rounding in a film far longer than the load needs.
     if (iteration_++ == most_iterations) throw std::runtime_error("no contact length found for the load");

@@ -1,0 +1,149 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <string>
+
+#include "data/bad_input.hpp"
+#include "data/viscoelastic_models.hpp"
+
+using namespace nipref;
+using data::DifferentialOperators;
+using data::StandardLinearSolid;
+using data::ViscoelasticMaterial;
+using Complex = std::complex<double>;
+
+namespace {
+
+const Complex places[]{{0, 0}, {0, 0.3}, {0, 1}, {0, 40}, {2, 5}, {1e6, 0}, {0.01, -0.2}};
+
+void check_equal(Complex a, Complex b, double tolerance) {
+  CAPTURE(a.real());
+  CAPTURE(b.real());
+  CHECK(std::abs(a - b) <= tolerance * std::abs(b));
+}
+
+/// The built functions' transforms against the moduli they stand for.
+void check_moduli(const ViscoelasticMaterial& material, const std::function<Complex(Complex)>& shear,
+                  const std::function<Complex(Complex)>& bulk, double tolerance) {
+  for (const Complex p : places) {
+    check_equal(material.theta1.transform(p), 1.0 / (2.0 * shear(p)), tolerance);
+    check_equal(material.theta2.transform(p), 3.0 / (6.0 * bulk(p) + 2.0 * shear(p)), tolerance);
+  }
+}
+
+void check_solid(const StandardLinearSolid& s, std::size_t terms) {
+  const auto material = data::standard_linear_solid(s);
+  CHECK(material.theta2.terms.size() == terms);
+  check_moduli(
+      material,
+      [&](Complex p) { return 1.0 / (1.0 / s.shear_1 + 1.0 / (s.shear_2 + s.shear_viscosity * p)); },
+      [&](Complex p) { return 1.0 / (1.0 / s.bulk_1 + 1.0 / (s.bulk_2 + s.bulk_viscosity * p)); }, 1e-13);
+}
+
+std::string refusal(const std::function<void()>& build) {
+  try {
+    build();
+  } catch (const data::BadInput& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+}  // namespace
+
+TEST_CASE("the standard linear solid has the moduli of its springs and dashpots") {
+  check_solid({2, 3, 5, 7, 1, 11}, 2);
+  check_solid({1, 1e3, 1e4, 10, 1e-4, 1e4}, 2);
+  check_solid({5e4, 7e4, 1.4e5, 1e5, 7e-5, 1e9}, 2);
+}
+
+TEST_CASE("a standard linear solid with one relaxation time in both has one term, as (AIII.10, AIII.11)") {
+  check_solid({3, 3, 8, 8, 0.3, 0.8}, 1);
+  const auto general = data::standard_linear_solid({3, 3, 8, 8, 0.3, 0.8});
+  const auto special = data::single_relaxation_time_solid(8, 3, 0.1);
+  for (const Complex p : places) {
+    check_equal(special.theta1.transform(p), general.theta1.transform(p), 1e-13);
+    check_equal(special.theta2.transform(p), general.theta2.transform(p), 1e-13);
+  }
+  CHECK(special.normal_compliance().terms.size() == 1);
+}
+
+TEST_CASE("one relaxation time doubles the compliance; the thesis's wrong rate makes it 1.875 times") {
+  const double shear = 3.0 / 8;  // Poisson's ratio 1/3 with bulk 1
+  const auto right = data::single_relaxation_time_solid(1, shear, 0.1).normal_compliance();
+  CHECK(right.long_time() / right.instantaneous == doctest::Approx(2).epsilon(1e-14));
+  const auto wrong = data::misprinted_thesis_solid(1, shear, 0.1);
+  const auto normal = wrong.normal_compliance();
+  CHECK(normal.long_time() / normal.instantaneous == doctest::Approx(1.875).epsilon(1e-14));
+  CHECK(wrong.theta1.instantaneous == doctest::Approx(4.0 / 3).epsilon(1e-15));
+  CHECK(wrong.theta2.instantaneous == doctest::Approx(4.0 / 9).epsilon(1e-15));
+}
+
+TEST_CASE("an elastic solid forgets nothing because it has no memory") {
+  const data::ElasticMaterial steel{2, 0.25};
+  const auto solid = data::elastic_solid(steel);
+  CHECK(solid.theta1.terms.empty());
+  CHECK(solid.normal_compliance().long_time() == doctest::Approx(steel.normal_compliance()).epsilon(1e-15));
+}
+
+TEST_CASE("operators: three relaxation times, shared factors and a complex pair") {
+  // (p + 2)(p + 30)(p + 500) over (p + 1)(p + 20)(p + 300), bulk modulus 4.
+  const data::DifferentialOperators three{{30000, 16060, 532, 1}, {6000, 6320, 321, 1}, {1}, {4}};
+  check_moduli(
+      data::operator_solid(three),
+      [](Complex p) { return (p + 1.0) * (p + 20.0) * (p + 300.0) / ((p + 2.0) * (p + 30.0) * (p + 500.0)); },
+      [](Complex) { return Complex(4); }, 1e-12);
+  const data::DifferentialOperators shared{{2, 1}, {1, 1}, {2, 1}, {5, 5}};
+  CHECK(data::operator_solid(shared).theta2.terms.size() == 1);
+  const data::DifferentialOperators cancelling{{5, 6, 1}, {3, 4, 1}, {1}, {7}};  // (p + 1) in P and in Q
+  CHECK(data::operator_solid(cancelling).theta1.terms.size() == 1);
+  // 2 theta1 = 1 + 1/(p + 1 - i) + 1/(p + 1 + i)
+  const auto waves = data::operator_solid({{4, 4, 1}, {2, 2, 1}, {1}, {10}});
+  CHECK(waves.theta1.terms.size() == 2);
+  CHECK(waves.theta1.terms[0].rate == std::conj(waves.theta1.terms[1].rate));
+  check_moduli(
+      waves, [](Complex p) { return (p * p + 2.0 * p + 2.0) / ((p + 2.0) * (p + 2.0)); },
+      [](Complex) { return Complex(10); }, 1e-13);
+}
+
+TEST_CASE("what is no material is refused by the name of what is wrong") {
+  using data::single_relaxation_time_solid;
+  CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
+  CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, -2); }).starts_with("relaxation_time = -2: "));
+  CHECK(refusal([] { (void)single_relaxation_time_solid(0, 1, 1); }).starts_with("bulk = 0: "));
+  CHECK(refusal([] { (void)data::misprinted_thesis_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
+  CHECK(refusal([] {
+          (void)data::standard_linear_solid({1, 1, 1, 1, 0, 1});
+        }).starts_with("shear_viscosity = 0: "));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {}, {}}, {1, {1}, {1}});
+        }).starts_with("theta1_amplitudes = []"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {1}, {1}}, {1, {1}, {1, 2}});
+        }).starts_with("theta2_rates = 2"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {1}, {-1}}, {0.3, {0.1}, {1}});
+        }).starts_with("theta1 rate = -1"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {1, 1}, {2, 2}}, {0.3, {0.1}, {1}});
+        }).starts_with("theta1 rate = 2: must not occur twice"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {-0.5}, {1}}, {0.3, {0.1}, {1}});
+        }).starts_with("material shear loss"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {-2}, {1}}, {0.3, {0.1}, {1}});
+        }).starts_with("theta1 long-time compliance"));
+  // The plane compliance creeps far less than the shear: the bulk modulus would have to gain energy.
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {1}, {1}}, {0.3, {0.001}, {1}});
+        }).starts_with("material dilatation loss"));
+  CHECK(refusal([] {
+          (void)data::operator_solid({{1, 2, 1}, {4, 4, 1}, {1}, {7}});
+        }).starts_with("Q = -2: "));
+  CHECK(refusal([] {
+          (void)data::operator_solid({{1, 1, 1}, {1, 1}, {1}, {7}});
+        }).starts_with("Q = of degree 1: "));
+  CHECK(refusal([] { (void)data::operator_solid({{1}, {0, 0}, {1}, {7}}); }).starts_with("Q = 0: "));
+}
