@@ -1,5 +1,6 @@
 #include "fast/exponential_integrals.hpp"
 
+#include <array>
 #include <boost/math/special_functions/expint.hpp>
 #include <cmath>
 #include <numbers>
@@ -19,15 +20,29 @@ double asymptotic(double step) {
   return sum;
 }
 
-/// sum (-x)^k/((k + 1) (k + 1)!).
-double ein_series(double x) {
-  double sum = 0;
-  double power = 1;
-  for (int k = 1; std::fabs(power) > 1e-18; ++k) {
-    sum += power / k;
-    power *= -x / (k + 1);
+constexpr int kEinTerms = 18;
+
+/// 1/((k + 1) (k + 1)!).
+constexpr std::array<double, kEinTerms> ein_coefficients() {
+  std::array<double, kEinTerms> coefficients{};
+  double factorial = 1;
+  for (int k = 0; k < kEinTerms; ++k) {
+    factorial *= k + 1;
+    coefficients[static_cast<std::size_t>(k)] = 1 / ((k + 1) * factorial);
   }
-  return sum;
+  return coefficients;
+}
+
+/// sum (-x)^k/((k + 1) (k + 1)!), |x| <= 1: even and odd powers side by side.
+double ein_series(double x) {
+  static constexpr auto c = ein_coefficients();
+  const double square = x * x;
+  double even = 0, odd = 0;
+  for (std::size_t k = kEinTerms; k > 0; k -= 2) {
+    odd = odd * square + c[k - 1];
+    even = even * square + c[k - 2];
+  }
+  return even - x * odd;
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double one_word(Two rate) { return rate.high; }
+double one_word(const Fade& fade) { return fade.rate.high; }
 Complex one_word(Complex rate) { return rate; }
 
-double faded(Two rate, Two way) { return decay(rate * way); }
+double faded(const Fade& fade, Two way) { return decay(fade.rate * way); }
 Complex faded(Complex rate, Two way) { return std::exp(-rate * way.high); }
 
 /// The waves at kNearest, from where the far pieces start.
@@ -25,10 +25,26 @@ const Waves& nearest_waves(Accuracy accuracy) {
   return accuracy.rtol() >= 1e-8 ? coarse : full;
 }
 
+double under_load(Kernel kernel, double from, double to, double length, const Fade& fade, Accuracy accuracy) {
+  return memory_under_load(kernel, from, to, length, fade.rate.high,
+                           fade.core[static_cast<std::size_t>(kernel)], accuracy);
+}
+Complex under_load(Kernel kernel, double from, double to, double length, Complex rate, Accuracy accuracy) {
+  return memory_under_load(kernel, from, to, length, rate, accuracy);
+}
+
+double from_nearest(Kernel kernel, const Fade& fade, Accuracy) {
+  return fade.beyond[static_cast<std::size_t>(kernel)];
+}
+Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
+  return memory_from_far(kernel, nearest_waves(accuracy), rate);
+}
+
 /// D on [start, end], or to infinity without an end: behind the load by residues, within kNearest of it by
 /// memory_under_load, ahead by residues. What is passed first has faded most.
 template <typename Rate>
-auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, Rate rate, Accuracy accuracy) {
+auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, const Rate& rate,
+               Accuracy accuracy) {
   using Value = std::remove_cvref_t<decltype(one_word(rate))>;
   const Value plain = one_word(rate);
   const double w = start.at.high;
@@ -48,15 +64,17 @@ auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, Ra
     const bool ends = end && end->at.high <= kNearest;
     const double to = ends ? end->at.high : kNearest;
     const double part = ends && from == w ? length.high : to - from;
-    sum += faded(rate, way) * memory_under_load(kernel, from, to, part, plain, accuracy);
+    sum += faded(rate, way) * under_load(kernel, from, to, part, rate, accuracy);
     if (ends) return sum;
   }
-  const Two way = w < kNearest ? -start.at + Two{kNearest, 0} : Two{0, 0};
-  const Waves& from = w < kNearest ? nearest_waves(accuracy) : start.waves;
-  const double part = w < kNearest && end ? end->at.high - kNearest : length.high;
+  if (w >= kNearest) {
+    return end ? memory_of_piece_ahead(kernel, start.waves, plain, length.high)
+               : memory_from_far(kernel, start.waves, plain);
+  }
   const Value piece =
-      end ? memory_of_piece_ahead(kernel, from, plain, part) : memory_from_far(kernel, from, plain);
-  return sum + faded(rate, way) * piece;
+      end ? memory_of_piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - kNearest)
+          : from_nearest(kernel, rate, accuracy);
+  return sum + faded(rate, -start.at + Two{kNearest, 0}) * piece;
 }
 
 /// int over the whole line of e^(-L w) I1(w) dw, continued to where the integral no longer exists: pi times
@@ -84,26 +102,38 @@ double faded_kernel(Kernel kernel, const Spot& at, Accuracy accuracy) {
   return odd - sign * (pi / 4);
 }
 
-double steady_memory(Kernel kernel, const Spot& start, Two rate, Accuracy accuracy) {
-  if (kernel == Kernel::I1 && start.at.high <= -kNearest) {
-    return whole_line(rate.high) * decay(rate * -start.at) + residues_behind(kernel, start.waves, rate.high);
+Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
+  Fade made{rate};
+  for (const Kernel kernel : kernels) {
+    made.core[static_cast<std::size_t>(kernel)] = core_pieces(kernel, rate.high, accuracy);
+    made.beyond[static_cast<std::size_t>(kernel)] =
+        memory_from_far(kernel, nearest_waves(accuracy), rate.high);
   }
-  return by_pieces(kernel, start, nullptr, {}, rate, accuracy);
+  return made;
+}
+
+double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy) {
+  if (kernel == Kernel::I1 && start.at.high <= -kNearest) {
+    const double rate = fade.rate.high;
+    return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
+  }
+  return by_pieces(kernel, start, nullptr, {}, fade, accuracy);
 }
 
 Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy) {
   return by_pieces(kernel, start, nullptr, {}, rate, accuracy);
 }
 
-double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Two rate, Accuracy accuracy) {
+double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, const Fade& fade,
+              Accuracy accuracy) {
   // Over a half-thickness or more, and beyond the surroundings of the load, the rest is small against the
   // whole.
   if (length.high >= 1 && end.at.high >= kNearest) {
-    const double all = steady_memory(kernel, start, rate, accuracy);
-    const bool forgotten = rate.high * std::min(length.high, end.at.high) > 42;
-    return forgotten ? all : all - decay(rate * length) * steady_memory(kernel, end, rate, accuracy);
+    const double all = steady_memory(kernel, start, fade, accuracy);
+    const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
+    return forgotten ? all : all - faded(fade, length) * steady_memory(kernel, end, fade, accuracy);
   }
-  return by_pieces(kernel, start, &end, length, rate, accuracy);
+  return by_pieces(kernel, start, &end, length, fade, accuracy);
 }
 
 Complex memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Complex rate,

@@ -1,5 +1,9 @@
 #pragma once
+#include <array>
+#include <initializer_list>
+
 #include "fast/accuracy.hpp"
+#include "fast/hereditary_core.hpp"
 #include "fast/hereditary_waves.hpp"
 
 namespace nipref::fast::internal {
@@ -13,16 +17,27 @@ struct Spot {
 
 Spot spot(Two at, Accuracy accuracy);
 
+/// A real rate of fading, and what of the memory depends on nothing else: from one of -1, -1/2, 0, 1/2 to the
+/// next, and from 1 on, int e^(-rate (w - start)) D(w) dw for the kernels it was made for.
+struct Fade {
+  Two rate;
+  std::array<CorePieces, kKernelCount> core{};
+  std::array<double, kKernelCount> beyond{};
+};
+
+Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
+
 /// The fading part D of a kernel at a spot; that of the odd ones is less (pi/4) sign(w), sign(0) = 0.
 double faded_kernel(Kernel kernel, const Spot& at, Accuracy accuracy);
 
 /// int_start^inf e^(-rate (w - start)) D(w) dw.
-double steady_memory(Kernel kernel, const Spot& start, Two rate, Accuracy accuracy);
+double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy);
 
 /// The same as far as end = start + length. The length is wanted for itself: where it is short, the
 /// difference of the spots does not know it.
-double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Two rate, Accuracy accuracy);
+double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, const Fade& fade,
+              Accuracy accuracy);
 Complex memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Complex rate,
                Accuracy accuracy);
 

@@ -6,7 +6,7 @@
 
 #include "fast/exponential_integrals.hpp"
 #include "fast/hereditary_rules.hpp"
-#include "fast/sheet_tables.hpp"
+#include "fast/sheet_code.hpp"
 
 namespace nipref::fast::internal {
 namespace {
@@ -18,20 +18,12 @@ constexpr double kFaded = 40;
 /// Between distances from the logarithm in less than this ratio a Gauss rule will do.
 constexpr double kSmoothRatio = 6;
 
-/// The smooth part of I1, w^2 times a polynomial in w^2, on any piece of [-1/2, 1/2].
+/// The smooth part of I1 on any piece of [-1/2, 1/2].
 double smooth_part(double w, double length, double rate, Accuracy accuracy) {
-  const ComponentTable& table = kComponentTables[static_cast<int>(Component::I1)];
-  const double decays = rate * length;
-  const GaussRule& gauss = gauss_rule_for(decays, accuracy);
-  double sum = 0;
-  for (std::size_t i = 0; i < gauss.at.size(); ++i) {
-    const double d = length * gauss.at[i];
-    const double square = (w + d) * (w + d);
-    double even = 0;
-    for (int k = kTiers[kFullTier].even - 1; k >= 0; --k) even = even * square + table.even[kFullTier][k];
-    sum += gauss.weight[i] * square * even * std::exp(-rate * d);
-  }
-  return length * sum;
+  const GaussRule& gauss = gauss_rule_for(rate * length, accuracy);
+  Nodes smooth;
+  sheet_code().smooth_I1(w, length, gauss.at.data(), smooth.data(), gauss.at.size());
+  return faded_sum(gauss, smooth, length, rate);
 }
 
 /// int_0^length e^(-rate d) ln(kLogEnd/(p + d)) dd, p >= 0, p + length <= 1/2: by parts, so that all terms of
@@ -115,25 +107,51 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
   return kernel == Kernel::I1 ? sum : Complex(step) * sum;
 }
 
-}  // namespace
-
-template <typename Rate>
-Rate memory_under_load(Kernel kernel, double w, double end, double length, Rate rate, Accuracy accuracy) {
+/// The sum over the pieces between the stops of what `of_piece` says of each.
+template <typename Rate, typename Piece>
+Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece) {
   Rate sum = 0;
   double done = 0;
-  for (const double stop : {-kInner, 0.0, kInner, 1.0}) {
+  for (std::size_t k = 0; k < kCoreStops.size(); ++k) {
+    const double stop = kCoreStops[k];
     if (w >= stop || (w >= end && done > 0)) continue;
     const bool last = end <= stop;
     const double left = done == 0 ? length : end - w;
     const double part = last ? left : stop - w;
-    sum += std::exp(-rate * done) * piece(kernel, w, last ? end : stop, part, rate, accuracy);
+    const Rate weight = done == 0 ? Rate(1) : std::exp(-rate * done);
+    sum += weight * of_piece(k, w, last ? end : stop, part);
     done += part;
     w = stop;
   }
   return sum;
 }
 
-template double memory_under_load(Kernel, double, double, double, double, Accuracy);
-template Complex memory_under_load(Kernel, double, double, double, Complex, Accuracy);
+}  // namespace
+
+CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy) {
+  CorePieces pieces;
+  double start = -1;
+  for (std::size_t k = 0; k < kCoreStops.size(); ++k) {
+    pieces[k] = piece(kernel, start, kCoreStops[k], kCoreStops[k] - start, rate, accuracy);
+    start = kCoreStops[k];
+  }
+  return pieces;
+}
+
+double memory_under_load(Kernel kernel, double w, double end, double length, double rate,
+                         const CorePieces& whole, Accuracy accuracy) {
+  return over_pieces(w, end, length, rate, [&](std::size_t k, double from, double to, double part) {
+    const double start = k == 0 ? -1 : kCoreStops[k - 1];
+    const bool is_whole = from == start && to == kCoreStops[k];
+    return is_whole ? whole[k] : piece(kernel, from, to, part, rate, accuracy);
+  });
+}
+
+Complex memory_under_load(Kernel kernel, double w, double end, double length, Complex rate,
+                          Accuracy accuracy) {
+  return over_pieces(w, end, length, rate, [&](std::size_t, double from, double to, double part) {
+    return piece(kernel, from, to, part, rate, accuracy);
+  });
+}
 
 }  // namespace nipref::fast::internal

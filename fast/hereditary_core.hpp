@@ -1,14 +1,26 @@
 #pragma once
+#include <array>
+
 #include "fast/accuracy.hpp"
+#include "fast/hereditary_rules.hpp"
 #include "fast/hereditary_waves.hpp"
 
 namespace nipref::fast::internal {
 
+/// Where the memory under the load is cut.
+inline constexpr std::array kCoreStops{-kInner, 0.0, kInner, 1.0};
+/// The memory of the whole pieces that end there, each from its own start.
+using CorePieces = std::array<double, kCoreStops.size()>;
+
+CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy);
+
 /// int_0^length e^(-rate d) D(w + d) dd for -1 <= w < end = w + length <= 1, D the fading part of a kernel:
 /// exponential integrals for the logarithm, Gauss rules for what is smooth. Both end and length, as either
-/// may be too small to be seen in the rounding of the other. A complex rate by panels, finer towards the
-/// logarithm.
-template <typename Rate>
-Rate memory_under_load(Kernel kernel, double w, double end, double length, Rate rate, Accuracy accuracy);
+/// may be too small to be seen in the rounding of the other. `whole`: of the same kernel and rate.
+double memory_under_load(Kernel kernel, double w, double end, double length, double rate,
+                         const CorePieces& whole, Accuracy accuracy);
+/// The same for a complex rate by panels, finer towards the logarithm.
+Complex memory_under_load(Kernel kernel, double w, double end, double length, Complex rate,
+                          Accuracy accuracy);
 
 }  // namespace nipref::fast::internal

@@ -17,8 +17,8 @@ void check_rate(double Lambda) {
   }
 }
 
-double steady(double alpha, double Lambda, Accuracy accuracy) {
-  return steady_memory(Kernel::I1, spot({alpha, 0}, accuracy), Two{Lambda, 0}, accuracy);
+double steady(double alpha, const Fade& fading, Accuracy accuracy) {
+  return steady_memory(Kernel::I1, spot({alpha, 0}, accuracy), fading, accuracy);
 }
 
 }  // namespace
@@ -26,13 +26,14 @@ double steady(double alpha, double Lambda, Accuracy accuracy) {
 double steady_I1(double alpha, double Lambda, Accuracy accuracy) {
   check_argument("alpha", alpha, Domain::finite);
   check_rate(Lambda);
-  return steady(alpha, Lambda, accuracy);
+  return steady(alpha, fade(Two{Lambda, 0}, {Kernel::I1}, accuracy), accuracy);
 }
 
 void steady_I1(std::span<const double> alpha, double Lambda, std::span<double> value, Accuracy accuracy) {
   check_arguments("alpha", alpha, value.size(), Domain::finite);
   check_rate(Lambda);
-  for (std::size_t i = 0; i < value.size(); ++i) value[i] = steady(alpha[i], Lambda, accuracy);
+  const Fade fading = fade(Two{Lambda, 0}, {Kernel::I1}, accuracy);
+  for (std::size_t i = 0; i < value.size(); ++i) value[i] = steady(alpha[i], fading, accuracy);
 }
 
 }  // namespace nipref::fast

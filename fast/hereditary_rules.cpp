@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "fast/sheet_code.hpp"
 #include "fast/sheet_kernels.hpp"
 
 namespace nipref::fast::internal {
@@ -28,8 +29,6 @@ GaussRule gauss_rule(int count) {
 }
 
 constexpr int kRules[] = {8, 10, 16, 32};
-constexpr int kMostNodes = 32;
-using Nodes = std::array<double, kMostNodes>;
 
 const GaussRule& rule(int index) {
   static const std::array<GaussRule, std::size(kRules)> all = [] {
@@ -96,6 +95,24 @@ const GaussRule& gauss_rule_for(double decays, Accuracy accuracy) {
   return rule(decays <= 2 ? 1 : rule_for(decays, 1, accuracy));
 }
 
+template <>
+double faded_sum(const GaussRule& rule, const Nodes& values, double length, double rate) {
+  const std::size_t count = rule.at.size();
+  Nodes decay;
+  sheet_code().decays(rate * length, rule.at.data(), decay.data(), count);
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += rule.weight[i] * values[i] * decay[i];
+  return length * sum;
+}
+
+template <>
+Complex faded_sum(const GaussRule& rule, const Nodes& values, double length, Complex rate) {
+  Complex sum = 0;
+  for (std::size_t i = 0; i < rule.at.size(); ++i)
+    sum += rule.weight[i] * values[i] * std::exp(-rate * (length * rule.at[i]));
+  return length * sum;
+}
+
 template <typename Rate>
 Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accuracy accuracy) {
   const double end = v + step * length;
@@ -108,11 +125,7 @@ Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accura
     kernel_between(kernel, v, step * length, gauss, computed, accuracy);
     value = &computed;
   }
-  Rate sum = 0;
-  for (std::size_t i = 0; i < gauss.at.size(); ++i) {
-    sum += gauss.weight[i] * (*value)[i] * std::exp(-rate * (length * gauss.at[i]));
-  }
-  return length * sum;
+  return faded_sum(gauss, *value, length, rate);
 }
 
 template double by_rule(Kernel, double, int, double, double, Accuracy);

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "fast/accuracy.hpp"
@@ -10,9 +11,16 @@ namespace nipref::fast::internal {
 /// Where the logarithm is taken apart; as the table of the smooth function.
 constexpr double kInner = kNearEnd;
 
+inline constexpr int kMostNodes = 32;
+using Nodes = std::array<double, kMostNodes>;
+
 struct GaussRule {
   std::vector<double> at, weight;  ///< on [0, 1]
 };
+
+/// int_0^length e^(-rate d) f(d) dd from f at the rule's points.
+template <typename Rate>
+Rate faded_sum(const GaussRule& rule, const Nodes& values, double length, Rate rate);
 
 /// For e^(-decays s) on [0, 1] times a function as smooth as the regular part of I1 on [0, 1/2].
 const GaussRule& gauss_rule_for(double decays, Accuracy accuracy);

@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "fast/exponential_integrals.hpp"
+#include "fast/sheet_code.hpp"
 #include "fast/sheet_roots.hpp"
 
 namespace nipref::fast::internal {
@@ -22,6 +23,8 @@ Two two_words(Wide x) {
   const double high = static_cast<double>(x);
   return {high, static_cast<double>(x - high)};
 }
+
+constexpr double kGone = 400;
 
 /// More than a double's bits, as the first wave matters up to 340 half-thicknesses.
 std::complex<Wide> wide_root(int n) {
@@ -54,13 +57,24 @@ int wave_count(double distance, double tolerance) {
   return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, kMostWaves);
 }
 
-Complex wave(const Root& root, Two distance) {
-  const Two exponent = root.decay * distance;
-  if (exponent.high > 800) return 0;
-  const double size = decay(exponent);
-  const Two phase = root.frequency * distance;
-  const double c = std::cos(phase.high), s = std::sin(phase.high);
-  return {size * (c - s * phase.low), size * (s + c * phase.low)};
+/// The roots once more, in columns.
+struct Columns {
+  std::array<double, kMostWaves> frequency_high, frequency_low, decay_high, decay_low;
+
+  Columns() {
+    for (std::size_t n = 0; n < kMostWaves; ++n) {
+      const Root& root = roots()[n];
+      frequency_high[n] = root.frequency.high;
+      frequency_low[n] = root.frequency.low;
+      decay_high[n] = root.decay.high;
+      decay_low[n] = root.decay.low;
+    }
+  }
+};
+
+RootColumns root_columns() {
+  static const Columns all;
+  return {all.frequency_high.data(), all.frequency_low.data(), all.decay_high.data(), all.decay_low.data()};
 }
 
 /// The real part of a sum over the waves of C wave transform(i z), for a real rate; for a complex one both
@@ -68,10 +82,10 @@ Complex wave(const Root& root, Two distance) {
 template <typename Rate, typename Transform>
 Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   Rate sum = 0;
+  const auto& all_roots = roots();
   for (int n = at.count - 1; n >= 0; --n) {
-    const Root& root = roots()[static_cast<std::size_t>(n)];
-    const Complex term =
-        root.amplitude[static_cast<std::size_t>(kernel)] * at.value[static_cast<std::size_t>(n)];
+    const Root& root = all_roots[static_cast<std::size_t>(n)];
+    const Complex term = root.amplitude[static_cast<std::size_t>(kernel)] * at.value(n);
     const Complex exponent{-root.decay.high, root.frequency.high};
     if constexpr (std::is_same_v<Rate, double>) {
       sum += (term * transform(n, exponent)).real();
@@ -92,11 +106,12 @@ Complex inverse(Complex z) {
 
 Waves waves(Two distance, double tolerance) {
   if (distance.high < 0) distance = -distance;
+  // There is nothing left of a wave where the first has fallen below the least double.
+  if (distance.high > kGone) distance = {kGone, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
-  for (int n = 0; n < at.count; ++n) {
-    at.value[static_cast<std::size_t>(n)] = wave(roots()[static_cast<std::size_t>(n)], distance);
-  }
+  sheet_code().waves(root_columns(), distance.high, distance.low, at.real.data(), at.imaginary.data(),
+                     static_cast<std::size_t>(at.count));
   return at;
 }
 
@@ -118,7 +133,7 @@ Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double l
 template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded) {
-  const auto short_piece = [&](Complex exponent) { return std::abs(rate + exponent) * length < 1; };
+  const auto short_piece = [&](Complex exponent) { return std::norm((rate + exponent) * length) < 1; };
   // Each wave runs from one end's value to the other's; where they differ by little, from the far one's
   // alone.
   const Rate far = sum_over<Rate>(kernel, from, [&](int, Complex exponent) {

@@ -22,7 +22,11 @@ inline constexpr double kNearest = 1;
 /// The wave e^(i z_n |w|) for each n that matters at one |w| >= kNearest.
 struct Waves {
   int count = 0;
-  std::array<Complex, kMostWaves> value{};
+  std::array<double, kMostWaves> real, imaginary;
+
+  [[nodiscard]] Complex value(int n) const {
+    return {real[static_cast<std::size_t>(n)], imaginary[static_cast<std::size_t>(n)]};
+  }
 };
 
 /// tolerance: relative to the first wave.

@@ -9,9 +9,7 @@ namespace nipref::fast {
 namespace {
 
 constexpr int most_iterations = 40;
-/// The exponent of the load's growth with the length is 2 for a half-space, 3 for springs and 5 for an
-/// incompressible film without slip.
-constexpr double first_slope = 3, least_slope = 1.8, greatest_slope = 6;
+constexpr double least_slope = 1.8, greatest_slope = 6;
 
 }  // namespace
 
@@ -21,8 +19,8 @@ double half_length_guess(double load) {
   return std::min(length, longest_sought / 2);
 }
 
-LengthSearch::LengthSearch(double load, double near, double enough)
-    : load_(load), enough_(enough), log_length_(std::log(near)), slope_(first_slope) {}
+LengthSearch::LengthSearch(double load, double near, double enough, double slope)
+    : load_(load), enough_(enough), log_length_(std::log(near)), slope_(slope) {}
 
 double LengthSearch::half_length() const { return std::exp(log_length_); }
 

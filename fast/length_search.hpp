@@ -13,10 +13,17 @@ inline constexpr double longest_sought = 2e4;
 /// ln(length), which is nearly straight.
 class LengthSearch {
  public:
+  /// The exponent of the load's growth with the length is 2 for a half-space, 3 for springs and 5 for an
+  /// incompressible film without slip.
+  static constexpr double usual_slope = 3;
+
   /// From half length `near` on, until ln(load found/load) is at most `enough` or rounding allows no less.
-  LengthSearch(double load, double near, double enough);
+  /// `slope` is what is known of the exponent.
+  LengthSearch(double load, double near, double enough, double slope = usual_slope);
 
   [[nodiscard]] double half_length() const;
+  /// The exponent as the last steps showed it.
+  [[nodiscard]] double slope() const { return slope_; }
   /// |ln(load found/load)| at the last half length.
   [[nodiscard]] double residual() const { return residual_; }
   /// Takes the load found at half_length(): true if the search ends there, otherwise half_length() has moved.

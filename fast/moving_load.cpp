@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
+#include <vector>
 
 #include "data/bad_input.hpp"
 #include "fast/argument_checks.hpp"
@@ -26,14 +26,26 @@ void check_clock(double t) {
   if (!(t >= 0) || !std::isfinite(t)) throw data::BadInput("t", t, "must be a finite number, 0 or more");
 }
 
+/// Of each term with a real rate, in its place.
+std::vector<Fade> fades(const data::MaterialFunction& theta, Two time_unit,
+                        std::initializer_list<Kernel> kernels, Accuracy accuracy) {
+  std::vector<Fade> all;
+  for (const data::RelaxationTerm& term : theta.terms)
+    all.push_back(term.rate.imag() == 0 ? fade(Two{term.rate.real(), 0} * time_unit, kernels, accuracy)
+                                        : Fade{});
+  return all;
+}
+
 /// The sum over the terms of amplitude memory(rate), time in units of b/F0: of each conjugate pair one is
 /// evaluated.
 template <typename Memory>
-double over_terms(const data::MaterialFunction& theta, Two time_unit, Memory memory) {
+double over_terms(const data::MaterialFunction& theta, const std::vector<Fade>& fades, Two time_unit,
+                  Memory memory) {
   double sum = 0;
-  for (const data::RelaxationTerm& term : theta.terms) {
+  for (std::size_t i = 0; i < theta.terms.size(); ++i) {
+    const data::RelaxationTerm& term = theta.terms[i];
     if (term.rate.imag() == 0) {
-      sum += term.amplitude.real() * time_unit.high * memory(Two{term.rate.real(), 0} * time_unit);
+      sum += term.amplitude.real() * time_unit.high * memory(fades[i]);
     } else if (term.rate.imag() > 0) {
       sum += 2 * (term.amplitude * time_unit.high * memory(term.rate * time_unit.high)).real();
     }
@@ -44,28 +56,29 @@ double over_terms(const data::MaterialFunction& theta, Two time_unit, Memory mem
 }  // namespace
 
 /// The way of the load against one point: from `start`, where the point is now, to `end`, where it was when
-/// the load started; no end if that was infinitely long ago.
+/// the load started; of infinite length and without end if that was infinitely long ago.
 struct MovingLoad::Journey {
+  Two length;
   Spot start;
-  std::optional<Spot> end;
-  Two length{std::numeric_limits<double>::infinity(), 0};
+  Spot end;
 
   /// How far behind the load the point is, as far as the load has come.
   [[nodiscard]] double behind() const { return std::clamp(-start.at.high, 0.0, length.high); }
   [[nodiscard]] int sign() const { return (start.at.high > 0) - (start.at.high < 0); }
 
   template <typename Rate>
-  auto memory(Kernel kernel, Rate rate, Accuracy accuracy) const {
-    if (!end) return steady_memory(kernel, start, rate, accuracy);
-    return internal::memory(kernel, start, *end, length, rate, accuracy);
+  auto memory(Kernel kernel, const Rate& rate, Accuracy accuracy) const {
+    if (std::isinf(length.high)) return steady_memory(kernel, start, rate, accuracy);
+    return internal::memory(kernel, start, end, length, rate, accuracy);
   }
 };
 
 namespace {
 
 /// int_from^to e^(-rate w) dw, from and to >= 0 in either order.
-double fading_way(double from, double to, Two rate) {
-  return (to - from) * std::exp(-rate.high * std::min(from, to)) * phi1(rate.high * std::fabs(to - from));
+double fading_way(double from, double to, const Fade& fade) {
+  const double rate = fade.rate.high;
+  return (to - from) * std::exp(-rate * std::min(from, to)) * phi1(rate * std::fabs(to - from));
 }
 Complex fading_way(double from, double to, Complex rate) {
   return (to - from) * std::exp(-rate * std::min(from, to)) * phi1(rate * std::fabs(to - from));
@@ -73,17 +86,25 @@ Complex fading_way(double from, double to, Complex rate) {
 
 }  // namespace
 
+struct MovingLoad::Fades {
+  std::vector<Fade> normal, theta1, theta2;
+};
+
 MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
                        Accuracy accuracy)
-    : theta1_(material.theta1),
-      theta2_(material.theta2),
-      speed_(speed),
-      half_thickness_(half_thickness),
-      accuracy_(accuracy) {
+    : theta1_(material.theta1), theta2_(material.theta2), accuracy_(accuracy) {
   material.check();
   check_positive("speed", speed);
   check_positive("half_thickness", half_thickness);
+  way_per_time_ = Two{speed, 0} / half_thickness;
+  time_unit_ = Two{half_thickness, 0} / speed;
   normal_ = material.normal_compliance();
+  const auto fading = [&](const data::MaterialFunction& theta, std::initializer_list<Kernel> kernels) {
+    return fades(theta, time_unit_, kernels, accuracy);
+  };
+  fades_ = std::make_shared<const Fades>(Fades{fading(normal_, {Kernel::I1}),
+                                               fading(theta1_, {Kernel::I3, Kernel::I5}),
+                                               fading(theta2_, {Kernel::I3, Kernel::I4})});
 }
 
 double MovingLoad::Un(double t, double T) const {
@@ -102,28 +123,29 @@ double MovingLoad::Vn(double t, double T, double t0) const {
 
 double MovingLoad::Un_steady(double alpha) const {
   check_argument("alpha", alpha, Domain::finite_nonzero);
-  return Un(Journey{spot({alpha, 0}, accuracy_), {}});
+  return Un(steady_journey(alpha));
 }
 
 double MovingLoad::Vn_steady(double alpha, double eta) const {
   check_argument("alpha", alpha, Domain::finite);
   check_argument("eta", eta, Domain::finite);
-  return Vn(Journey{spot({alpha, 0}, accuracy_), {}}, Journey{spot({eta, 0}, accuracy_), {}});
+  return Vn(steady_journey(alpha), steady_journey(eta));
+}
+
+MovingLoad::Journey MovingLoad::steady_journey(double alpha) const {
+  return {{std::numeric_limits<double>::infinity(), 0}, spot({alpha, 0}, accuracy_), {}};
 }
 
 MovingLoad::Journey MovingLoad::journey(double t, double T) const {
-  const Two speed{speed_, 0};
-  const auto place = [&](Two time) { return time * speed / half_thickness_; };
-  Journey way{spot(place(two_sum(T, -t)), accuracy_), spot(place({T, 0}), accuracy_)};
-  way.length = place({t, 0});
-  return way;
+  const auto place = [&](Two time) { return time * way_per_time_; };
+  return {place({t, 0}), spot(place(two_sum(T, -t)), accuracy_), spot(place({T, 0}), accuracy_)};
 }
 
 double MovingLoad::Un(const Journey& journey) const {
   double sum = normal_.instantaneous * faded_kernel(Kernel::I1, journey.start, accuracy_);
   if (journey.length.high > 0) {
-    sum += over_terms(normal_, Two{half_thickness_, 0} / speed_,
-                      [&](auto rate) { return journey.memory(Kernel::I1, rate, accuracy_); });
+    sum += over_terms(normal_, fades_->normal, time_unit_,
+                      [&](const auto& rate) { return journey.memory(Kernel::I1, rate, accuracy_); });
   }
   return sum / pi;
 }
@@ -136,15 +158,14 @@ double MovingLoad::Vn(const Journey& to_point, const Journey& to_pin) const {
       theta2_.instantaneous * (under_point + faded_kernel(Kernel::I4, to_pin.start, accuracy_) - signs);
   if (to_point.length.high == 0) return sum / pi;
   // The memory of the signs: between the passage of the pinned point and that of the other they differ by 2.
-  const auto memory_of_signs = [&](auto rate) {
+  const auto memory_of_signs = [&](const auto& rate) {
     return pi / 2 * fading_way(to_point.behind(), to_pin.behind(), rate);
   };
-  const Two time_unit = Two{half_thickness_, 0} / speed_;
-  sum += over_terms(theta1_, time_unit, [&](auto rate) {
+  sum += over_terms(theta1_, fades_->theta1, time_unit_, [&](const auto& rate) {
     return to_point.memory(Kernel::I3, rate, accuracy_) - to_pin.memory(Kernel::I5, rate, accuracy_) +
            memory_of_signs(rate);
   });
-  sum += over_terms(theta2_, time_unit, [&](auto rate) {
+  sum += over_terms(theta2_, fades_->theta2, time_unit_, [&](const auto& rate) {
     return to_point.memory(Kernel::I3, rate, accuracy_) + to_pin.memory(Kernel::I4, rate, accuracy_) -
            memory_of_signs(rate);
   });

@@ -1,7 +1,9 @@
 #pragma once
+#include <memory>
 
 #include "data/viscoelastic_material.hpp"
 #include "fast/accuracy.hpp"
+#include "fast/two_words.hpp"
 
 namespace nipref::fast {
 
@@ -39,13 +41,16 @@ class MovingLoad {
 
  private:
   struct Journey;
+  struct Fades;
   [[nodiscard]] Journey journey(double t, double T) const;
+  [[nodiscard]] Journey steady_journey(double alpha) const;
   [[nodiscard]] double Un(const Journey& journey) const;
   [[nodiscard]] double Vn(const Journey& to_point, const Journey& to_pin) const;
 
   data::MaterialFunction theta1_, theta2_, normal_;
-  double speed_, half_thickness_;
+  internal::Two way_per_time_, time_unit_;  ///< F0/b and b/F0
   Accuracy accuracy_;
+  std::shared_ptr<const Fades> fades_;
 };
 
 }  // namespace nipref::fast

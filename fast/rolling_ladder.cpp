@@ -48,8 +48,9 @@ std::unique_ptr<RollingPressure> RollingLadder::solve(double half_length, double
 }
 
 std::unique_ptr<RollingPressure> RollingLadder::solve_for_load(double load, double near, int level) {
-  const double enough = std::max(1e-2 * accuracy_, 1e-14);
-  for (LengthSearch search(load, near, enough);;) {
+  // The first level is only compared with the next: it need not meet the load better than it meets the pressure.
+  const double enough = std::max(1e-2 * accuracy_, level == 0 ? 1e-5 : 1e-14);
+  for (LengthSearch search(load, near, enough, slope_);;) {
     const double half_length = search.half_length();
     // The layout follows large steps only: it makes the load jump.
     if (level == 0 && std::fabs(std::log(half_length / near)) > 0.3) near = half_length;
@@ -57,6 +58,7 @@ std::unique_ptr<RollingPressure> RollingLadder::solve_for_load(double load, doub
     if (half_length > longest_sought) return contact;
     const bool settled = search.settled(contact->load());
     load_residual_ = search.residual();
+    slope_ = search.slope();
     if (settled) return contact;
   }
 }

@@ -6,6 +6,7 @@
 
 #include "fast/contact_kernels.hpp"
 #include "fast/estimate.hpp"
+#include "fast/length_search.hpp"
 #include "fast/rolling_pressure.hpp"
 
 namespace nipref::fast {
@@ -55,6 +56,7 @@ class RollingLadder {
   std::array<std::unique_ptr<RollingPressure>, 3> solutions_;
   double relative_error_ = 1;
   double load_residual_ = 0;
+  double slope_ = LengthSearch::usual_slope;
 };
 
 }  // namespace nipref::fast

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <numbers>
+#include <span>
 
 namespace nipref::fast {
 namespace {
@@ -17,7 +20,7 @@ struct UnitGauss {
   std::vector<double> x, weight;
 };
 
-UnitGauss gauss_legendre(int count) {
+UnitGauss make_gauss_legendre(int count) {
   UnitGauss rule;
   const auto append = [&](double zero) {
     const double slope = boost::math::legendre_p_prime(count, zero);
@@ -29,6 +32,22 @@ UnitGauss gauss_legendre(int count) {
     if (zero != 0) append(-zero);
   }
   return rule;
+}
+
+const UnitGauss& gauss_legendre(int count) {
+  thread_local std::map<int, UnitGauss> made;
+  const auto found = made.find(count);
+  return found != made.end() ? found->second : made.emplace(count, make_gauss_legendre(count)).first->second;
+}
+
+/// T_j(2 xi - 1), j = 0 .. degree, for each xi one row.
+void chebyshev_rows(std::span<const double> xi, int degree, Eigen::MatrixXd& rows) {
+  const Eigen::Map<const Eigen::ArrayXd> x(xi.data(), static_cast<Eigen::Index>(xi.size()));
+  rows.resize(x.size(), degree + 1);
+  rows.col(0).setOnes();
+  rows.col(1) = 2 * x - 1;
+  for (int j = 2; j <= degree; ++j)
+    rows.col(j).array() = 2 * rows.col(1).array() * rows.col(j - 1).array() - rows.col(j - 2).array();
 }
 
 }  // namespace
@@ -53,16 +72,17 @@ bool RollingOperator::is_far(double at, const RollingPanel& panel) const {
 
 /// Pieces end where the kernel is singular, and where it has decayed, for it may be thousands of
 /// half-thicknesses to the panel's ends.
-RollingOperator::Nodes RollingOperator::near_nodes(double at, const RollingPanel& panel, double reach) const {
+void RollingOperator::append_near_nodes(double at, const RollingPanel& panel, RollingKernel kernel,
+                                        Nodes& nodes) const {
   const double right = panel.left + panel.width;
   std::vector<double> ends{panel.left, right};
-  for (const double cut : {at, at - 5, at + 5, at - reach, at + reach}) {
+  for (const double cut : {at, at - 5, at + 5, at - reach_, at + reach_}) {
     if (panel.left < cut && cut < right && (cut == at || panel.width > 8)) ends.push_back(cut);
   }
   std::ranges::sort(ends);
-  Nodes nodes;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double from = ends[i - 1], to = ends[i], width = to - from;
+    if (kernel == RollingKernel::normal && (to <= at - reach_ || from >= at + reach_)) continue;
     for (const UnitNode& node : rule_) {
       const double x = from == panel.left && node.from_left < node.from_right
                            ? width / panel.width * node.from_left
@@ -74,7 +94,6 @@ RollingOperator::Nodes RollingOperator::near_nodes(double at, const RollingPanel
       nodes.alpha.push_back(-orientation(panel) * distance);
     }
   }
-  return nodes;
 }
 
 std::vector<double> RollingOperator::values(RollingKernel kernel, const std::vector<double>& alpha) {
@@ -90,22 +109,45 @@ std::vector<double> RollingOperator::values(RollingKernel kernel, const std::vec
   return result;
 }
 
+void RollingOperator::near_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                                   const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result) {
+  if (rows.empty()) return;
+  Nodes nodes;
+  std::vector<std::size_t> ends;
+  for (const std::size_t row : rows) {
+    append_near_nodes(at[row], panel, kernel, nodes);
+    ends.push_back(nodes.xi.size());
+  }
+  std::vector<double> weighted = values(kernel, nodes.alpha);
+  std::ranges::transform(weighted, nodes.weight, weighted.begin(), std::multiplies{});
+  const Eigen::Map<const Eigen::RowVectorXd> factors(weighted.data(),
+                                                     static_cast<Eigen::Index>(weighted.size()));
+  const std::span<const double> xi(nodes.xi);
+  Eigen::MatrixXd polynomials;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t count = ends[i] - begin;
+    chebyshev_rows(xi.subspan(begin, count), layout_.degree(panel), polynomials);
+    result.row(static_cast<Eigen::Index>(rows[i])).noalias() =
+        factors.segment(static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(count)) * polynomials;
+    begin = ends[i];
+  }
+}
+
 void RollingOperator::far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
                                   const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result) {
   if (rows.empty()) return;
   const int degree = layout_.degree(panel);
   // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
   const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance_) / 3.5 + panel.width);
-  const UnitGauss rule = gauss_legendre(count);
-  Eigen::MatrixXd weighted(count, degree + 1);
-  std::vector<double> polynomials(static_cast<std::size_t>(degree) + 1);
-  std::vector<double> alpha;
+  const UnitGauss& rule = gauss_legendre(count);
+  Eigen::MatrixXd weighted;
+  chebyshev_rows(rule.x, degree, weighted);
   for (int g = 0; g < count; ++g) {
-    const double xi = rule.x[static_cast<std::size_t>(g)];
-    shifted_chebyshev(xi, polynomials);
-    weighted.row(g) = Eigen::Map<Eigen::RowVectorXd>(polynomials.data(), degree + 1) *
-                      (rule.weight[static_cast<std::size_t>(g)] * panel.width * panel.slope(xi));
+    const auto node = static_cast<std::size_t>(g);
+    weighted.row(g) *= rule.weight[node] * panel.width * panel.slope(rule.x[node]);
   }
+  std::vector<double> alpha;
   for (const std::size_t row : rows) {
     for (const double xi : rule.x)
       alpha.push_back(orientation(panel) * (at[row] - panel.left - panel.width * panel.x(xi)));
@@ -123,25 +165,14 @@ Eigen::MatrixXd RollingOperator::moments(const std::vector<ContactPlace>& points
   const int degree = layout_.degree(panel);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), degree + 1);
   std::vector<double> at;
-  std::vector<std::size_t> far;
-  std::vector<double> polynomials(static_cast<std::size_t>(degree) + 1);
+  std::vector<std::size_t> near, far;
   for (std::size_t i = 0; i < points.size(); ++i) {
     at.push_back(coordinate(points[i], panel));
     const double gap = std::max(panel.left - at[i], at[i] - (panel.left + panel.width));
     if (kernel == RollingKernel::normal && gap > reach_) continue;
-    if (is_far(at[i], panel)) {
-      far.push_back(i);
-      continue;
-    }
-    const Nodes nodes = near_nodes(at[i], panel, reach_);
-    const std::vector<double> kernel_values = values(kernel, nodes.alpha);
-    for (std::size_t n = 0; n < nodes.xi.size(); ++n) {
-      shifted_chebyshev(nodes.xi[n], polynomials);
-      const double factor = kernel_values[n] * nodes.weight[n];
-      for (int j = 0; j <= degree; ++j)
-        result(static_cast<Eigen::Index>(i), j) += factor * polynomials[static_cast<std::size_t>(j)];
-    }
+    (is_far(at[i], panel) ? far : near).push_back(i);
   }
+  near_moments(at, near, panel, kernel, result);
   far_moments(at, far, panel, kernel, result);
   return result;
 }
@@ -153,6 +184,7 @@ std::complex<double> RollingOperator::trail(ContactPlace place, std::complex<dou
   const double nats = -std::log(tolerance_);
   double last = nats / rate.real();
   if (kernel == RollingKernel::normal) last = std::min(last, std::max(reach_ - ahead, 0.0));
+  if (last == 0) return 0;
   std::vector<double> ends{0, last};
   for (const double cut :
        {-ahead, 5 - ahead, -5 - ahead, reach_ - ahead, -reach_ - ahead, 10 / rate.real()}) {
@@ -171,7 +203,10 @@ std::complex<double> RollingOperator::trail(ContactPlace place, std::complex<dou
   }
   const std::vector<double> kernel_values = values(kernel, alpha);
   std::complex<double> sum = 0;
-  for (std::size_t n = 0; n < way.size(); ++n) sum += kernel_values[n] * weight[n] * std::exp(-rate * way[n]);
+  for (std::size_t n = 0; n < way.size(); ++n) {
+    const double factor = kernel_values[n] * weight[n] * std::exp(-rate.real() * way[n]);
+    sum += rate.imag() == 0 ? factor : factor * std::polar(1.0, -rate.imag() * way[n]);
+  }
   return sum;
 }
 

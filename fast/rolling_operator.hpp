@@ -36,8 +36,10 @@ class RollingOperator {
   };
   [[nodiscard]] double coordinate(ContactPlace point, const RollingPanel& panel) const;
   [[nodiscard]] bool is_far(double at, const RollingPanel& panel) const;
-  [[nodiscard]] Nodes near_nodes(double at, const RollingPanel& panel, double reach) const;
+  void append_near_nodes(double at, const RollingPanel& panel, RollingKernel kernel, Nodes& nodes) const;
   [[nodiscard]] std::vector<double> values(RollingKernel kernel, const std::vector<double>& alpha);
+  void near_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                    const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result);
   void far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
                    const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result);
 

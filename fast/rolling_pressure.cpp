@@ -1,8 +1,10 @@
 #include "fast/rolling_pressure.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
+#include "fast/rolling_basis.hpp"
 #include "fast/rolling_operator.hpp"
 
 namespace nipref::fast {
@@ -10,44 +12,33 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The memory of one term on all panels, and how it acts at the matching points.
-struct TermBlocks {
-  MemoryTerm term;
-  std::vector<PanelMemory> memory;
-};
-
-std::vector<TermBlocks> blocks(const RollingLayout& layout, const std::vector<MemoryTerm>& terms) {
-  std::vector<TermBlocks> result;
-  for (const MemoryTerm& term : terms) {
-    result.push_back({term, {}});
-    for (const RollingPanel& panel : layout.panels())
-      result.back().memory.push_back(panel_memory(layout, panel, term.rate));
-  }
-  return result;
-}
-
 }  // namespace
 
 RollingPressure::RollingPressure(const RollingLayout& layout, const RollingMaterial& material,
                                  double tolerance, ContactKernels& kernels)
     : layout_(layout) {
-  solve(material, tolerance, kernels);
+  std::vector<TermMemory> memory;
+  for (const MemoryTerm& term : material.normal) {
+    memory.push_back({term, {}});
+    for (const RollingPanel& panel : layout.panels())
+      memory.back().on_panel.push_back(panel_memory(layout, panel, term.rate));
+  }
+  solve(memory, tolerance, kernels);
   integrate();
-  normal_response_ = response(1, material.normal);
-  theta2_response_ = response(material.theta2_instantaneous, material.theta2);
+  normal_response_ = response(1, material.normal, memory);
+  theta2_response_ = response(material.theta2_instantaneous, material.theta2, memory);
 }
 
 /// Each row is u at a matching point. What leaves a panel acts through the panels downstream of it and, at
 /// last, through the trail: it is gathered upstream, so that a row costs no more than its own length.
-void RollingPressure::solve(const RollingMaterial& material, double tolerance, ContactKernels& kernels) {
+void RollingPressure::solve(const std::vector<TermMemory>& terms, double tolerance, ContactKernels& kernels) {
   RollingOperator from(layout_, tolerance, kernels);
   const auto points = layout_.matching_points();
   const auto rows = static_cast<Eigen::Index>(points.size());
-  const auto terms = blocks(layout_, material.normal);
   const auto& panels = layout_.panels();
 
   std::vector<Eigen::VectorXcd> by_outflow;  // of each term's memory behind the panel at hand
-  for (const TermBlocks& block : terms) {
+  for (const TermMemory& block : terms) {
     by_outflow.push_back(Eigen::VectorXcd::NullaryExpr(rows, [&](Eigen::Index i) {
       return from.trail(points[static_cast<std::size_t>(i)], block.term.rate, RollingKernel::normal);
     }));
@@ -58,7 +49,7 @@ void RollingPressure::solve(const RollingMaterial& material, double tolerance, C
     Eigen::MatrixXd to_response = pressure_in_chebyshev(layout_, panels[p]);
     auto columns = matrix.middleCols(static_cast<Eigen::Index>(p) * layout_.terms(), layout_.terms());
     for (std::size_t r = 0; r < terms.size(); ++r) {
-      const PanelMemory& memory = terms[r].memory[p];
+      const PanelMemory& memory = terms[r].on_panel[p];
       const Complex amplitude = terms[r].term.amplitude;
       to_response += (amplitude * memory.by_pressure).real();
       columns += (amplitude * by_outflow[r] * memory.outflow_by_pressure).real();
@@ -85,46 +76,36 @@ Eigen::VectorXd RollingPressure::coefficients(std::size_t panel) const {
 }
 
 RollingPressure::Response RollingPressure::response(double instantaneous,
-                                                    const std::vector<MemoryTerm>& terms) const {
+                                                    const std::vector<MemoryTerm>& terms,
+                                                    const std::vector<TermMemory>& memory) const {
   Response result;
   const auto& panels = layout_.panels();
   for (std::size_t p = 0; p < panels.size(); ++p)
     result.on_panel.push_back(instantaneous * (pressure_in_chebyshev(layout_, panels[p]) * coefficients(p)));
-  for (const TermBlocks& block : blocks(layout_, terms)) {
+  for (const MemoryTerm& term : terms) {
+    const auto same_rate =
+        std::ranges::find(memory, term.rate, [](const TermMemory& other) { return other.term.rate; });
     Complex inflow = 0;
     for (std::size_t p = 0; p < panels.size(); ++p) {
-      const PanelMemory& memory = block.memory[p];
-      const Eigen::VectorXcd z = memory.by_pressure * coefficients(p) + memory.by_inflow * inflow;
-      result.on_panel[p] += (block.term.amplitude * z).real();
-      inflow = (memory.outflow_by_pressure * coefficients(p))(0) + memory.outflow_by_inflow * inflow;
+      const PanelMemory& on_panel = same_rate->on_panel[p];
+      const Eigen::VectorXcd z = on_panel.by_pressure * coefficients(p) + on_panel.by_inflow * inflow;
+      result.on_panel[p] += (term.amplitude * z).real();
+      inflow = (on_panel.outflow_by_pressure * coefficients(p))(0) + on_panel.outflow_by_inflow * inflow;
     }
-    result.trailing.push_back({block.term.amplitude * inflow, block.term.rate});
+    result.trailing.push_back({term.amplitude * inflow, term.rate});
   }
   return result;
 }
 
-/// Exact for the polynomials in xi: the sum of T_j's integrals over the pressure's expansion.
 void RollingPressure::integrate() {
-  // On a panel: int p dx and int p x dx, with dx = dx/dxi dxi.
   const auto& panels = layout_.panels();
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const RollingPanel& panel = panels[p];
-    const int count = 2 * layout_.terms() + 4;
+    const RollingBasis& basis = rolling_basis(layout_.terms(), panel.at_end());
     const Eigen::VectorXd c = coefficients(p);
-    double sum = 0, first = 0;
-    std::vector<double> basis;
-    // Fejer's rule in xi.
-    for (int i = 0; i < count; ++i) {
-      const double angle = (2 * i + 1) * M_PI / (2 * count);
-      double weight = 1;
-      for (int k = 1; k <= count / 2; ++k) weight -= 2 * std::cos(2 * k * angle) / (4.0 * k * k - 1);
-      const double xi = std::pow(std::cos(angle / 2), 2);
-      layout_.pressure_basis(panel, xi, basis);
-      const double value = Eigen::Map<Eigen::VectorXd>(basis.data(), layout_.terms()).dot(c);
-      const double part = weight / count * panel.slope(xi) * panel.width * value;
-      sum += part;
-      first += part * (half_length() - panel.left - panel.width * panel.x(xi));
-    }
+    const double sum = panel.width * (basis.integral * c)(0);
+    const double from_end = panel.left * sum + panel.width * panel.width * (basis.moment * c)(0);
+    const double first = half_length() * sum - from_end;
     load_ += sum;
     moment_ += panel.half == Half::leading ? first : -first;
   }

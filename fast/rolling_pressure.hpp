@@ -13,7 +13,7 @@ namespace nipref::fast {
 struct RollingMaterial {
   std::vector<MemoryTerm> normal;  ///< of N beside its instantaneous part 1
   double theta2_instantaneous;     ///< over that of N
-  std::vector<MemoryTerm> theta2;
+  std::vector<MemoryTerm> theta2;  ///< its rates are among those of N = theta1 + theta2
 };
 
 /// A frictionless rolling contact of given length, solved: dimensionless as HalfContact (pressure times 2 R
@@ -51,9 +51,15 @@ class RollingPressure {
     std::vector<Eigen::VectorXd> on_panel;
     std::vector<MemoryTerm> trailing;
   };
-  void solve(const RollingMaterial& material, double tolerance, ContactKernels& kernels);
+  /// One term on all panels.
+  struct TermMemory {
+    MemoryTerm term;
+    std::vector<PanelMemory> on_panel;
+  };
+  void solve(const std::vector<TermMemory>& memory, double tolerance, ContactKernels& kernels);
   [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
-  [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms) const;
+  [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms,
+                                  const std::vector<TermMemory>& memory) const;
   void integrate();
 
   RollingLayout layout_;

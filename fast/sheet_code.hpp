@@ -14,6 +14,11 @@ namespace nipref::fast::internal {
 inline constexpr int kBatchComponents = 5;   ///< I1, I3, I4, I5, I7
 inline constexpr int kScalarComponents = 6;  ///< and eta_part_of_I6
 
+/// z_n = frequency + i decay in two words each.
+struct RootColumns {
+  const double *frequency_high, *frequency_low, *decay_high, *decay_low;
+};
+
 struct SheetCode {
   const char* instruction_set;
   bool (*all_in_domain)(const double*, size_t, Domain);
@@ -21,6 +26,13 @@ struct SheetCode {
   void (*batch[kBatchComponents][kTierCount])(const double*, double*, size_t);
   double (*scalar_i6[kTierCount])(double, double);
   void (*batch_i6[kTierCount])(const double*, const double*, double*, size_t);
+  /// value[i] = e^(-rate at[i]), 0 <= rate at[i] <= 708.
+  void (*decays)(double rate, const double* at, double* value, size_t count);
+  /// e^((i frequency - decay) distance), 1 <= distance <= 500; 0 from e^-708 on.
+  void (*waves)(const RootColumns& roots, double distance_high, double distance_low, double* real,
+                double* imaginary, size_t count);
+  /// value[i] = I1(x) less its logarithm at x = from + way at[i], |x| <= 1/2.
+  void (*smooth_I1)(double from, double way, const double* at, double* value, size_t count);
 };
 
 namespace baseline {

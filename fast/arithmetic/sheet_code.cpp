@@ -3,6 +3,7 @@
 #include "fast/sheet_code.hpp"
 
 #include "fast/arithmetic/coarse_batch.hpp"
+#include "fast/arithmetic/fading.hpp"
 
 namespace nipref::fast::internal::NIPREF_ISA {
 namespace {
@@ -132,6 +133,9 @@ const SheetCode kCode = {
      NIPREF_TIERS(batch, Component::I7)},
     {scalar_i6<0>, scalar_i6<1>, scalar_i6<2>, scalar_i6<3>, scalar_i6<4>},
     {batch_i6<0>, batch_i6<1>, batch_i6<2>, batch_i6<3>, batch_i6<4>},
+    decays,
+    waves,
+    smooth_I1,
 };
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
