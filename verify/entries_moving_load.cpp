@@ -153,6 +153,9 @@ Quantity entry_Un() {
     const double unit = sheet[1] / sheet[0], t = random.log_uniform(1e-9, 50);
     return joined({unit * t, unit * draw_passing_time(t, random)}, sheet);
   };
+  entry.keep_off = [](Point& point) {
+    if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
+  };
   entry.by_ref = [](Exacts x, int digits) { return ref::Un(x[0], x[1], x[2], x[3], exact_at(x, 2), digits); };
   set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); });
   entry.envelope = [](Arguments x) {

@@ -84,6 +84,8 @@ struct Quantity {
   /// Where the audit looks, if the arguments depend on each other so much that it cannot draw each for
   /// itself.
   std::function<Point(Random&)> draw;
+  /// Moves a point off a place where the quantity is infinite and that depends on several arguments.
+  std::function<void(Point&)> keep_off;
   /// False where a value by itself costs the making of a material too: `bench rolling` times such quantities.
   bool timed_alone = true;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many

@@ -170,7 +170,10 @@ std::vector<Point> dense_points(const Quantity& quantity, std::size_t count, Ran
 std::vector<Point> random_points(const Quantity& quantity, std::size_t count, Random& random) {
   std::vector<Point> points;
   points.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) points.push_back(draw_point(quantity, random));
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back(draw_point(quantity, random));
+    if (quantity.keep_off) quantity.keep_off(points.back());
+  }
   return points;
 }
 
@@ -189,6 +192,7 @@ Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
     value *= 1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(2 + random.index(48)));
   }
   moved[i] = into_domain(kind, value);
+  if (quantity.keep_off) quantity.keep_off(moved);
   return moved;
 }
 
