@@ -151,6 +151,36 @@ TEST_CASE("the sphere, axis in the plane: what the symmetry of K proves") {
   CHECK(says(cell_of(replay, 3, "c=0.3"), "reproduced so"));
 }
 
+TEST_CASE("the exact frictionless ellipse: the papers' contour is too slender") {
+  const auto compliance = [](fast::Direction line) {
+    return verify::corrected_line_response(isotropic, 0.6 * line.cosine).compliance;
+  };
+  const double ratio = verify::exact_span_ratio(compliance, {1, 0}, {0, 1});
+  CHECK(ratio == Approx(0.8905).epsilon(1e-4));
+  // What makes it the ellipse: the second harmonic of K/w^3 vanishes.
+  double harmonic = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const fast::Direction line = fast::Direction::of_angle((i + 0.5) * M_PI / 4000);
+    const double width2 = line.cosine * line.cosine + ratio * ratio * line.sine * line.sine;
+    harmonic += compliance(line) * (line.cosine * line.cosine - line.sine * line.sine) *
+                std::pow(width2, -1.5) / 4000;
+  }
+  CHECK(std::fabs(harmonic) < 1e-9);
+  // The same with the ellipse turned by 0.6.
+  const fast::Direction motion = fast::Direction::of_angle(0.6);
+  const auto turned = [&](fast::Direction line) {
+    return compliance({line.cosine * motion.cosine + line.sine * motion.sine, 0});
+  };
+  CHECK(verify::exact_span_ratio(turned, motion, {-motion.sine, motion.cosine}) ==
+        Approx(ratio).epsilon(1e-12));
+  const auto exact = [](const char* id, const std::string& column) {
+    return *cell_of(verify::replay_table(id), 0, column).exact;
+  };
+  CHECK(exact("brock2012-1", "c=0.3") == Approx(0.9770).epsilon(1e-4));
+  CHECK(exact("brock2013-1", "c=0.4") == Approx(0.9157).epsilon(1e-4));
+  CHECK_FALSE(cell_of(verify::replay_table("brock2012-2"), 0, "c=0.3").exact);
+}
+
 TEST_CASE("the rule of verdicts") {
   const data::Table die = data::load_table_by_id("brock2012-1");  // 0.9938 first
   const auto verdict = [](const data::Table& table, std::size_t row, const char* column, double corrected,

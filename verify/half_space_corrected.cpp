@@ -1,5 +1,6 @@
 #include "verify/half_space_corrected.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -85,6 +86,40 @@ double contour_span(const fast::LineResponse& response, double friction_along) {
   const double omega = -0.5 + std::atan2(sheared, response.compliance) / std::numbers::pi;
   const double q = std::pow(1 + omega, 1 + omega) * std::pow(-omega, -omega);
   return std::hypot(response.compliance, sheared) / q;
+}
+
+double exact_span_ratio(const std::function<double(fast::Direction)>& compliance, fast::Direction along,
+                        fast::Direction across) {
+  constexpr int nodes = 512;
+  std::array<double, nodes> k{}, cosine{}, sine{};  // of twice the angle
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const double angle = (static_cast<double>(i) + 0.5) / nodes * std::numbers::pi;
+    k[i] = compliance(fast::Direction::of_angle(angle));
+    cosine[i] = std::cos(2 * angle);
+    sine[i] = std::sin(2 * angle);
+  }
+  // w^2 = 1 + a cos 2psi + b sin 2psi but for a factor; the step is Newton's for a circle.
+  double a = 0;
+  double b = 0;
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    double whole = 0;
+    double along_a = 0;
+    double along_b = 0;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double weight = k[i] * std::pow(1 + a * cosine[i] + b * sine[i], -1.5);
+      whole += weight;
+      along_a += weight * cosine[i];
+      along_b += weight * sine[i];
+    }
+    a += along_a / whole;
+    b += along_b / whole;
+  }
+  const double size = 1 - a * a - b * b;
+  // The radius is 1/sqrt(n.A^-1 n), the half-width sqrt(n.A n).
+  const auto radius = [&](fast::Direction n) {
+    return std::sqrt(size / (1 - a * (square(n.cosine) - square(n.sine)) - 2 * b * n.cosine * n.sine));
+  };
+  return radius(across) / radius(along);
 }
 
 double corrected_rolling_span_ratio(double poisson, double speed) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+
 #include "data/half_space_solids.hpp"
 #include "fast/surface_line.hpp"
 
@@ -28,6 +30,12 @@ fast::LineResponse in_contact(const fast::LineResponse& lower, const fast::LineR
 /// `friction_along` is g, the coefficient of friction times the cosine between line and motion. A postulate
 /// of the papers, not the span of the exact contact. (brock2012 34a, brock2013 34)
 double contour_span(const fast::LineResponse& response, double friction_along);
+
+/// Span across over span along, both through the centre, of the exact frictionless contact of a sphere with a
+/// surface of that compliance: the ellipse of half-widths w(psi) for which int K n n/w^3 dpsi is a multiple
+/// of the unit matrix. Within 1e-9 where the compliance is smooth and varies by less than a factor of 3.
+double exact_span_ratio(const std::function<double(fast::Direction)>& compliance, fast::Direction along,
+                        fast::Direction across);
 
 /// L2/L1 of the sphere rolling without slip, by the same rule; speed = v/v_S. (brock2012 53b)
 double corrected_rolling_span_ratio(double poisson, double speed);

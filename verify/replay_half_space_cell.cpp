@@ -76,6 +76,7 @@ ReplayedCell judge_half_space(const data::Table& table, const HalfSpaceCell& cel
   const data::Interval& formula = cell.attempts.front().range;
   ReplayedCell result{cell.row, cell.column, middle(formula), formula, Verdict::unexplained, ""};
   result.corrected = cell.corrected;
+  result.exact = cell.exact;
   if (std::fabs(value - cell.corrected) <= table_unit + binary) {
     result.verdict = Verdict::match;
     return result;

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ struct HalfSpaceCell {
   std::string error;              ///< what is wrong with that formula; empty if it is right
   /// Why the printed number is wrong whatever made it; empty if nothing but the formula speaks against it.
   std::string proof = {};
+  /// Without friction, of the exact elliptic contact at the same responses.
+  std::optional<double> exact = {};
 };
 
 /// The verdict: `match` if the printed number is within one unit of the table's fourth decimal of the

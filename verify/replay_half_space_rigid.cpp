@@ -42,7 +42,13 @@ std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
            corrected,
            {{only(exact_roots), Verdict::seed_error, "reproduced so"},
             {only(rounded_roots), Verdict::seed_error, "reproduced so with w_S and w_D to five decimals"}},
-           error});
+           error,
+           "",
+           exact_span_ratio(
+               [&](fast::Direction line) {
+                 return corrected_line_response(solid, speed * line.cosine).compliance;
+               },
+               {1, 0}, {0, 1})});
     }
   }
   return cells;

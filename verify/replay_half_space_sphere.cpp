@@ -86,6 +86,16 @@ class InPlaneSpans {
     });
   }
 
+  [[nodiscard]] double exact(double phi, double speed) const {
+    const fast::Direction motion = direction_of_degrees(theta_);
+    return exact_span_ratio(
+        [&](fast::Direction line) {
+          const double cosine = line.cosine * motion.cosine + line.sine * motion.sine;
+          return bodies_.in_plane_compliance(line, speed * cosine);
+        },
+        motion, direction_of_degrees(theta_ + phi));
+  }
+
  private:
   template <class Compliance>
   [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
@@ -143,13 +153,17 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
           "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
           "circle demands 1; and (25c) adds the couplings, which subtract",
           sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-      cells.push_back({row,
-                       column.name,
-                       corrected,
-                       {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
-                         Verdict::seed_error, "reproduced so"}},
-                       error,
-                       error});
+      cells.push_back(
+          {row,
+           column.name,
+           corrected,
+           {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)), Verdict::seed_error,
+             "reproduced so"}},
+           error,
+           error,
+           exact_span_ratio(
+               [&](fast::Direction line) { return bodies.on_normal_axis(speed * line.cosine).compliance; },
+               {1, 0}, {0, 1})});
     }
   }
   return cells;
@@ -196,7 +210,8 @@ std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& tabl
           fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
                       "wrong too, {:.4f}",
                       spans.printed(phi, speed)),
-          in_plane_proof(table, row, column.name)};
+          in_plane_proof(table, row, column.name),
+          spans.exact(phi, speed)};
       if (std::fabs(phi) != 90) {
         cell.attempts.push_back(
             {with_the_columns_unit(table, column.name, tabulated, spans.tabulated(90, speed)),
