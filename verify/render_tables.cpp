@@ -136,6 +136,7 @@ nlohmann::ordered_json cell_json(const Replay& replay, const ReplayedCell& cell)
       {"replayed", scaled(replay, cell, cell.value)},
       {"corrected", scaled(replay, cell, cell.corrected)},
       {"corrected_with_seed_material", scaled(replay, cell, cell.corrected_with_seed_material)},
+      {"exact", scaled(replay, cell, cell.exact)},
       {"replayed_range", {scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
       {"verdict", name(cell.verdict)},
       {"note", cell.note}};

@@ -25,12 +25,16 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   return 0;
 }
 
+bool has_doubtful_length(const Replay& replay, std::size_t row) {
+  return replay.table.has_column("L") && replay.table.cell(row, "L").is_doubtful();
+}
+
 /// Unexplained though the table speaks against neither the printed number nor the length its row is replayed
 /// from, and not known to be so.
 bool falls_short(const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
   return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&
-         !replay.table.cell(cell.row, "L").is_doubtful() && !is_known_miss(replay, cell);
+         !has_doubtful_length(replay, cell.row) && !is_known_miss(replay, cell);
 }
 
 }  // namespace

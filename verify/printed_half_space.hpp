@@ -1,0 +1,53 @@
+#pragma once
+#include <optional>
+
+#include "fast/surface_line.hpp"
+
+namespace nipref::verify {
+
+// Formulas of the half-space papers that are WRONG, or right ones in the arithmetic of the papers' tables;
+// they serve the replay of the tables and nothing else. What is right is in half_space_corrected.hpp.
+// "as printed" follows the paper's equation, "as tabulated" the numbers of the paper's table. Speeds are over
+// the shear wave speed of the isotropic solid. Domain: that of the papers' tables.
+
+/// (brock2012 35) as printed, C2 L2/(C1 L1). Wrong: sqrt(c_D^4 + gamma^2) should be c_D^2, because friction
+/// does nothing across the motion.
+double die_span_ratio_as_printed(double poisson, double friction, double speed);
+
+/// What (brock2012) Table 1 holds: the wrong root of (35), and friction left out of Delta_1 and Q_1.
+/// `decimals`: to which the roots w_S and w_D are rounded.
+double die_span_ratio_as_tabulated(double poisson, double friction, double speed,
+                                   std::optional<int> decimals);
+
+/// (brock2012 53b) as printed, L2/L1. Wrong: a factor c_D under the second root; it is not 1 at rest.
+double rolling_span_ratio_as_printed(double poisson, double speed);
+
+/// (brock2012 53b) without that factor, which is right, but with the roots w_S and w_D rounded to `decimals`.
+double rolling_span_ratio_as_tabulated(double poisson, double speed, int decimals);
+
+/// Of a half-space under a sphere: moduli over mu_0 of the sphere, as the paper divides them.
+struct ScaledModuli {
+  double c11, c33, c13, c44, c66;
+  double speed_scale;        ///< c/c_0 = sqrt(rho/rho_0)
+  double sphere_dilatation;  ///< c_D of the sphere
+};
+
+/// (brock2013 35) with (25c) as printed, L_Y/L_X, axis normal; Table 1 was made with it. Wrong: c_D^2 - 1
+/// also divides the term of the half-space, and the couplings of the two bodies are added where they
+/// subtract.
+double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed);
+
+/// mu_0 K of (brock2013 43) as printed, axis in the surface along x2: half-space and sphere together. Wrong:
+/// the first term of M needs a minus sign, and 2 A6 T5 (d6 + d12) sin^2(psi)/d1 is missing.
+/// `cosine_from_motion`: of psi - theta.
+double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
+                                      double cosine_from_motion, double speed);
+
+/// The same as (brock2013) Table 3 has it: the sign is right, the term is missing all the same.
+double in_plane_compliance_as_tabulated(const ScaledModuli& moduli, fast::Direction line,
+                                        double cosine_from_motion, double speed);
+
+/// d6 + P - P6 of (brock2013 46b) with P6 of (46d) as printed. Wrong: it is negative, c_minus complex.
+double branch_radicand_as_printed(const ScaledModuli& moduli, fast::Direction motion);
+
+}  // namespace nipref::verify

@@ -1,0 +1,226 @@
+// Tables 1 to 3 of brock2013: an elastic sphere on a transversely isotropic half-space.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "verify/half_space_corrected.hpp"
+#include "verify/printed_half_space.hpp"
+#include "verify/replay_half_space_rows.hpp"
+
+namespace nipref::verify {
+namespace {
+
+/// The paper's C11/mu_0, a slip for 0.18005, with which its c_plus and c_minus were made.
+constexpr double printed_d1 = 0.1803;
+
+data::Interval only(double value) { return {value, value}; }
+
+/// Exact at multiples of 90 degrees, where no speed is left across the motion.
+fast::Direction direction_of_degrees(double degrees) {
+  const double quarter = degrees / 90;
+  if (quarter == std::round(quarter)) {
+    const int turns = (static_cast<int>(quarter) % 4 + 4) % 4;
+    return {turns == 0 ? 1.0 : turns == 2 ? -1.0 : 0.0, turns == 1 ? 1.0 : turns == 3 ? -1.0 : 0.0};
+  }
+  return fast::Direction::of_angle(degrees * std::numbers::pi / 180);
+}
+
+/// The two bodies as the table's header states them, GPa and kg/m^3.
+struct Bodies {
+  data::IsotropicSolid sphere;
+  data::TransverselyIsotropicSolid half_space;
+  ScaledModuli scaled;
+
+  explicit Bodies(const data::Table& table) {
+    const auto value = [&](const char* name) { return table.parameter(name).value; };
+    const double c_d = value("c_D");
+    const double mu0 = value("mu0");
+    sphere = {mu0, (c_d * c_d - 2) / (2 * (c_d * c_d - 1)), value("rho0")};
+    half_space = {value("C11"), value("C33"), value("C13"), value("C55"), value("C66"), value("rho")};
+    scaled = {half_space.c11 / mu0,
+              half_space.c33 / mu0,
+              half_space.c13 / mu0,
+              half_space.c44 / mu0,
+              half_space.c66 / mu0,
+              std::sqrt(half_space.density / sphere.density),
+              c_d};
+  }
+
+  /// v_0, the sphere's shear wave speed.
+  [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
+
+  [[nodiscard]] fast::LineResponse on_normal_axis(double line_speed) const {
+    return in_contact(corrected_line_response(half_space, line_speed * speed_unit()),
+                      corrected_line_response(sphere, line_speed * speed_unit()));
+  }
+
+  [[nodiscard]] double in_plane_compliance(fast::Direction line, double line_speed) const {
+    return corrected_in_plane_compliance(half_space, line, line_speed * speed_unit()) +
+           corrected_line_response(sphere, line_speed * speed_unit()).compliance;
+  }
+};
+
+double key_of(const data::Table& table, std::size_t row) {
+  return table.cell(row, table.columns.front().name).number->value;
+}
+
+/// K(phi)/K(0) by the table's form of (43), and by the right one.
+class InPlaneSpans {
+ public:
+  explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
+
+  [[nodiscard]] double tabulated(double phi, double speed) const {
+    return ratio(phi, [&](fast::Direction line, double cosine) {
+      return in_plane_compliance_as_tabulated(bodies_.scaled, line, cosine, speed);
+    });
+  }
+  [[nodiscard]] double printed(double phi, double speed) const {
+    return ratio(phi, [&](fast::Direction line, double cosine) {
+      return in_plane_compliance_as_printed(bodies_.scaled, line, cosine, speed);
+    });
+  }
+  [[nodiscard]] double corrected(double phi, double speed) const {
+    return ratio(phi, [&](fast::Direction line, double cosine) {
+      return bodies_.in_plane_compliance(line, speed * cosine);
+    });
+  }
+
+  [[nodiscard]] double exact(double phi, double speed) const {
+    const fast::Direction motion = direction_of_degrees(theta_);
+    return exact_span_ratio(
+        [&](fast::Direction line) {
+          const double cosine = line.cosine * motion.cosine + line.sine * motion.sine;
+          return bodies_.in_plane_compliance(line, speed * cosine);
+        },
+        motion, direction_of_degrees(theta_ + phi));
+  }
+
+ private:
+  template <class Compliance>
+  [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
+    const double across = compliance(direction_of_degrees(theta_ + phi), direction_of_degrees(phi).cosine);
+    return across / compliance(direction_of_degrees(theta_), 1);
+  }
+
+  Bodies bodies_;
+  double theta_;
+};
+
+/// Where the table itself, by the symmetry of K, shows that a cell is wrong.
+std::string in_plane_proof(const data::Table& table, std::size_t row, const std::string& column) {
+  const double phi = key_of(table, row);
+  const data::TableCell& cell = table.cell(row, column);
+  const data::TableCell& opposite = table.cell(0, column);
+  if (phi == -90) {
+    return fmt::format(
+        "K depends on psi through sin^2, cos^2 and c_X only, and c_X = 0 at phi = +-90, so this must equal "
+        "the "
+        "{} of phi = 90 (one wrong K(-90) in all columns; the second term of M without its sin^2(psi) comes "
+        "within "
+        "3 units of it)",
+        opposite.printed);
+  }
+  if (phi == 90 && cell.number->rounding.lower > 1) {
+    return "L_90/L_X = K at rest/K_X < 1 because c_X = 0 at phi = 90, K is the same at 45 and 135 degrees, "
+           "and "
+           "K_X grows with speed: the column's K_X is too small";
+  }
+  return "";
+}
+
+/// The table's formula with the K_X that the column's first cell, phi = 90, was divided by.
+data::Interval with_the_columns_unit(const data::Table& table, const std::string& column, double tabulated,
+                                     double tabulated_at_90) {
+  const data::Interval& cell = table.cell(0, column).number->rounding;
+  const double factor = tabulated / tabulated_at_90;
+  return {cell.lower * factor, cell.upper * factor};
+}
+
+}  // namespace
+
+std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
+  const Bodies bodies(table);
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double friction = key_of(table, row);
+    for (const data::TableColumn& column : table.columns) {
+      if (column.is_key) continue;
+      const double speed = *column.coordinate;
+      const double corrected =
+          contour_span(bodies.on_normal_axis(0), 0) / contour_span(bodies.on_normal_axis(speed), friction);
+      const std::string error = fmt::format(
+          "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
+          "circle demands 1; and (25c) adds the couplings, which subtract",
+          sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
+      cells.push_back(
+          {row,
+           column.name,
+           corrected,
+           {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)), Verdict::seed_error,
+             "reproduced so"}},
+           error,
+           error,
+           exact_span_ratio(
+               [&](fast::Direction line) { return bodies.on_normal_axis(speed * line.cosine).compliance; },
+               {1, 0}, {0, 1})});
+    }
+  }
+  return cells;
+}
+
+std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
+  const Bodies bodies(table);
+  data::TransverselyIsotropicSolid with_printed_d1 = bodies.half_space;
+  with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const fast::Direction motion = direction_of_degrees(key_of(table, row));
+    const BranchSpeeds corrected = corrected_branch_speeds(bodies.half_space, motion);
+    const BranchSpeeds tabulated = corrected_branch_speeds(with_printed_d1, motion);
+    const double unit = bodies.speed_unit();
+    const std::string print =
+        fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
+                    bodies.scaled.c11, branch_radicand_as_printed(bodies.scaled, motion));
+    const auto cell = [&](const char* column, double right, double made, const std::string& how) {
+      return HalfSpaceCell{row, column, right / unit, {{only(made / unit), Verdict::match, how}}, ""};
+    };
+    cells.push_back(cell("c_56", corrected.c_56, corrected.c_56, ""));
+    cells.push_back(cell("c_plus", corrected.c_plus, tabulated.c_plus, print));
+    cells.push_back(cell("c_minus", corrected.c_minus, tabulated.c_minus, print));
+  }
+  return cells;
+}
+
+std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table) {
+  const InPlaneSpans spans(table);
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double phi = key_of(table, row);
+    if (phi == 0) continue;
+    for (const data::TableColumn& column : table.columns) {
+      if (column.is_key) continue;
+      const double speed = *column.coordinate;
+      const double tabulated = spans.tabulated(phi, speed);
+      HalfSpaceCell cell{
+          row,
+          column.name,
+          spans.corrected(phi, speed),
+          {{only(tabulated), Verdict::seed_error, "reproduced so"}},
+          fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
+                      "wrong too, {:.4f}",
+                      spans.printed(phi, speed)),
+          in_plane_proof(table, row, column.name),
+          spans.exact(phi, speed)};
+      if (std::fabs(phi) != 90) {
+        cell.attempts.push_back(
+            {with_the_columns_unit(table, column.name, tabulated, spans.tabulated(90, speed)),
+             Verdict::seed_error, "with the K_X by which the column's cell of phi = 90 was divided"});
+      }
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+}  // namespace nipref::verify
