@@ -112,7 +112,7 @@ Ellipse moved(const Ellipse& from, const Symmetric& change) {
   const double determinant =
       from.a * from.b * ((1 + change.e11 / 2) * (1 + change.e22 / 2) - change.e12 * change.e12 / 4);
   const double angle = std::atan2(2 * m12, m11 - m22) / 2;
-  return {a, std::fabs(determinant) / a, turned(from.major, Direction::of_angle(angle))};
+  return {a, std::min(a, std::fabs(determinant) / a), turned(from.major, Direction::of_angle(angle))};
 }
 
 double contraction(const Symmetric& a, const Symmetric& b) {
@@ -121,7 +121,7 @@ double contraction(const Symmetric& a, const Symmetric& b) {
 
 /// Newton with `nodes` nodes from `ellipse`, improved in place; the length of the first step.
 double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response, int nodes) {
-  constexpr int most_steps = 60;
+  constexpr int most_steps = 12;  // where too few nodes let it wander, the next level goes on
   Balance here = balance(ellipse, body, response, nodes);
   double first = 0;
   for (int count = 0; count < most_steps; ++count) {
@@ -136,7 +136,7 @@ double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& resp
       const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
       const Balance next = balance(there, body, response, nodes);
       const double rounding = 1e-13 * std::fabs(here.objective());
-      if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1e-6) {
+      if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
         ellipse = there;
         here = next;
         break;
@@ -169,16 +169,17 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
     throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
   Ellipse ellipse = first_guess(body, response);
-  double change = solve(ellipse, body, response, 32);
-  for (int nodes = 64; nodes <= 1 << 13; nodes *= 2) {
+  double change = std::numeric_limits<double>::infinity();
+  int nodes = 16;
+  while (!(change < rounding) && nodes < 1 << 13) {
+    nodes *= 2;
     change = solve(ellipse, body, response, nodes);
-    if (change < rounding) break;
   }
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;
   const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
   major_ = backwards ? Direction{-ellipse.major.cosine, -ellipse.major.sine} : ellipse.major;
-  sum_ = balance(ellipse, body, response, 64).sum();
+  sum_ = balance(ellipse, body, response, nodes).sum();
   relative_error_ = change + rounding;
 }
 

@@ -140,6 +140,7 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   check_positive("force", force);
   RollingSphere contact(solid, radius, speed);
   const auto [value, error] = contact.force_factor();
+  if (!(value > 0)) throw BadInput("speed", speed, "is so near the Rayleigh speed that the tractions pull");
   const double span = std::cbrt(force / value);
   contact.span_ = {span, span * error / value};
   contact.force_ = {force, 0};

@@ -60,7 +60,8 @@ class RollingSphere {
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span);
 
-/// The same that carries the force F3 > 0.
+/// The same that carries the force F3 > 0. Within 1e-4 of the Rayleigh speed the oscillating tractions may
+/// pull in sum (`rolling_sphere_for_span` gives F3 < 0): BadInput.
 RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
                                        double force);
 
