@@ -1,0 +1,228 @@
+#include "fast/elliptic_contact.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "data/bad_input.hpp"
+#include "fast/jacobi_amplitude.hpp"
+
+namespace nipref::fast {
+
+using data::BadInput;
+
+namespace {
+
+/// An ellipse; its matrix is L L^T with L = [major, across] diag(a, b).
+struct Ellipse {
+  double a, b;
+  Direction major;
+};
+
+/// A symmetric 2x2 matrix.
+struct Symmetric {
+  double e11, e12, e22;
+
+  [[nodiscard]] double norm() const { return std::sqrt(e11 * e11 + 2 * e12 * e12 + e22 * e22); }
+};
+
+/// In the frame of the ellipse scaled to a circle, where L^T n = w m with a unit vector m.
+struct Balance {
+  std::array<double, 5> sums;  ///< int K m1^(4-j) m2^j/w dpsi, j = 0 ... 4
+  Symmetric curvatures;        ///< L^T curvatures L
+
+  [[nodiscard]] double sum() const { return sums[0] + 2 * sums[2] + sums[4]; }  ///< int K/w dpsi
+  /// Concave in L L^T; stationary where int K n n/w^3 dpsi = curvatures.
+  [[nodiscard]] double objective() const { return -2 * sum() - curvatures.e11 - curvatures.e22; }
+  /// Its gradient.
+  [[nodiscard]] Symmetric gradient() const {
+    return {sums[0] + sums[2] - curvatures.e11, sums[1] + sums[3] - curvatures.e12,
+            sums[2] + sums[4] - curvatures.e22};
+  }
+};
+
+double checked_compliance(const SurfaceResponse& response, Direction psi) {
+  const double compliance = response(psi).compliance;
+  if (!(compliance > 0) || !std::isfinite(compliance))
+    throw BadInput("compliance", compliance, "must be positive and finite: is the speed subcritical?");
+  return compliance;
+}
+
+Direction turned(Direction from, Direction by) {
+  return {from.cosine * by.cosine - from.sine * by.sine, from.sine * by.cosine + from.cosine * by.sine};
+}
+
+Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
+  const auto [a, b, major] = ellipse;
+  const Direction across{-major.sine, major.cosine};
+  const double twist = (body.curvature_2 - body.curvature_1) * major.cosine * major.sine;
+  return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
+}
+
+/// The trapezoidal rule in u, psi - major = am(u, k) with k' = b/a: there w = a dn(u), and m = (cd, k' sd) is
+/// smooth however slender the ellipse. The nodes are taken up to half the quarter period and mirrored. nodes:
+/// a multiple of 4.
+Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response, int nodes) {
+  const double ratio = ellipse.b / ellipse.a;
+  const JacobiAmplitude jacobi(ratio);
+  const double step = 2 * jacobi.quarter_period() / nodes;
+  Balance result{{}, scaled_curvatures(ellipse, body)};
+  const auto add = [&](double cosine, double sine, double m1, double m2) {
+    const double compliance = checked_compliance(response, turned(ellipse.major, {cosine, sine}));
+    const std::array powers{m1 * m1 * m1 * m1, m1 * m1 * m1 * m2, m1 * m1 * m2 * m2, m1 * m2 * m2 * m2,
+                            m2 * m2 * m2 * m2};
+    for (std::size_t j = 0; j < powers.size(); ++j)
+      result.sums[j] += step / ellipse.a * compliance * powers[j];
+  };
+  // u and -u: the sine and m2 change sign.
+  const auto add_pair = [&](double cosine, double sine, double m1, double m2) {
+    add(cosine, sine, m1, m2);
+    add(cosine, -sine, m1, -m2);
+  };
+  add(1, 0, 1, 0);
+  add(0, 1, 0, 1);
+  const int quarter = nodes / 4;
+  for (int node = 1; node <= quarter; ++node) {
+    const auto [sn, cn, dn] = jacobi(step * node);
+    add_pair(cn, sn, cn / dn, ratio * sn / dn);
+    if (node < quarter) add_pair(ratio * sn / dn, cn / dn, sn, cn);  // at the quarter period less u
+  }
+  return result;
+}
+
+/// The change E of L -> L (1 + E/2) that Newton's method asks for.
+Symmetric newton_step(const Balance& at) {
+  const auto& q = at.sums;
+  Eigen::Matrix3d hessian;
+  hessian << q[0], 2 * q[1], q[2], q[1], 2 * q[2], q[3], q[2], 2 * q[3], q[4];
+  const auto [g11, g12, g22] = at.gradient();
+  const Eigen::Vector3d step = hessian.partialPivLu().solve(Eigen::Vector3d(g11, g12, g22)) / 1.5;
+  return {step[0], step[1], step[2]};
+}
+
+/// The ellipse of L (1 + E/2). The determinant gives the minor axis without cancellation.
+Ellipse moved(const Ellipse& from, const Symmetric& change) {
+  const double b11 = from.a * (1 + change.e11 / 2), b12 = from.a * change.e12 / 2;
+  const double b21 = from.b * change.e12 / 2, b22 = from.b * (1 + change.e22 / 2);
+  const double m11 = b11 * b11 + b12 * b12, m12 = b11 * b21 + b12 * b22, m22 = b21 * b21 + b22 * b22;
+  const double a = std::sqrt((m11 + m22) / 2 + std::hypot((m11 - m22) / 2, m12));
+  const double determinant =
+      from.a * from.b * ((1 + change.e11 / 2) * (1 + change.e22 / 2) - change.e12 * change.e12 / 4);
+  const double angle = std::atan2(2 * m12, m11 - m22) / 2;
+  return {a, std::min(a, std::fabs(determinant) / a), turned(from.major, Direction::of_angle(angle))};
+}
+
+double contraction(const Symmetric& a, const Symmetric& b) {
+  return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
+}
+
+/// Newton with `nodes` nodes from `ellipse`, improved in place; the length of the first step.
+double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response, int nodes) {
+  constexpr int most_steps = 12;  // where too few nodes let it wander, the next level goes on
+  Balance here = balance(ellipse, body, response, nodes);
+  double first = 0;
+  for (int count = 0; count < most_steps; ++count) {
+    const Symmetric step = newton_step(here);
+    const double length = step.norm(), slope = contraction(here.gradient(), step);
+    if (count == 0) first = length;
+    if (length < 1e-7) {  // quadratic convergence has done the rest
+      ellipse = moved(ellipse, step);
+      return first;
+    }
+    for (double part = std::min(1.0, 1 / length);; part /= 2) {
+      const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
+      const Balance next = balance(there, body, response, nodes);
+      const double rounding = 1e-13 * std::fabs(here.objective());
+      if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
+        ellipse = there;
+        here = next;
+        break;
+      }
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Aligned with the body; Hertz's axis ratio for an isotropic solid within a few per cent.
+Ellipse first_guess(const Indenter& body, const SurfaceResponse& response) {
+  const auto [small, large] = std::minmax(body.curvature_1, body.curvature_2);
+  const Direction major = body.curvature_1 <= body.curvature_2 ? Direction{1, 0} : Direction{0, 1};
+  Ellipse guess{1, std::pow(small / large, 0.62), major};
+  const Balance at = balance(guess, body, response, 32);
+  const double scale = std::cbrt(at.sum() / (at.curvatures.e11 + at.curvatures.e22));
+  return {guess.a * scale, guess.b * scale, major};
+}
+
+void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
+}
+
+}  // namespace
+
+EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter& body) {
+  body.check();
+  const double ratio = body.curvature_1 / body.curvature_2;
+  if (!(ratio >= 1e-10 && ratio <= 1e10))
+    throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  Ellipse ellipse = first_guess(body, response);
+  double change = std::numeric_limits<double>::infinity();
+  int nodes = 16;
+  while (!(change < rounding) && nodes < 1 << 13) {
+    nodes *= 2;
+    change = solve(ellipse, body, response, nodes);
+  }
+  major_length_ = ellipse.a;
+  minor_length_ = ellipse.b;
+  const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
+  major_ = backwards ? Direction{-ellipse.major.cosine, -ellipse.major.sine} : ellipse.major;
+  sum_ = balance(ellipse, body, response, nodes).sum();
+  relative_error_ = change + rounding;
+}
+
+Estimate EllipticContact::axis_ratio() const {
+  const double ratio = minor_length_ / major_length_;
+  return {ratio, 2 * ratio * relative_error_};
+}
+
+Estimate EllipticContact::orientation() const {
+  const double a = major_length_, b = minor_length_;
+  const double amplified = relative_error_ * a * b / ((a - b) * (a + b));
+  return {std::atan2(major_.sine, major_.cosine), std::min(amplified, std::numbers::pi / 2)};
+}
+
+double EllipticContact::radius_ratio(Direction psi) const {
+  const double ratio = minor_length_ / major_length_;
+  const double along = psi.cosine * major_.cosine + psi.sine * major_.sine;
+  const double across = psi.sine * major_.cosine - psi.cosine * major_.sine;
+  return ratio / std::hypot(ratio * along, across);
+}
+
+// The matrix of the ellipse times `scale`: int K n n/w^3 dpsi = scale^(-3/2) curvatures fixes the pressure.
+EllipticLoad EllipticContact::scaled(double scale) const {
+  const auto estimate = [&](double value) { return Estimate{value, 4 * value * relative_error_}; };
+  const double root = std::sqrt(scale);
+  return {estimate(root * major_length_), estimate(root * minor_length_), estimate(scale * sum_ / 2),
+          estimate(4 * std::numbers::pi / 3 * scale * root),
+          estimate(2 * root / (major_length_ * minor_length_))};
+}
+
+EllipticLoad EllipticContact::for_force(double force) const {
+  check_positive("force", force);
+  const double root = std::cbrt(force / (4 * std::numbers::pi / 3));
+  EllipticLoad load = scaled(root * root);
+  load.force = {force, 0};
+  return load;
+}
+
+EllipticLoad EllipticContact::for_approach(double approach) const {
+  check_positive("approach", approach);
+  EllipticLoad load = scaled(2 * approach / sum_);
+  load.approach = {approach, 0};
+  return load;
+}
+
+}  // namespace nipref::fast
