@@ -10,6 +10,7 @@
 #include <set>
 
 #include "data/closest_name.hpp"
+#include "data/scene_half_space.hpp"
 #include "data/scene_material.hpp"
 
 namespace nipref::data {
@@ -160,25 +161,37 @@ struct SystemCheck {
     check_rolling_line_loads(problem, origin);
     if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
   }
+  void operator()(const HalfSpaceProblem& problem) const {
+    check_half_space_problem(problem, origin);
+    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+  }
 };
 
-[[noreturn]] void refuse_wanted(const SceneOrigin& origin, std::string_view key, std::string_view value) {
+SceneKind kind_of(const Scene& scene) {
+  return std::holds_alternative<HalfSpaceProblem>(scene.system) ? SceneKind::half_space : SceneKind::nip;
+}
+
+[[noreturn]] void refuse_wanted(const Scene& scene, std::string_view key, std::string_view value) {
   std::vector<std::string_view> names;
-  for (const SceneResult& result : scene_results()) names.push_back(result.name);
-  origin.refuse(key, value,
-                fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
+  for (const SceneResult& result : scene_results()) {
+    if (result.is_of(kind_of(scene))) names.push_back(result.name);
+  }
+  scene.origin.refuse(key, value,
+                      fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
 }
 
 /// True if a profile is among what is wanted.
 bool check_wanted(const Scene& scene) {
-  if (scene.wanted.empty()) refuse_wanted(scene.origin, "wanted", "[]");
+  if (scene.wanted.empty()) refuse_wanted(scene, "wanted", "[]");
   bool profile_wanted = false;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
     const std::string& name = scene.wanted[i];
     const std::string key = fmt::format("wanted[{}]", i);
     const SceneResult* result = find_scene_result(name);
-    if (result == nullptr) refuse_wanted(scene.origin, key, name);
+    if (result == nullptr || !result->is_of(kind_of(scene))) refuse_wanted(scene, key, name);
+    if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
+      check_half_space_wanted(*on_half_space, name, key, scene.origin);
     if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
     profile_wanted = profile_wanted || result->is_profile;
   }

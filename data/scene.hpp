@@ -6,6 +6,8 @@
 
 #include "data/elastic_nip.hpp"
 #include "data/friction.hpp"
+#include "data/half_space_problem.hpp"
+#include "data/profile.hpp"
 #include "data/scene_origin.hpp"
 #include "data/scene_results.hpp"
 #include "data/viscoelastic_nip.hpp"
@@ -50,17 +52,6 @@ struct RollingLineLoads {
                             ///< method.approach_lengths
 };
 
-/// Where the profiles are wanted. Y counts from the line through the rollers' centres, to the entry side.
-struct EvenlySpaced {
-  /// 2 to 100000, from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
-  /// leading end, both included.
-  int points;
-};
-struct Positions {
-  std::vector<double> y;  ///< finite, unit of length, inside the contact or outside; at least one
-};
-using Profile = std::variant<EvenlySpaced, Positions>;
-
 /// An elastic sheet between two cylinders.
 struct ElasticNipProblem {
   ElasticNip nip;
@@ -89,7 +80,7 @@ struct Scene {
   std::vector<std::string> wanted;  ///< names out of scene_results(), at least one, none twice
   /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
   double accuracy = 1e-10;
-  std::variant<ElasticNipProblem, ViscoelasticNipProblem> system;
+  std::variant<ElasticNipProblem, ViscoelasticNipProblem, HalfSpaceProblem> system;
   SceneOrigin origin;
 
   /// Throws BadInput, naming the key and its place, unless every value is in its domain and whatever is

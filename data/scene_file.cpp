@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "data/bad_input.hpp"
+#include "data/scene_half_space.hpp"
 #include "data/scene_material.hpp"
 #include "data/scene_table.hpp"
 #include "data/table_index.hpp"
@@ -65,16 +66,6 @@ std::variant<ConvergedMethod, LineLoads> read_method(const SceneTable& method) {
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
-Profile read_profile(const SceneTable& profile, const SceneOrigin& origin) {
-  profile.allow({"points", "positions"});
-  if (profile.has("points") == profile.has("positions")) {
-    origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
-                  "must hold points or positions, one of the two");
-  }
-  if (profile.has("points")) return EvenlySpaced{profile.whole("points")};
-  return Positions{profile.numbers("positions")};
-}
-
 ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file),
                             .given = read_given(file, origin),
@@ -128,8 +119,10 @@ ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const S
 }
 
 /// A sheet that rolls is a viscoelastic one, if only by name.
-std::variant<ElasticNipProblem, ViscoelasticNipProblem> read_system(const SceneTable& file,
-                                                                    const SceneOrigin& origin) {
+decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& origin) {
+  if (file.has("half_space")) return read_half_space_problem(file, origin);
+  file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
+              "friction", "method", "profile"});
   const bool is_elastic = material_model(file.table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
   return read_elastic_nip(file, origin);
@@ -140,12 +133,9 @@ std::variant<ElasticNipProblem, ViscoelasticNipProblem> read_system(const SceneT
 Scene load_scene(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
   const SceneTable top = SceneTable::read(file, origin);
-  top.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
-             "friction", "method", "profile"});
-  Scene scene{.title = top.text("title"),
-              .wanted = top.texts("wanted"),
-              .system = read_system(top, origin),
-              .origin = {}};
+  auto system = read_system(top, origin);
+  Scene scene{
+      .title = top.text("title"), .wanted = top.texts("wanted"), .system = std::move(system), .origin = {}};
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
   scene.origin = std::move(origin);
   scene.check();

@@ -4,12 +4,19 @@
 
 namespace nipref::data {
 
+/// What a scene is about.
+enum class SceneKind { nip, half_space };
+
 /// Something that a scene can want.
 struct SceneResult {
   std::string_view name;
-  std::string_view unit;  ///< in the scene's own units: "length", "force/length", "stress" or "1"
+  std::string_view unit;  ///< in the scene's own units: "length", "force/length", "stress", "1" and so on
   std::string_view meaning;
-  bool is_profile;  ///< one number at each position along the sheet
+  bool is_profile;  ///< one number at each position along the sheet, or in each direction on the half-space
+  SceneKind kind = SceneKind::nip;
+  bool in_every_scene = false;
+
+  [[nodiscard]] bool is_of(SceneKind other) const { return in_every_scene || kind == other; }
 };
 
 /// All of them, the profiles last.

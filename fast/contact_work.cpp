@@ -11,6 +11,7 @@ ContactWork& ContactWork::operator+=(const ContactWork& other) {
   terms += other.terms;
   systems += other.systems;
   unknowns = std::max(unknowns, other.unknowns);
+  line_responses += other.line_responses;
   return *this;
 }
 

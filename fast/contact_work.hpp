@@ -8,9 +8,10 @@ namespace nipref::fast {
 struct ContactWork {
   /// Values taken of the kernels I1 .. I7, in this order. I2, a sign, is not counted.
   std::array<std::uint64_t, 7> kernel_evaluations{};
-  std::uint64_t terms = 0;    ///< series terms behind those values
-  std::uint64_t systems = 0;  ///< linear systems solved
-  int unknowns = 0;           ///< of the largest of them
+  std::uint64_t terms = 0;           ///< series terms behind those values
+  std::uint64_t systems = 0;         ///< linear systems solved
+  int unknowns = 0;                  ///< of the largest of them
+  std::uint64_t line_responses = 0;  ///< compliances and couplings of lines on half-spaces
 
   ContactWork& operator+=(const ContactWork& other);
 };

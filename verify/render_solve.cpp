@@ -32,12 +32,14 @@ ordered_json work_json(const fast::ContactWork& work) {
     json["kernel_evaluations"][fmt::format("I{}", k + 1)] = work.kernel_evaluations[k];
   }
   if (work.terms > 0) json["terms"] = work.terms;
-  json["unknowns"] = work.unknowns;
+  if (work.unknowns > 0) json["unknowns"] = work.unknowns;
   if (work.systems > 0) json["systems"] = work.systems;
+  if (work.line_responses > 0) json["line_responses"] = work.line_responses;
   return json;
 }
 
 std::string work_text(const fast::ContactWork& work) {
+  if (work.line_responses > 0) return fmt::format("the response of {} lines", work.line_responses);
   std::string text;
   for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k) {
     if (work.kernel_evaluations[k] == 0) continue;
@@ -51,7 +53,7 @@ std::string work_text(const fast::ContactWork& work) {
 template <class Number>
 void append_number(const typename SceneSolution<Number>::Result& result, std::string& text) {
   const Number& number = result.numbers.front();
-  fmt::format_to(std::back_inserter(text), "  {:<17} {:<22} error {:<8} {:<12}  {}\n", result.what->name,
+  fmt::format_to(std::back_inserter(text), "  {:<21} {:<22} error {:<8} {:<12}  {}\n", result.what->name,
                  value_text(number), error_text(number), result.what->unit, result.what->meaning);
 }
 
@@ -60,8 +62,9 @@ void append_profile(const typename SceneSolution<Number>::Result& result,
                     const std::vector<double>& positions, std::string& text) {
   fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
                  result.what->unit);
+  const char* where = result.what->kind == data::SceneKind::half_space ? "psi" : "Y";
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "    Y = {:<22} {:<22} error {}\n", positions[i],
+    fmt::format_to(std::back_inserter(text), "    {} = {:<22} {:<22} error {}\n", where, positions[i],
                    value_text(result.numbers[i]), error_text(result.numbers[i]));
   }
 }

@@ -4,6 +4,7 @@
 
 #include "verify/collect_results.hpp"
 #include "verify/refuse_given.hpp"
+#include "verify/solve_half_space.hpp"
 #include "verify/solve_methods.hpp"
 #include "verify/stopwatch.hpp"
 
@@ -31,23 +32,26 @@ struct SolveByMethod {
 };
 
 struct SolveSystem {
-  double accuracy;
+  const data::Scene& scene;
 
   Solved operator()(const data::ElasticNipProblem& problem) const {
-    return std::visit(SolveByMethod{problem, accuracy}, problem.method);
+    return naming_given(problem.given, SolveByMethod{problem, scene.accuracy}, problem.method);
   }
   Solved operator()(const data::ViscoelasticNipProblem& problem) const {
-    return std::visit(SolveRollingByMethod{problem, accuracy}, problem.method);
+    return naming_given(problem.given, SolveRollingByMethod{problem, scene.accuracy}, problem.method);
+  }
+  Solved operator()(const data::HalfSpaceProblem& problem) const { return solve_half_space(scene, problem); }
+
+ private:
+  template <class Solve, class Method>
+  Solved naming_given(const data::Given& given, const Solve& solve, const Method& method) const {
+    try {
+      return std::visit(solve, method);
+    } catch (const data::BadInput& error) {
+      refuse_given(scene, given, error);
+    }
   }
 };
-
-Solved solve_named(const data::Scene& scene, const data::Given& given) {
-  try {
-    return std::visit(SolveSystem{scene.accuracy}, scene.system);
-  } catch (const data::BadInput& error) {
-    refuse_given(scene, given, error);
-  }
-}
 
 }  // namespace
 
@@ -55,7 +59,7 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   SceneSolution<fast::Estimate> solution;
   const auto solve_system = [&](const auto& problem) {
-    solution = collect_results(scene, problem.profile, *solve_named(scene, problem.given));
+    solution = collect_results(scene, problem.profile, *SolveSystem{scene}(problem));
   };
   const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
   solution.seconds = seconds;

@@ -59,6 +59,10 @@ struct SolveSystem {
   SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem&) const {
     scene.origin.refuse("rolling", "(a table)", "must be left out: the reference solves elastic nips only");
   }
+  SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem&) const {
+    scene.origin.refuse("half_space", "(a table)",
+                        "must be left out: the reference solves elastic nips only");
+  }
 };
 
 }  // namespace

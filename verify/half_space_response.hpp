@@ -1,0 +1,28 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "data/scene.hpp"
+#include "fast/surface_response.hpp"
+
+namespace nipref::verify {
+
+/// What body and half-space of a scene answer together, by the angle from the motion, and how often it was
+/// asked.
+class HalfSpaceResponse {
+ public:
+  /// BadInput naming the scene's speed unless it is subcritical on every line.
+  HalfSpaceResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin);
+
+  [[nodiscard]] fast::LineResponse operator()(fast::Direction from_motion) const;
+  /// The smallest critical speed of this motion, unit of speed.
+  [[nodiscard]] double critical_speed() const;
+  [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
+
+ private:
+  const data::HalfSpaceProblem* problem_;
+  fast::SurfaceResponse half_space_, body_;
+  std::shared_ptr<std::uint64_t> evaluations_ = std::make_shared<std::uint64_t>(0);
+};
+
+}  // namespace nipref::verify
