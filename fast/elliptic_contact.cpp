@@ -195,6 +195,8 @@ Estimate EllipticContact::orientation() const {
 }
 
 double EllipticContact::radius_ratio(Direction psi) const {
+  const double length = std::hypot(psi.cosine, psi.sine);
+  if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("psi", length, "must be of unit length");
   const double ratio = minor_length_ / major_length_;
   const double along = psi.cosine * major_.cosine + psi.sine * major_.sine;
   const double across = psi.sine * major_.cosine - psi.cosine * major_.sine;

@@ -32,7 +32,7 @@ class EllipticContact {
   [[nodiscard]] Estimate orientation() const;
   /// The same to all its digits near 90 degrees.
   [[nodiscard]] Direction major_axis() const { return major_; }
-  /// Half-width over a along a direction through the centre: the radius of the ellipse there.
+  /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
   [[nodiscard]] double radius_ratio(Direction psi) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(

@@ -214,4 +214,5 @@ TEST_CASE("elliptic: bad input is one line that names it") {
   const EllipticContact contact(skew_line, {1, 1});
   CHECK_THROWS_AS(static_cast<void>(contact.for_force(0)), data::BadInput);
   CHECK_THROWS_AS(static_cast<void>(contact.for_approach(nan)), data::BadInput);
+  CHECK_THROWS_AS(static_cast<void>(contact.radius_ratio({nan, 1})), data::BadInput);
 }
