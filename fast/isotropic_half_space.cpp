@@ -1,0 +1,85 @@
+#include "fast/isotropic_half_space.hpp"
+
+#include <cmath>
+
+#include "data/bad_input.hpp"
+#include "fast/bisection.hpp"
+#include "fast/two_words_algebra.hpp"
+
+namespace nipref::fast {
+namespace {
+
+using internal::Two;
+
+constexpr Two kOne{1};
+
+/// Two words each: what cancels, and does so more and more towards the Rayleigh speed, keeps its digits.
+struct LineFunctions {
+  Two shear_decay;     ///< wS
+  Two pressure_decay;  ///< wD
+  Two rayleigh;        ///< R/X, finite at rest
+  Two coupling;        ///< (2 - X - 2 wS wD)/X, finite at rest
+};
+
+/// cD^-2 = (1 - 2 nu)/(2 - 2 nu)
+Two inverse_squared_pressure_speed(double poisson) {
+  return internal::two_sum(1, -2 * poisson) / internal::two_sum(2, -2 * poisson);
+}
+
+/// below_shear: 1 - X > 0.
+LineFunctions line_functions(Two X, Two below_shear, double poisson) {
+  const Two ratio = inverse_squared_pressure_speed(poisson);
+  const Two wS = sqrt(below_shear);
+  const Two wD = sqrt(kOne - ratio * X);
+  // (1 - wS wD)/X, rationalised
+  const Two defect = (kOne + ratio * below_shear) / (kOne + wS * wD);
+  return {wS, wD, Two{4} - X - 4 * defect, 2 * defect - kOne};
+}
+
+bool subcritical(double speed, double poisson) {
+  const Two X = internal::two_product(speed, speed);
+  const Two below_shear = kOne - X;
+  return below_shear.high > 0 && line_functions(X, below_shear, poisson).rayleigh.high > 0;
+}
+
+LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  solid.check();
+  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
+  if (!(std::fabs(from_motion.cosine) <= 1)) {
+    throw data::BadInput("cosine", from_motion.cosine, "must be the cosine of an angle");
+  }
+  const Two line_speed = internal::two_product(speed, from_motion.cosine);
+  const Two X = square(line_speed);
+  const Two below_shear = (kOne - line_speed) * (kOne + line_speed);
+  if (below_shear.high > 0) {
+    const LineFunctions functions = line_functions(X, below_shear, solid.poisson);
+    if (functions.rayleigh.high > 0) return functions;
+  }
+  throw data::BadInput("speed", speed, "must be below the Rayleigh speed along the line");
+}
+
+double quotient(Two numerator, Two denominator, double modulus) {
+  return rounded(numerator / (modulus * denominator));
+}
+
+}  // namespace
+
+LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  const LineFunctions line = line_functions(solid, speed, from_motion);
+  return {quotient(line.pressure_decay, line.rayleigh, solid.shear),
+          quotient(line.coupling, line.rayleigh, solid.shear)};
+}
+
+ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion) {
+  const LineFunctions line = line_functions(solid, speed, from_motion);
+  return {quotient(line.shear_decay, line.rayleigh, solid.shear),
+          quotient(kOne, line.shear_decay, solid.shear)};
+}
+
+double isotropic_rayleigh_speed(double poisson) {
+  data::IsotropicSolid{1, poisson, 1}.check();
+  return internal::last_that([&](double speed) { return subcritical(speed, poisson); }, 0, 1);
+}
+
+}  // namespace nipref::fast
