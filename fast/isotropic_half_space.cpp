@@ -33,7 +33,7 @@ LineFunctions line_functions(Two X, Two below_shear, double poisson) {
   const Two wD = sqrt(kOne - ratio * X);
   // (1 - wS wD)/X, rationalised
   const Two defect = (kOne + ratio * below_shear) / (kOne + wS * wD);
-  return {wS, wD, Two{4} - X - 4 * defect, 2 * defect - kOne};
+  return {wS, wD, Two{4} - X - 4 * defect, twice(defect) - kOne};
 }
 
 bool subcritical(double speed, double poisson) {
@@ -58,8 +58,9 @@ LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Di
   throw data::BadInput("speed", speed, "must be below the Rayleigh speed along the line");
 }
 
+/// All that cancels has done so: the quotient itself is taken in double.
 double quotient(Two numerator, Two denominator, double modulus) {
-  return rounded(numerator / (modulus * denominator));
+  return numerator.high / denominator.high / modulus;
 }
 
 }  // namespace

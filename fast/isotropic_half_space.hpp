@@ -9,7 +9,7 @@ namespace nipref::fast {
 //   speed         v/v_S >= 0, v_S = sqrt(shear/density) the speed of shear waves
 //   from_motion   direction of the line against that of the motion, psi - theta, a unit vector. The line sees
 //                 the speed c_X = speed |cos(psi - theta)|, which has to lie below the Rayleigh speed
-//   accuracy      one unit in the last place, from c_X = 0 to 1 - 1e-12 of the Rayleigh speed
+//   accuracy      two units in the last place, from c_X = 0 to 1 - 1e-12 of the Rayleigh speed
 //   bad input     a solid that fails its check(), nan, infinite, speed < 0, supercritical: data::BadInput
 
 /// Compliance and coupling to the shear along the line, 1/stress: with X = c_X^2, wS^2 = 1 - X, wD^2 = 1 -

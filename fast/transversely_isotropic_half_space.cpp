@@ -16,8 +16,8 @@ using internal::Two;
 using internal::two_product;
 
 void check_direction(const char* name, Direction direction) {
-  const double length = std::hypot(direction.cosine, direction.sine);
-  if (!(std::fabs(length - 1) < 1e-9)) {
+  const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
+  if (!(std::fabs(squared_length - 1) < 1e-9)) {
     throw data::BadInput(name, fmt::format("({}, {})", direction.cosine, direction.sine),
                          "must be a unit vector");
   }

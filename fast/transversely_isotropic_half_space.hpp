@@ -26,8 +26,8 @@ class TransverselyIsotropicHalfSpace {
   TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
   ~TransverselyIsotropicHalfSpace();
 
-  /// Compliance and coupling to the shear along the line; a unit in the last place, of the couplings that of
-  /// the compliance. Well under a microsecond. (brock2013 19, 25b; 43 and 44 corrected, coupling added)
+  /// Compliance and coupling to the shear along the line; two units in the last place each, to 1 - 1e-12 of
+  /// the critical speed; Well under a microsecond. (brock2013 19, 25b; 43 and 44 corrected, coupling added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
   /// S' of du3/dx = -S' tau' for the shear tau' across the line, in the direction psi + 90 degrees; 1/stress.

@@ -9,9 +9,10 @@ namespace {
 
 constexpr Two kOne{1};
 
+/// All that cancels has done so: the quotients themselves are taken in double.
 LineFunctions quotients(Two compliance, Two coupling, Two cross_coupling, Two rayleigh) {
-  return {rayleigh.high > 0, rounded(compliance / rayleigh), rounded(coupling / rayleigh),
-          rounded(cross_coupling / rayleigh)};
+  const double divisor = rayleigh.high;
+  return {divisor > 0, compliance.high / divisor, coupling.high / divisor, cross_coupling.high / divisor};
 }
 
 double power_of_two(double modulus) { return std::scalbn(1.0, std::ilogb(modulus)); }
@@ -91,7 +92,7 @@ LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
   const Two Pi_squared = B1_squared * B2_squared - e * cos2;
   if (!(Pi_squared.high > 0)) return {};
   const Two Pi = sqrt(Pi_squared);
-  const Two Sigma_squared = 2 * Pi + B1_squared + h;
+  const Two Sigma_squared = twice(Pi) + B1_squared + h;
   if (!(Sigma_squared.high > 0)) return {};
   const Two compliance = Pi * sqrt(Sigma_squared);
 

@@ -1,0 +1,365 @@
+// Half-spaces under loads that move steadily: multiprecision, Stroh's eigenvalue problem, limits, critical
+// speeds.
+#include <doctest/doctest.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "data/bad_input.hpp"
+#include "fast/isotropic_half_space.hpp"
+#include "fast/transversely_isotropic_half_space.hpp"
+
+using namespace nipref;
+using data::IsotropicSolid;
+using data::SymmetryAxis;
+using data::TransverselyIsotropicSolid;
+using fast::Direction;
+using fast::LineResponse;
+using fast::TransverselyIsotropicHalfSpace;
+
+namespace {
+
+using Real = boost::multiprecision::mpfr_float_100;
+
+constexpr double ulp = std::numeric_limits<double>::epsilon();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double degree = std::numbers::pi / 180;
+
+/// The formulas of the isotropic surface as they are written, mu = 1.
+struct IsotropicLine {
+  Real X, wS, wD, R;
+  IsotropicLine(double poisson, double speed, double cosine)
+      : X(pow(Real(speed) * cosine, 2)),
+        wS(sqrt(1 - X)),
+        wD(sqrt(1 - X * (1 - 2 * Real(poisson)) / (2 - 2 * Real(poisson)))),
+        R(4 * wS * wD - pow(2 - X, 2)) {}
+};
+
+double deviation(double value, const Real& exact) {
+  return static_cast<double>(abs(value / exact - 1)) / ulp;
+}
+
+const double unit_speed = std::sqrt(77.2e9 / 7860);
+
+/// Graphite epoxy, brock2013 sec. 4.
+constexpr TransverselyIsotropicSolid graphite_epoxy{13.9e9, 160.7e9, 6.44e9, 7.07e9, 3.5e9, 1688};
+
+/// lambda = mu: every modulus and Poisson's ratio are doubles.
+constexpr TransverselyIsotropicSolid isotropic{3, 3, 1, 1, 1, 1};
+
+TransverselyIsotropicSolid random_solid(std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto factor = [&](double octaves) { return std::exp2(octaves * (unit(generator) - 0.5)); };
+  TransverselyIsotropicSolid solid{};
+  solid.density = factor(2);
+  solid.c44 = factor(4);
+  solid.c66 = factor(4);
+  solid.c11 = solid.c66 * (1 + factor(4));
+  solid.c33 = solid.c11 * factor(5);
+  solid.c13 = (2 * unit(generator) - 1) * 0.99 * std::sqrt((solid.c11 - solid.c66) * solid.c33);
+  return solid;
+}
+
+Direction random_direction(std::mt19937_64& generator) {
+  return Direction::of_angle(std::uniform_real_distribution<double>(-4, 4)(generator));
+}
+
+/// Components of the stiffness with the axis of symmetry along x3 or x2.
+double stiffness(const TransverselyIsotropicSolid& solid, SymmetryAxis axis, int i, int j, int k, int l) {
+  const int symmetry = axis == SymmetryAxis::normal ? 2 : 1;
+  if (i == j && k == l) {
+    if (i == symmetry && k == symmetry) return solid.c33;
+    if (i == symmetry || k == symmetry) return solid.c13;
+    return i == k ? solid.c11 : solid.c11 - 2 * solid.c66;
+  }
+  if ((i == k && j == l) || (i == l && j == k)) {
+    return i == symmetry || j == symmetry ? solid.c44 : solid.c66;
+  }
+  return 0;
+}
+
+Eigen::Matrix3d contraction(const TransverselyIsotropicSolid& solid, SymmetryAxis axis,
+                            const Eigen::Vector3d& left, const Eigen::Vector3d& right) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) sum(i, k) += stiffness(solid, axis, i, j, k, l) * left(j) * right(l);
+  return sum;
+}
+
+struct StrohResponse {
+  double compliance, coupling, cross_coupling;
+  int decaying;  ///< fields that fade in depth
+};
+
+/// u ~ exp(iq(n.x + s x3)) with Im s > 0: displacements and tractions of the three such fields.
+StrohResponse stroh(const TransverselyIsotropicSolid& solid, SymmetryAxis axis, double line_speed,
+                    Direction psi) {
+  const Eigen::Vector3d n(psi.cosine, psi.sine, 0), m(0, 0, 1);
+  const Eigen::Matrix3d Q = contraction(solid, axis, n, n) -
+                            solid.density * line_speed * line_speed * Eigen::Matrix3d::Identity(),
+                        R = contraction(solid, axis, n, m), T = contraction(solid, axis, m, m);
+  Eigen::Matrix<double, 6, 6> companion = Eigen::Matrix<double, 6, 6>::Zero();
+  companion.topRightCorner<3, 3>().setIdentity();
+  companion.bottomLeftCorner<3, 3>() = -T.inverse() * Q;
+  companion.bottomRightCorner<3, 3>() = -T.inverse() * (R + R.transpose());
+  const Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>> eigen(companion);
+  std::array<int, 6> modes{0, 1, 2, 3, 4, 5};
+  std::sort(modes.begin(), modes.end(), [&](int left, int right) {
+    return eigen.eigenvalues()(left).imag() > eigen.eigenvalues()(right).imag();
+  });
+  // A third field that travels, polarised across the line, has no normal displacement.
+  Eigen::Matrix3cd displacement, traction;
+  int decaying = 0;
+  for (int kept = 0; kept < 3; ++kept) {
+    const int mode = modes[static_cast<std::size_t>(kept)];
+    const std::complex<double> s = eigen.eigenvalues()(mode);
+    if (s.imag() > 1e-7) ++decaying;
+    const Eigen::Vector3cd u = eigen.eigenvectors().col(mode).head<3>();
+    displacement.col(kept) = u;
+    traction.col(kept) = R.transpose().cast<std::complex<double>>() * u + s * (T * u);
+  }
+  const Eigen::Matrix3cd answer = displacement * traction.inverse();
+  const std::complex<double> to_x1 = answer(2, 0), to_x2 = answer(2, 1);
+  return {-answer(2, 2).imag(), -(psi.cosine * to_x1 + psi.sine * to_x2).real(),
+          -(psi.cosine * to_x2 - psi.sine * to_x1).real(), decaying};
+}
+
+bool near(double value, double expected, double scale, double tolerance) {
+  return std::fabs(value - expected) <= tolerance * std::fabs(scale);
+}
+
+void check_against_stroh(SymmetryAxis axis) {
+  std::mt19937_64 generator(7);
+  for (int sample = 0; sample < 60; ++sample) {
+    const TransverselyIsotropicSolid solid = random_solid(generator);
+    const Direction motion = random_direction(generator);
+    const double speed = std::sqrt(std::uniform_real_distribution<double>(0, 0.95)(generator)) *
+                         fast::critical_speed(solid, axis, motion).speed;
+    const TransverselyIsotropicHalfSpace surface(solid, axis, motion, speed);
+    for (int line = 0; line < 5; ++line) {
+      const Direction psi = random_direction(generator);
+      const double cosine = psi.cosine * motion.cosine + psi.sine * motion.sine;
+      const StrohResponse expected = stroh(solid, axis, speed * cosine, psi);
+      const LineResponse found = surface.along(psi);
+      INFO("sample ", sample, " line ", line);
+      CHECK(near(found.compliance, expected.compliance, expected.compliance, 1e-8));
+      CHECK(near(found.coupling, expected.coupling, expected.compliance, 1e-8));
+      CHECK(near(surface.cross_coupling(psi), expected.cross_coupling, expected.compliance, 1e-8));
+    }
+  }
+}
+
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const data::BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("isotropic half-space: two units in the last place from rest to the Rayleigh speed") {
+  double worst = 0;
+  for (const double poisson : {-0.9, -0.3, 0.0, 0.25, 0.29529, 1.0 / 3, 0.45, 0.4999}) {
+    const double limit = fast::isotropic_rayleigh_speed(poisson);
+    for (const double part : {1e-8, 1e-4, 0.01, 0.3, 0.7, 0.9, 0.999, 1 - 1e-6, 1 - 1e-10}) {
+      for (const double cosine : {1.0, -0.8, 0.1, 1e-5}) {
+        const IsotropicSolid solid{1, poisson, 1};
+        const Direction psi{cosine, std::sqrt(1 - cosine * cosine)};
+        const double speed = part * limit;
+        const IsotropicLine line(poisson, speed, cosine);
+        const LineResponse normal = fast::isotropic_response(solid, speed, psi);
+        const fast::ShearResponse shear = fast::isotropic_shear_response(solid, speed, psi);
+        for (const double error :
+             {deviation(normal.compliance, line.X * line.wD / line.R),
+              deviation(normal.coupling, (2 - line.X - 2 * line.wS * line.wD) / line.R),
+              deviation(shear.in_line, line.X * line.wS / line.R), deviation(shear.across, 1 / line.wS)}) {
+          worst = std::max(worst, error);
+        }
+      }
+    }
+  }
+  CHECK(worst <= 2);
+}
+
+TEST_CASE("isotropic half-space: at rest, across the motion, and in the unit of the modulus") {
+  for (const Direction psi : {Direction{1, 0}, Direction{0, 1}}) {
+    const double speed = psi.cosine == 0 ? 0.5 : 0;
+    const LineResponse normal = fast::isotropic_response({8, 0.25, 3}, speed, psi);
+    CHECK(normal.compliance == 0.75 / 8);
+    CHECK(normal.coupling == 0.25 / 8);
+    const fast::ShearResponse shear = fast::isotropic_shear_response({8, 0.25, 3}, speed, psi);
+    CHECK(shear.in_line == 0.75 / 8);
+    CHECK(shear.across == 1.0 / 8);
+  }
+}
+
+TEST_CASE("isotropic Rayleigh speed: the function changes its sign within a double of it") {
+  for (const double poisson : {-0.99, -0.5, 0.0, 0.25, 0.4, 0.499999}) {
+    const double speed = fast::isotropic_rayleigh_speed(poisson);
+    CHECK(IsotropicLine(poisson, speed, 1).R > 0);
+    CHECK(IsotropicLine(poisson, std::nextafter(speed, 1), 1).R <= 0);
+  }
+}
+
+TEST_CASE("transversely isotropic half-space: isotropic moduli answer isotropically, on every line") {
+  for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
+    for (const double speed : {0.0, 1e-6, 0.3, 0.6, 0.9}) {
+      const Direction motion{1, 0};
+      const TransverselyIsotropicHalfSpace surface(isotropic, axis, motion, speed);
+      for (const Direction psi : {Direction{1, 0}, Direction{0.8, 0.6}, Direction{-0.28, 0.96},
+                                  Direction{0, 1}, Direction::of_angle(0.1), Direction::of_angle(2)}) {
+        const LineResponse expected = fast::isotropic_response({1, 0.25, 1}, speed, psi);
+        const LineResponse found = surface.along(psi);
+        CHECK(near(found.compliance, expected.compliance, expected.compliance, 10 * ulp));
+        CHECK(near(found.coupling, expected.coupling, expected.compliance, 10 * ulp));
+        CHECK(near(surface.cross_coupling(psi), 0, expected.compliance, 10 * ulp));
+      }
+    }
+  }
+}
+
+TEST_CASE("transversely isotropic half-space, normal axis: Stroh's eigenvalue problem") {
+  check_against_stroh(SymmetryAxis::normal);
+}
+
+TEST_CASE("transversely isotropic half-space, axis in the surface: Stroh's eigenvalue problem") {
+  check_against_stroh(SymmetryAxis::in_plane);
+}
+
+TEST_CASE("transversely isotropic half-space: smooth where A6 = 0 and M with it") {
+  // A6 = c44 sin^2 - density speed^2 cos^2 is zero, but for roundings
+  const TransverselyIsotropicSolid solid{32, 350, 14, 16, 8, 1};
+  const Direction psi{12.0 / 13, 5.0 / 13}, motion{1, 0};
+  const double speed = 4 * psi.sine / psi.cosine;
+  const auto response = [&](double at) {
+    return TransverselyIsotropicHalfSpace(solid, SymmetryAxis::in_plane, motion, at).along(psi);
+  };
+  const LineResponse here = response(speed);
+  for (const double step : {1e-15, 1e-12, 1e-9, 1e-6}) {
+    const LineResponse below = response(speed * (1 - step)), above = response(speed * (1 + step));
+    CHECK(near((below.compliance + above.compliance) / 2, here.compliance, here.compliance,
+               2 * ulp + 10 * step * step));
+    CHECK(near((below.coupling + above.coupling) / 2, here.coupling, here.compliance,
+               2 * ulp + 10 * step * step));
+    CHECK(near(below.compliance, above.compliance, here.compliance, 4 * ulp + 10 * step));
+  }
+}
+
+TEST_CASE("critical speed: graphite epoxy against steel's unit of speed") {
+  struct Row {
+    double theta, speed, psi;
+  };
+  for (const auto& [theta, speed, psi] :
+       {Row{0, 0.428350, 0}, Row{30, 0.4588, 15.28}, Row{45, 0.4989960517, 24.559}, Row{60, 0.5545, 37.38},
+        Row{90, 0.64540, 90}}) {
+    const fast::CriticalSpeed critical =
+        fast::critical_speed(graphite_epoxy, SymmetryAxis::in_plane, Direction::of_angle(theta * degree));
+    CHECK(critical.speed / unit_speed == doctest::Approx(speed).epsilon(2e-4));
+    CHECK(critical.psi / degree == doctest::Approx(psi).epsilon(1e-3));
+  }
+  CHECK(fast::critical_speed(graphite_epoxy, SymmetryAxis::normal, {0, 1}).speed / unit_speed ==
+        doctest::Approx(0.63882964015).epsilon(1e-10));
+  CHECK(fast::critical_speed(graphite_epoxy, SymmetryAxis::in_plane, Direction::of_angle(45 * degree)).speed /
+            unit_speed ==
+        doctest::Approx(0.4989960517).epsilon(1e-9));
+}
+
+TEST_CASE("critical speed: there the first line meets a Rayleigh wave or a bulk wave, no line before") {
+  std::mt19937_64 generator(11);
+  for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
+    const int fields = axis == SymmetryAxis::normal ? 2 : 3;  // of those with normal displacement
+    for (int sample = 0; sample < 20; ++sample) {
+      const TransverselyIsotropicSolid solid = random_solid(generator);
+      const Direction motion = random_direction(generator);
+      const auto [speed, angle] = fast::critical_speed(solid, axis, motion);
+      const Direction psi = Direction::of_angle(angle);
+      const double line_speed = speed * (psi.cosine * motion.cosine + psi.sine * motion.sine);
+      const StrohResponse below = stroh(solid, axis, line_speed * (1 - 1e-6), psi),
+                          above = stroh(solid, axis, line_speed * (1 + 1e-6), psi);
+      CHECK((below.decaying >= fields && below.compliance > 0));
+      CHECK((above.decaying < fields || above.compliance < 0));
+
+      const TransverselyIsotropicHalfSpace surface(solid, axis, motion, (1 - 1e-9) * speed);
+      for (int line = 0; line < 20; ++line) {
+        const Direction other = random_direction(generator);
+        CHECK(fast::rayleigh_speed(solid, axis, motion, other) >= speed * (1 - 4 * ulp));
+        const LineResponse response = surface.along(other);
+        CHECK(response.compliance > 0);
+        CHECK(std::isfinite(response.compliance));
+        CHECK(std::isfinite(response.coupling));
+      }
+    }
+  }
+}
+
+TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and beyond the critical speed") {
+  for (const double theta : {0.0, 30.0, 45.0, 70.0, 90.0, 135.0}) {
+    const Direction motion = Direction::of_angle(theta * degree);
+    const Eigen::Vector3d n(motion.cosine, motion.sine, 0);
+    Eigen::Vector3d squared = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(
+                                  contraction(graphite_epoxy, SymmetryAxis::in_plane, n, n))
+                                  .eigenvalues() /
+                              graphite_epoxy.density;
+    std::vector<double> speeds;
+    for (const auto wave : {fast::BranchWave::transverse, fast::BranchWave::quasi_transverse,
+                            fast::BranchWave::quasi_longitudinal}) {
+      speeds.push_back(fast::branch_speed(wave, graphite_epoxy, motion));
+      CHECK(speeds.back() >= fast::critical_speed(graphite_epoxy, SymmetryAxis::in_plane, motion).speed);
+    }
+    for (int i = 0; i < 3; ++i) {
+      CHECK(speeds[static_cast<std::size_t>(i)] == doctest::Approx(std::sqrt(squared(i))).epsilon(1e-12));
+    }
+  }
+  CHECK(fast::branch_speed(fast::BranchWave::transverse, graphite_epoxy, Direction::of_angle(45 * degree)) /
+            unit_speed ==
+        doctest::Approx(0.56459743).epsilon(1e-7));
+}
+
+TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
+  const auto isotropic_at = [](double poisson, double speed, double cosine) {
+    return refusal([=] { static_cast<void>(fast::isotropic_response({1, poisson, 1}, speed, {cosine, 0})); });
+  };
+  CHECK(isotropic_at(0.5, 0.1, 1).starts_with("poisson = "));
+  CHECK(isotropic_at(0.3, not_a_number, 1).starts_with("speed = nan"));
+  CHECK(isotropic_at(0.3, -0.1, 1).starts_with("speed = "));
+  CHECK(isotropic_at(0.3, 0.95, 1).starts_with("speed = "));
+  CHECK(isotropic_at(0.3, 1.5, 1).starts_with("speed = "));
+  CHECK(isotropic_at(0.3, 0.95, 0.5).empty());
+  CHECK(isotropic_at(0.3, 0.1, not_a_number).starts_with("cosine = nan"));
+  CHECK_THROWS_AS(fast::isotropic_rayleigh_speed(not_a_number), data::BadInput);
+
+  const Direction motion = Direction::of_angle(45 * degree);
+  const auto surface = [&](const TransverselyIsotropicSolid& solid, Direction along, double speed) {
+    return refusal(
+        [&] { TransverselyIsotropicHalfSpace(solid, SymmetryAxis::in_plane, along, speed * unit_speed); });
+  };
+  CHECK(surface(graphite_epoxy, motion, 0.498).empty());
+  const std::string critical = surface(graphite_epoxy, motion, 0.5);
+  CHECK(critical.starts_with("speed = "));
+  CHECK(critical.find("1563.8478") != std::string::npos);
+  CHECK(critical.find("psi = 24.5589 degrees") != std::string::npos);
+  CHECK(critical.find('\n') == std::string::npos);
+  CHECK(surface(graphite_epoxy, motion, not_a_number).starts_with("speed = nan"));
+  CHECK(surface(graphite_epoxy, motion, -1).starts_with("speed = "));
+  CHECK(surface(graphite_epoxy, {1, 1}, 0.1).starts_with("motion = (1, 1)"));
+  CHECK(surface(graphite_epoxy, {not_a_number, 1}, 0.1).starts_with("motion = "));
+  TransverselyIsotropicSolid soft = graphite_epoxy;
+  soft.c13 = 1e12;
+  CHECK(surface(soft, motion, 0.1).starts_with("c13 = "));
+  const TransverselyIsotropicHalfSpace good(graphite_epoxy, SymmetryAxis::normal, motion, 0.1 * unit_speed);
+  CHECK(refusal([&] { static_cast<void>(good.along({not_a_number, 0})); }).starts_with("psi = "));
+}
