@@ -1,7 +1,7 @@
 #include "ref/impedance.hpp"
 
 #include "ref/barnett_lothe.hpp"
-#include "ref/multiprecision.hpp"
+#include "ref/interval_float.hpp"
 
 namespace nipref::ref {
 namespace {
@@ -10,28 +10,6 @@ using Index = Eigen::Index;
 using Complex = ComplexMatrix<Matrix>;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
-
-Float middle(const Interval& x) {
-  Real value(x.precision());
-  mpfi_mid(value.get(), x.get());
-  return to_float(value);
-}
-
-Interval point(const Float& x, mpfr_prec_t precision) {
-  const Real value = to_real(x);
-  return {value, value, precision};
-}
-
-Complex middle(const IntervalMatrix& x) {
-  Complex result{Matrix(3, 3), Matrix(3, 3)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      result.re(index(i), index(k)) = middle(x(i, k).re);
-      result.im(index(i), index(k)) = middle(x(i, k).im);
-    }
-  }
-  return result;
-}
 
 IntervalMatrix points(const Complex& x, mpfr_prec_t precision) {
   return {[&](std::size_t i, std::size_t k) {
@@ -108,7 +86,7 @@ std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const In
 
 std::optional<IntervalMatrix> surface_impedance(const AcousticMatrices& matrices) {
   const mpfr_prec_t precision = matrices.q.precision();
-  const WorkingDigits working(static_cast<int>(static_cast<double>(precision) * 0.30103) + 1);
+  const WorkingDigits working(digits_of(precision));
   // As near to the limiting speed as Im s = 2^(-precision/4).
   const int most_doublings = static_cast<int>(precision / 4) + 16;
   const Float small = ldexp(Float(1), -static_cast<int>(precision / 2));

@@ -1,5 +1,6 @@
 #include "ref/surface_response.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -51,7 +52,7 @@ bool are_narrow(const Components& components, int digits) {
     mpfi_diam_abs(width.get(), component.get());
     mpfr_max(widest.get(), widest.get(), width.get(), MPFR_RNDU);
   }
-  for (const std::size_t diagonal : {0, 5, 6}) {
+  for (const std::size_t diagonal : {0UL, 5UL, 6UL}) {
     mpfi_mig(magnitude.get(), components[diagonal].get());
     mpfr_max(largest.get(), largest.get(), magnitude.get(), MPFR_RNDD);
   }
