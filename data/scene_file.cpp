@@ -133,9 +133,8 @@ decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& o
 Scene load_scene(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
   const SceneTable top = SceneTable::read(file, origin);
-  auto system = read_system(top, origin);
   Scene scene{
-      .title = top.text("title"), .wanted = top.texts("wanted"), .system = std::move(system), .origin = {}};
+      .title = top.text("title"), .wanted = top.texts("wanted"), .system = read_system(top, origin), .origin = {}};
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
   scene.origin = std::move(origin);
   scene.check();

@@ -41,7 +41,9 @@ TEST_CASE("every scene in data/scenes is solved, and gives all that it wants wit
     const data::Scene scene = data::load_scene(entry.path());
     const auto solution = verify::solve(scene);
     ++scenes;
-    CHECK(solution.work.systems > 0);
+    // Only rolling spheres are closed forms all through.
+    const bool counted = solution.work.systems > 0 || solution.work.line_responses > 0;
+    CHECK(counted == (entry.path().stem() != "half-space-rolling-sphere"));
     REQUIRE(solution.results.size() == scene.wanted.size());
     for (const auto& result : solution.results) {
       CAPTURE(std::string(result.what->name));
@@ -53,5 +55,5 @@ TEST_CASE("every scene in data/scenes is solved, and gives all that it wants wit
       }
     }
   }
-  CHECK(scenes >= 8);
+  CHECK(scenes >= 22);
 }

@@ -36,7 +36,9 @@ data::ElasticNipProblem& problem_of(data::Scene& scene) {
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
-  for (const data::SceneResult& result : data::scene_results()) names.emplace_back(result.name);
+  for (const data::SceneResult& result : data::scene_results()) {
+    if (result.is_of(data::SceneKind::nip)) names.emplace_back(result.name);
+  }
   return names;
 }
 

@@ -36,7 +36,9 @@ data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<s
 
 std::vector<std::string> all_names() {
   std::vector<std::string> names;
-  for (const data::SceneResult& result : data::scene_results()) names.emplace_back(result.name);
+  for (const data::SceneResult& result : data::scene_results()) {
+    if (result.is_of(data::SceneKind::nip)) names.emplace_back(result.name);
+  }
   return names;
 }
 

@@ -38,8 +38,11 @@ ordered_json work_json(const fast::ContactWork& work) {
   return json;
 }
 
+bool is_empty(const fast::ContactWork& work) { return work.unknowns == 0; }
+
 std::string work_text(const fast::ContactWork& work) {
   if (work.line_responses > 0) return fmt::format("the response of {} lines", work.line_responses);
+  if (is_empty(work)) return "closed forms";
   std::string text;
   for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k) {
     if (work.kernel_evaluations[k] == 0) continue;
@@ -68,8 +71,6 @@ void append_profile(const typename SceneSolution<Number>::Result& result,
                    value_text(result.numbers[i]), error_text(result.numbers[i]));
   }
 }
-
-bool is_empty(const fast::ContactWork& work) { return work.unknowns == 0; }
 
 }  // namespace
 

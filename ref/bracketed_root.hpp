@@ -1,0 +1,35 @@
+#pragma once
+
+namespace nipref::ref {
+
+/// A root of f between `positive` and `negative`, where f has these signs, by the Illinois form of false
+/// position; ends when a step is below `tolerance`.
+template <class Scalar, class Function>
+Scalar bracketed_root(const Function& f, Scalar positive, Scalar negative, const Scalar& tolerance) {
+  constexpr int most_steps = 200;
+  Scalar above = f(positive);
+  Scalar below = f(negative);
+  Scalar last = positive;
+  int side = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    const Scalar x = (positive * below - negative * above) / (below - above);
+    const Scalar change = x - last;
+    if (change < tolerance && -change < tolerance) return x;
+    last = x;
+    const Scalar value = f(x);
+    if (value > 0) {
+      positive = x;
+      above = value;
+      if (side > 0) below /= 2;
+      side = 1;
+    } else {
+      negative = x;
+      below = value;
+      if (side < 0) above /= 2;
+      side = -1;
+    }
+  }
+  return last;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,56 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "ref/interval.hpp"
+
+namespace nipref::ref {
+
+struct ComplexInterval {
+  Interval re, im;
+};
+
+ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval conj(const ComplexInterval& x);
+
+/// A complex 3x3 matrix of intervals; every operation encloses.
+class IntervalMatrix {
+ public:
+  IntervalMatrix(const std::function<ComplexInterval(std::size_t row, std::size_t column)>& entry);
+
+  /// Real entries.
+  static IntervalMatrix real(const std::function<Interval(std::size_t row, std::size_t column)>& entry);
+
+  [[nodiscard]] const ComplexInterval& operator()(std::size_t row, std::size_t column) const {
+    return entries_[3 * row + column];
+  }
+  [[nodiscard]] mpfr_prec_t precision() const { return entries_[0].re.precision(); }
+
+  [[nodiscard]] IntervalMatrix adjoint() const;
+
+ private:
+  std::vector<ComplexInterval> entries_;
+};
+
+IntervalMatrix operator+(const IntervalMatrix& x, const IntervalMatrix& y);
+IntervalMatrix operator-(const IntervalMatrix& x, const IntervalMatrix& y);
+IntervalMatrix operator*(const IntervalMatrix& x, const IntervalMatrix& y);
+
+/// i x.
+IntervalMatrix times_i(const IntervalMatrix& x);
+
+/// Determinant and inverse of Hermitian matrices.
+Interval hermitian_determinant(const IntervalMatrix& x);
+IntervalMatrix hermitian_inverse(const IntervalMatrix& x);
+
+/// Whether every Hermitian matrix within x is positive definite; false where that is not proven.
+bool is_positive_definite(const IntervalMatrix& x);
+
+/// Upper bound of the row-sum norm, which for Hermitian matrices bounds the spectral norm. As [bound, bound].
+Interval norm_bound(const IntervalMatrix& x);
+
+}  // namespace nipref::ref
