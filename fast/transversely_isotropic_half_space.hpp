@@ -8,10 +8,9 @@ namespace nipref::fast {
 
 // The surface of a transversely isotropic half-space under loads that move steadily.
 //
-//   solid         any with positive strain energy (its check()), also where the exponents in depth are
-//   complex axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it lies in the
-//   surface and
-//                 is the direction of 90 degrees
+//   solid         any with positive strain energy (its check())
+//   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
+//                 90 degrees in the surface
 //   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
 //   speed         unit of sqrt(modulus/density)
 //   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a speed
@@ -26,8 +25,9 @@ class TransverselyIsotropicHalfSpace {
   TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
   ~TransverselyIsotropicHalfSpace();
 
-  /// Compliance and coupling to the shear along the line; two units in the last place each, to 1 - 1e-12 of
-  /// the critical speed; Well under a microsecond. (brock2013 19, 25b; 43 and 44 corrected, coupling added)
+  /// Compliance and coupling to the shear along the line; each to two units in the last place, up to 1 -
+  /// 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
+  /// coupling added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
   /// S' of du3/dx = -S' tau' for the shear tau' across the line, in the direction psi + 90 degrees; 1/stress.
