@@ -48,4 +48,9 @@ ExactStiffness exact_stiffness(const data::TransverselyIsotropicSolid& solid, da
                   axis == data::SymmetryAxis::normal ? 2 : 1);
 }
 
+ExactStiffness sagittal_stiffness(const data::TransverselyIsotropicSolid& solid) {
+  solid.check();
+  return assemble({solid.c11, solid.c33, solid.c13, solid.c44, solid.c11, solid.density}, 2);
+}
+
 }  // namespace nipref::ref

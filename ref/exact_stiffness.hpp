@@ -19,4 +19,10 @@ ExactStiffness exact_stiffness(const data::Stiffness& solid);
 ExactStiffness exact_stiffness(const data::IsotropicSolid& solid);
 ExactStiffness exact_stiffness(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
+/// For axis `normal`: a solid that moves in the sagittal plane of every line exactly as this one, but with
+/// c66 (and c12 with it) raised to c11. Sagittal motion does not see c66, while its horizontally polarised
+/// waves would set the limiting speed where c66 < c44, although they have no part in the normal response. Of
+/// the response `across` is not the solid's; the strain energy may be indefinite. (brock2013 sec. 3)
+ExactStiffness sagittal_stiffness(const data::TransverselyIsotropicSolid& solid);
+
 }  // namespace nipref::ref

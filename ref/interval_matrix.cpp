@@ -28,17 +28,6 @@ void add_magnitude(Real& sum, const Interval& x) {
 
 }  // namespace
 
-ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re + y.re, x.im + y.im};
-}
-ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re - y.re, x.im - y.im};
-}
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
-}
-ComplexInterval conj(const ComplexInterval& x) { return {x.re, -x.im}; }
-
 IntervalMatrix::IntervalMatrix(
     const std::function<ComplexInterval(std::size_t row, std::size_t column)>& entry) {
   entries_.reserve(9);

@@ -4,18 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "ref/interval.hpp"
+#include "ref/complex_interval.hpp"
 
 namespace nipref::ref {
-
-struct ComplexInterval {
-  Interval re, im;
-};
-
-ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval conj(const ComplexInterval& x);
 
 /// A complex 3x3 matrix of intervals; every operation encloses.
 class IntervalMatrix {

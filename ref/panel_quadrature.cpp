@@ -32,19 +32,15 @@ ComplexInterval one_panel(const ComplexInterval& minus_y, mpfr_prec_t bits) {
   ComplexInterval sum{Interval(1L, bits), Interval(0L, bits)};
   for (long n = last; n >= 1; --n) {
     sum = sum * minus_y;
-    sum.real = sum.real / (n + 1) + 1;
-    sum.imag = sum.imag / (n + 1);
+    sum.re = sum.re / (n + 1) + 1;
+    sum.im = sum.im / (n + 1);
   }
   Interval remainder(1L, bits);
   mpfi_div_2ui(remainder.get(), remainder.get(), static_cast<unsigned long>(bits));
-  return {sum.real.widened(remainder), sum.imag.widened(remainder)};
+  return {sum.re.widened(remainder), sum.im.widened(remainder)};
 }
 
 }  // namespace
-
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real};
-}
 
 ComplexInterval wave(const mpq_class& decay, const mpq_class& angle, mpfr_prec_t bits) {
   const auto extra = static_cast<mpfr_prec_t>(std::max(bits_above(decay), bits_above(angle)));
@@ -69,11 +65,11 @@ ComplexInterval damped_wave_integral(const mpq_class& rate, const mpq_class& fre
   ComplexInterval sum = one_panel(minus_y, precision);
   for (unsigned long left = doublings; left >= 1; --left) {
     ComplexInterval q = wave(halved(decay, left), halved(angle, left), precision);
-    q.real = q.real + 1;
+    q.re = q.re + 1;
     sum = sum * q;
   }
   const Interval panel = rational(halved(length, doublings), precision);
-  return {sum.real * panel, sum.imag * panel};
+  return {sum.re * panel, sum.im * panel};
 }
 
 }  // namespace nipref::ref

@@ -15,7 +15,7 @@ namespace {
 
 constexpr mpfr_prec_t spare_bits = 48;
 /// How often the precision is doubled for speeds near the limiting one.
-constexpr int most_doublings = 5;
+constexpr int most_doublings = 2;
 
 using Components = std::vector<Interval>;
 

@@ -90,6 +90,7 @@ Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& mo
 std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                                             const SurfaceDirection& psi, int digits) {
   check_digits(digits);
+  oblique_cosine(motion, psi, 4 * digits);
   if (!surface_wave_inertia(solid, psi, 24)) return std::nullopt;
   return enclose(digits, 0, [&](double nats) {
     const Interval inertia = surface_wave_inertia(solid, psi, bits_of(nats)).value();

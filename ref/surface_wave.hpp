@@ -13,7 +13,8 @@ namespace nipref::ref {
 
 /// The limiting speed: the smallest at which a root s of Stroh's sextic is real, density v^2 cos^2(psi -
 /// theta) = min over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Proven on both
-/// sides: a quotient of Rayleigh above, an impedance that exists (see impedance.hpp) below.
+/// sides: a quotient of Rayleigh above, an impedance that exists (see impedance.hpp) below. Horizontally
+/// polarised waves count, even where they have no part in the normal response; see sagittal_stiffness.
 Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                          const SurfaceDirection& psi, int digits);
 

@@ -35,16 +35,15 @@ std::string text_of(const Argument& argument, const Quantity& quantity, const As
   if (given.size() == 1) return given.front();
   if (argument.default_text) return *argument.default_text;
   throw BadInput(argument.name, "(missing)",
-                 fmt::format("{} needs it: must be {}", quantity.name, domain(argument.kind)));
+                 fmt::format("{} needs it: must be {}", quantity.name, domain(argument)));
 }
 
-/// A solid's name stands for its number.
+/// The name of a choice stands for its number.
 ref::Exact parse(const Argument& argument, const std::string& text) {
-  if (argument.kind != ArgumentKind::solid) return ref::Exact::parse(text, argument.name);
-  const auto* found = std::ranges::find(solid_names, text);
-  if (found == solid_names.end())
-    throw BadInput(argument.name, text, "must be " + std::string(domain(argument.kind)));
-  return ref::Exact(static_cast<double>(found - solid_names.begin()));
+  if (argument.kind != ArgumentKind::choice) return ref::Exact::parse(text, argument.name);
+  const auto* found = std::ranges::find(argument.choices, text);
+  if (found == argument.choices.end()) throw BadInput(argument.name, text, "must be " + domain(argument));
+  return ref::Exact(static_cast<double>(found - argument.choices.begin()));
 }
 
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
@@ -61,8 +60,8 @@ Point ParsedArguments::nearest(const Quantity& quantity) const {
   Point point;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const Argument& argument = quantity.arguments[i];
-    point.push_back(argument.kind == ArgumentKind::solid ? exact[i].approximate()
-                                                         : nearest_double(argument.name, text[i], exact[i]));
+    point.push_back(argument.kind == ArgumentKind::choice ? exact[i].approximate()
+                                                          : nearest_double(argument.name, text[i], exact[i]));
   }
   return point;
 }

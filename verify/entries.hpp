@@ -8,10 +8,12 @@ namespace nipref::verify {
 
 // The groups that the catalogue is put together from; to add a quantity, add its entry to one of them.
 
-std::vector<Quantity> root_entries();          ///< roots of sinh 2z + 2z = 0, thesis appendix IV
-std::vector<Quantity> kernel_entries();        ///< I1 to I7, thesis (4.9), (4.20)
-std::vector<Quantity> memory_entries();        ///< J1 to J6, thesis (6.20)
-std::vector<Quantity> moving_load_entries();   ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
+std::vector<Quantity> root_entries();         ///< roots of sinh 2z + 2z = 0, thesis appendix IV
+std::vector<Quantity> kernel_entries();       ///< I1 to I7, thesis (4.9), (4.20)
+std::vector<Quantity> memory_entries();       ///< J1 to J6, thesis (6.20)
+std::vector<Quantity> moving_load_entries();  ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
+std::vector<Quantity>
+half_space_entries();  ///< K, S and critical speeds, brock2012 (18a), brock2013 (19), (43)
 std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 
 // Arguments that several entries share, with their hard values.

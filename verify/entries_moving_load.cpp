@@ -94,7 +94,8 @@ Journey steady(double alpha) { return {alpha, HUGE_VAL}; }
 void append_sheet(std::vector<Argument>& arguments) {
   arguments.push_back({"speed", ArgumentKind::positive, "1", {}});
   arguments.push_back({"half_thickness", ArgumentKind::positive, "1", {}});
-  arguments.push_back({"material", ArgumentKind::solid, std::string(solid_names[0]), {}});
+  arguments.push_back(
+      {"material", ArgumentKind::choice, "standard-linear-solid", {}, {"standard-linear-solid", "thesis"}});
   arguments.push_back({"bulk", ArgumentKind::positive, "1", {}});
   arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
 }

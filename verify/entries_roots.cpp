@@ -14,7 +14,7 @@ constexpr long largest_index = 1'000'000;
 long whole_number(const ref::Exact& n) {
   const mpq_class& value = n.value();
   if (value.get_den() != 1 || value < 1 || value > largest_index) {
-    throw data::BadInput("n", value.get_str(), "must be " + std::string(domain(ArgumentKind::index)));
+    throw data::BadInput("n", value.get_str(), "must be a whole number from 1 to 1000000");
   }
   return value.get_num().get_si();
 }

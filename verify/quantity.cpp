@@ -6,13 +6,14 @@
 
 namespace nipref::verify {
 
-std::string_view domain(ArgumentKind kind) {
+namespace {
+
+std::string_view domain_of_number(ArgumentKind kind) {
   switch (kind) {
     case ArgumentKind::nonzero_position:
       return "a finite nonzero number";
-    case ArgumentKind::position:
-      return "a finite number";
     case ArgumentKind::young:
+    case ArgumentKind::positive:
       return "a finite number > 0";
     case ArgumentKind::poisson:
       return "a number > -1 and <= 0.5";
@@ -20,16 +21,18 @@ std::string_view domain(ArgumentKind kind) {
       return "a whole number from 1 to 1000000";
     case ArgumentKind::rate:
     case ArgumentKind::time:
+    case ArgumentKind::nonnegative:
       return "a finite number >= 0";
-    case ArgumentKind::amplitude:
-    case ArgumentKind::passing_time:
+    default:
       return "a finite number";
-    case ArgumentKind::positive:
-      return "a finite number > 0";
-    case ArgumentKind::solid:
-      return "standard-linear-solid or thesis";
   }
-  return "";
+}
+
+}  // namespace
+
+std::string domain(const Argument& argument) {
+  if (argument.kind != ArgumentKind::choice) return std::string(domain_of_number(argument.kind));
+  return std::string(argument.choices[0]) + " or " + std::string(argument.choices[1]);
 }
 
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {
@@ -41,6 +44,7 @@ double fast_value(const Quantity& quantity, std::span<const double> point, fast:
 }
 
 ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits) {
+  if (quantity.by_ref_of_doubles) return quantity.by_ref_of_doubles(point, digits);
   std::vector<ref::Exact> exact;
   exact.reserve(point.size());
   for (std::size_t i = 0; i < point.size(); ++i) exact.emplace_back(point[i], quantity.arguments[i].name);

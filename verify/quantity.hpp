@@ -29,7 +29,9 @@ enum class ArgumentKind {
   time,              ///< since a load started
   passing_time,      ///< at which a load passes a point
   positive,          ///< speed, half-thickness, modulus, relaxation time
-  solid              ///< which standard linear solid: on the command line a name, in a Point 0 or 1
+  nonnegative,       ///< speed, coefficient of friction
+  degrees,           ///< an angle
+  choice             ///< one of two: on the command line a name, in a Point 0 or 1
 };
 
 struct Argument {
@@ -38,13 +40,13 @@ struct Argument {
   std::optional<std::string> default_text;  ///< none: the argument must be given
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
+  std::array<std::string_view, 2> choices{};  ///< names of a choice, in the order of their numbers
+
+  [[nodiscard]] std::string_view choice(double number) const { return choices[number < 0.5 ? 0 : 1]; }
 };
 
-/// Names of the solids, in the order of their numbers.
-inline constexpr std::array<std::string_view, 2> solid_names{"standard-linear-solid", "thesis"};
-
-/// Domain of a kind of argument, in words that continue "must be ...".
-std::string_view domain(ArgumentKind kind);
+/// Domain of an argument, in words that continue "must be ...".
+std::string domain(const Argument& argument);
 
 /// One way, not ours, to compute a quantity of one argument in double; timed beside fast.
 struct Peer {
@@ -71,6 +73,9 @@ struct Quantity {
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Enclosure(std::span<const ref::Exact> arguments, int digits)> by_ref;
+  /// The reference at what fast makes of doubles, where the way into fast rounds (cosines of angles in
+  /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
+  std::function<ref::Enclosure(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
   /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
   /// (empty where there is none).
@@ -97,7 +102,7 @@ struct Quantity {
 /// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
 
-/// ref's value at exactly these doubles.
+/// ref's value at exactly these doubles, as fast takes them.
 ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits);
 
 }  // namespace nipref::verify

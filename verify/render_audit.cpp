@@ -12,8 +12,8 @@ std::string worst_text(const AuditResult& result) {
   std::string text;
   for (std::size_t i = 0; i < result.worst.size(); ++i) {
     const Argument& argument = result.quantity->arguments[i];
-    text += argument.kind == ArgumentKind::solid
-                ? fmt::format(" {}={}", argument.name, solid_names[static_cast<std::size_t>(result.worst[i])])
+    text += argument.kind == ArgumentKind::choice
+                ? fmt::format(" {}={}", argument.name, argument.choice(result.worst[i]))
                 : fmt::format(" {}={:a} ({:.6g})", argument.name, result.worst[i], result.worst[i]);
   }
   return text;
@@ -44,8 +44,8 @@ nlohmann::ordered_json audit_json(const std::vector<AuditResult>& results) {
     nlohmann::ordered_json worst = nlohmann::ordered_json::object();
     for (std::size_t i = 0; i < result.worst.size(); ++i) {
       const Argument& argument = result.quantity->arguments[i];
-      worst[argument.name] = argument.kind == ArgumentKind::solid
-                                 ? std::string(solid_names[static_cast<std::size_t>(result.worst[i])])
+      worst[argument.name] = argument.kind == ArgumentKind::choice
+                                 ? std::string(argument.choice(result.worst[i]))
                                  : fmt::format("{:a}", result.worst[i]);
     }
     json["rows"].push_back({{"quantity", result.quantity->name},

@@ -93,7 +93,7 @@ double into_domain(ArgumentKind kind, double value) {
       return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
     case ArgumentKind::index:
       return std::clamp(std::round(value), 1.0, largest_index);
-    case ArgumentKind::solid:
+    case ArgumentKind::choice:
       return value < 0.5 ? 0 : 1;
     default:  // steps are relative: they leave no sign behind
       return value;
@@ -184,7 +184,7 @@ Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
   double value = point[i];
   if (kind == ArgumentKind::index) {
     value += random.uniform(-20, 20);
-  } else if (kind == ArgumentKind::solid) {
+  } else if (kind == ArgumentKind::choice) {
     value = 1 - value;
   } else if (value != 0 && random.chance(0.3)) {
     value = neighbour(value, static_cast<int>(random.index(9)) - 4);

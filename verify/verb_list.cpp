@@ -10,7 +10,7 @@ namespace nipref::verify {
 namespace {
 
 nlohmann::ordered_json to_json(const Argument& argument) {
-  nlohmann::ordered_json json{{"name", argument.name}, {"domain", domain(argument.kind)}};
+  nlohmann::ordered_json json{{"name", argument.name}, {"domain", domain(argument)}};
   json["default"] = argument.default_text ? nlohmann::ordered_json(*argument.default_text) : nullptr;
   return json;
 }

@@ -1,0 +1,114 @@
+#include "verify/half_space_arguments.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "fast/isotropic_half_space.hpp"
+#include "ref/surface_response.hpp"
+
+namespace nipref::verify {
+namespace {
+
+struct Constants {
+  mpq_class c11, c33, c13, c44, c66, density;
+};
+
+/// Voigt's matrix; `along` is the number of the axis of symmetry.
+ref::ExactStiffness stiffness_of(const Constants& c, std::size_t along) {
+  ref::ExactStiffness solid;
+  solid.density = c.density;
+  const mpq_class c12 = c.c11 - 2 * c.c66;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      if (i == k) solid.voigt[i][k] = with_axis ? c.c33 : c.c11;
+      if (i != k) solid.voigt[i][k] = with_axis ? c.c13 : c12;
+    }
+    solid.voigt[i + 3][i + 3] = i == along ? c.c66 : c.c44;
+  }
+  return solid;
+}
+
+std::size_t number_of(data::SymmetryAxis axis) { return axis == data::SymmetryAxis::normal ? 2 : 1; }
+
+}  // namespace
+
+fast::Direction direction_of_degrees(double degrees) {
+  const double quarters = std::round(degrees / 90);
+  const double rest = (degrees - 90 * quarters) * (std::numbers::pi / 180);
+  const double c = std::cos(rest), s = std::sin(rest);
+  switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
+data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
+
+ref::ExactStiffness exact_isotropic(const ref::Exact& poisson) {
+  data::IsotropicSolid{1, poisson.approximate(), 1}.check();
+  const mpq_class lame = 2 * poisson.value() / (1 - 2 * poisson.value());
+  return stiffness_of({lame + 2, lame + 2, lame, 1, 1, 1}, 2);
+}
+
+fast::SurfaceResponse isotropic_surface(double poisson, double speed) {
+  const data::IsotropicSolid solid = unit_isotropic(poisson);
+  return [solid, speed](fast::Direction from_motion) {
+    return fast::isotropic_response(solid, speed, from_motion);
+  };
+}
+
+ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed) {
+  const ref::ExactStiffness solid = exact_isotropic(poisson);
+  const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
+  return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
+    const auto answer =
+        ref::surface_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
+    return {answer.compliance.value, answer.coupling.value, answer.in_line.value};
+  };
+}
+
+void append_transverse_arguments(std::vector<Argument>& arguments) {
+  arguments.push_back({"axis", ArgumentKind::choice, "normal", {}, {"normal", "in-plane"}});
+  arguments.push_back({"c11", ArgumentKind::positive, seed::c11, {}});
+  arguments.push_back({"c33", ArgumentKind::positive, seed::c33, {}});
+  arguments.push_back({"c13", ArgumentKind::amplitude, seed::c13, {}});
+  arguments.push_back({"c44", ArgumentKind::positive, seed::c44, {}});
+  arguments.push_back({"c66", ArgumentKind::positive, seed::c66, {}});
+  arguments.push_back({"density", ArgumentKind::positive, seed::density, {}});
+}
+
+data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
+  return x[at] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
+}
+
+data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
+  const auto in_steel = [&](std::size_t i) { return x[at + i] / seed::steel_shear; };
+  return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / seed::steel_density};
+}
+
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
+  const mpq_class shear("772/10"), density("7860");
+  const auto in_steel = [&](std::size_t i) { return mpq_class(x[at + i].value() / shear); };
+  const Constants c{in_steel(1), in_steel(2), in_steel(3),
+                    in_steel(4), in_steel(5), mpq_class(x[at + 6].value() / density)};
+  data::TransverselyIsotropicSolid{c.c11.get_d(), c.c33.get_d(), c.c13.get_d(),
+                                   c.c44.get_d(), c.c66.get_d(), c.density.get_d()}
+      .check();
+  return stiffness_of(c, x[at].sign() == 0 ? 2 : 1);
+}
+
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
+  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
+  solid.check();
+  return stiffness_of({solid.c11, solid.c33, solid.c13, solid.c44, solid.c66, solid.density},
+                      number_of(axis_at(x, at)));
+}
+
+}  // namespace nipref::verify
