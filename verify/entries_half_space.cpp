@@ -39,19 +39,25 @@ Quantity half_space_entry(std::string name, std::string definition, std::string 
   return entry;
 }
 
-/// c_X^2 over |n|^2 is what a line of direction n knows of the speed; n and m are as long as doubles make
-/// them. Good to 1e-32.
-Exact line_speed(double speed, Direction n, Direction m) {
+/// The speed along a line, from what fast was given. n is only as long as doubles make it: with the axis in
+/// the surface fast's formula is homogeneous in n, and the speed that it sees n.m/|n|, here to 1e-32; with
+/// the axis normal its length does not enter.
+Exact line_speed(double speed, Direction n, Direction m, data::SymmetryAxis axis) {
   const mpq_class nx(n.cosine), ny(n.sine);
-  const mpq_class along = nx * mpq_class(m.cosine) + ny * mpq_class(m.sine);
-  return Exact(mpq_class(mpq_class(speed) * along * (1 - (nx * nx + ny * ny - 1) / 2)));
+  mpq_class along = nx * mpq_class(m.cosine) + ny * mpq_class(m.sine);
+  if (axis == data::SymmetryAxis::in_plane) along *= 1 - (nx * nx + ny * ny - 1) / 2;
+  return Exact(mpq_class(mpq_class(speed) * along));
 }
 
-/// The reference's response at a line that fast was given.
-ref::SurfaceResponse response_of_doubles(const ref::ExactStiffness& solid, double speed, Direction psi,
-                                         Direction motion, int digits) {
+/// The reference's response at a line that fast was given: nothing of the motion matters but the speed along
+/// the line.
+ref::SurfaceResponse transverse_response_of_doubles(Doubles x, int digits) {
+  constexpr std::size_t solid = 3;
+  const Direction psi = direction_of_degrees(x[1]);
   const SurfaceDirection line(Exact(psi.cosine), Exact(psi.sine));
-  return ref::surface_response(solid, line_speed(speed, psi, motion), line, line, digits);
+  return ref::surface_response(exact_of_transverse_at(x, solid),
+                               line_speed(x[2], psi, direction_of_degrees(x[0]), axis_at(x, solid)), line,
+                               line, digits);
 }
 
 double draw_poisson(Random& random) {
@@ -190,9 +196,7 @@ Quantity transverse_line(std::string name, std::string definition, FastMember of
            of_ref;
   };
   entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
-    return response_of_doubles(exact_of_transverse_at(x, line_solid), x[2], direction_of_degrees(x[1]),
-                               direction_of_degrees(x[0]), digits).*
-           of_ref;
+    return transverse_response_of_doubles(x, digits).*of_ref;
   };
   const auto response = [](Doubles x) {
     const fast::TransverselyIsotropicHalfSpace surface(transverse_at(x, line_solid), axis_at(x, line_solid),
@@ -212,10 +216,13 @@ Quantity entry_transverse_critical() {
   entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}}};
   append_transverse_arguments(entry.arguments);
   entry.promise = 16;
-  entry.audit_points = 20;
+  entry.audit_points = 6;
   entry.draw = [](Random& random) {
     Point x{random.uniform(-90, 90)};
-    const Point drawn = draw_solid(random);
+    Point drawn = draw_solid(random);
+    // Otherwise the line that is critical first may be so by a bulk wave, or all but: the reference proves
+    // the speed of surface waves only.
+    if (drawn[5] > drawn[4]) std::swap(drawn[4], drawn[5]);
     x.insert(x.end(), drawn.begin(), drawn.end());
     return x;
   };

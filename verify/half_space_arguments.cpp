@@ -13,10 +13,13 @@ struct Constants {
   mpq_class c11, c33, c13, c44, c66, density;
 };
 
-/// Voigt's matrix; `along` is the number of the axis of symmetry.
-ref::ExactStiffness stiffness_of(const Constants& c, std::size_t along) {
+/// Voigt's matrix; `along` is the number of the axis of symmetry. With the axis normal to the surface, waves
+/// polarised across the line have no part in u3 and may be overtaken: c66, which is theirs alone there, is
+/// taken so large that they are not met.
+ref::ExactStiffness stiffness_of(Constants c, std::size_t along) {
   ref::ExactStiffness solid;
   solid.density = c.density;
+  if (along == 2) c.c66 = c.c11;
   const mpq_class c12 = c.c11 - 2 * c.c66;
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
