@@ -4,18 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "ref/interval.hpp"
+#include "ref/complex_interval.hpp"
 
 namespace nipref::ref {
-
-struct ComplexInterval {
-  Interval re, im;
-};
-
-ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
-ComplexInterval conj(const ComplexInterval& x);
 
 /// A complex 3x3 matrix of intervals; every operation encloses.
 class IntervalMatrix {
@@ -28,7 +19,7 @@ class IntervalMatrix {
   [[nodiscard]] const ComplexInterval& operator()(std::size_t row, std::size_t column) const {
     return entries_[3 * row + column];
   }
-  [[nodiscard]] mpfr_prec_t precision() const { return entries_[0].re.precision(); }
+  [[nodiscard]] mpfr_prec_t precision() const { return entries_[0].real.precision(); }
 
   [[nodiscard]] IntervalMatrix adjoint() const;
 

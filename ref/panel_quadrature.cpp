@@ -42,10 +42,6 @@ ComplexInterval one_panel(const ComplexInterval& minus_y, mpfr_prec_t bits) {
 
 }  // namespace
 
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real};
-}
-
 ComplexInterval wave(const mpq_class& decay, const mpq_class& angle, mpfr_prec_t bits) {
   const auto extra = static_cast<mpfr_prec_t>(std::max(bits_above(decay), bits_above(angle)));
   const Interval size = exp(-rational(decay, bits + extra));

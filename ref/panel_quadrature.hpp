@@ -1,17 +1,9 @@
 #pragma once
 #include <gmpxx.h>
 
-#include "ref/interval.hpp"
+#include "ref/complex_interval.hpp"
 
 namespace nipref::ref {
-
-/// A rectangle in the complex plane.
-struct ComplexInterval {
-  Interval real;
-  Interval imag;
-};
-
-ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
 
 /// e^{-decay + i angle}, real numbers given exactly, to about `bits` bits however large they are.
 ComplexInterval wave(const mpq_class& decay, const mpq_class& angle, mpfr_prec_t bits);

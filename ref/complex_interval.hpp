@@ -1,0 +1,16 @@
+#pragma once
+#include "ref/interval.hpp"
+
+namespace nipref::ref {
+
+/// A rectangle that contains a complex number; every operation encloses.
+struct ComplexInterval {
+  Interval real, imag;
+};
+
+ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval conj(const ComplexInterval& x);
+
+}  // namespace nipref::ref
