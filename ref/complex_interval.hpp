@@ -3,20 +3,14 @@
 
 namespace nipref::ref {
 
-/// A rectangle of the complex plane.
+/// A rectangle that contains a complex number; every operation encloses.
 struct ComplexInterval {
-  Interval re, im;
+  Interval real, imag;
 };
 
-inline ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re + y.re, x.im + y.im};
-}
-inline ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re - y.re, x.im - y.im};
-}
-inline ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
-  return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
-}
-inline ComplexInterval conj(const ComplexInterval& x) { return {x.re, -x.im}; }
+ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval conj(const ComplexInterval& x);
 
 }  // namespace nipref::ref

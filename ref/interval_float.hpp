@@ -24,8 +24,8 @@ inline ComplexMatrix<Matrix> middle(const IntervalMatrix& x) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = static_cast<Eigen::Index>(i);
       const auto column = static_cast<Eigen::Index>(k);
-      result.re(row, column) = middle(x(i, k).re);
-      result.im(row, column) = middle(x(i, k).im);
+      result.re(row, column) = middle(x(i, k).real);
+      result.im(row, column) = middle(x(i, k).imag);
     }
   }
   return result;

@@ -3,7 +3,7 @@
 namespace nipref::ref {
 namespace {
 
-Interval squared_magnitude(const ComplexInterval& x) { return square(x.re) + square(x.im); }
+Interval squared_magnitude(const ComplexInterval& x) { return square(x.real) + square(x.imag); }
 
 /// The minor of x without one row and one column.
 ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t column) {
@@ -15,7 +15,7 @@ ComplexInterval minor_of(const IntervalMatrix& x, std::size_t row, std::size_t c
 }
 
 Interval leading_minor(const IntervalMatrix& x) {
-  return x(0, 0).re * x(1, 1).re - squared_magnitude(x(0, 1));
+  return x(0, 0).real * x(1, 1).real - squared_magnitude(x(0, 1));
 }
 
 bool is_positive(const Interval& x) { return mpfi_is_strictly_pos(x.get()) > 0; }
@@ -60,13 +60,13 @@ IntervalMatrix operator*(const IntervalMatrix& x, const IntervalMatrix& y) {
 }
 
 IntervalMatrix times_i(const IntervalMatrix& x) {
-  return {[&](std::size_t i, std::size_t k) { return ComplexInterval{-x(i, k).im, x(i, k).re}; }};
+  return {[&](std::size_t i, std::size_t k) { return ComplexInterval{-x(i, k).imag, x(i, k).real}; }};
 }
 
 Interval hermitian_determinant(const IntervalMatrix& x) {
   const ComplexInterval cycle = x(0, 1) * x(1, 2) * x(2, 0);
-  return leading_minor(x) * x(2, 2).re + 2 * cycle.re - x(0, 0).re * squared_magnitude(x(1, 2)) -
-         x(1, 1).re * squared_magnitude(x(0, 2));
+  return leading_minor(x) * x(2, 2).real + 2 * cycle.real - x(0, 0).real * squared_magnitude(x(1, 2)) -
+         x(1, 1).real * squared_magnitude(x(0, 2));
 }
 
 IntervalMatrix hermitian_inverse(const IntervalMatrix& x) {
@@ -74,12 +74,12 @@ IntervalMatrix hermitian_inverse(const IntervalMatrix& x) {
   return {[&](std::size_t i, std::size_t k) {
     const ComplexInterval minor = minor_of(x, k, i);
     const Interval scale = (i + k) % 2 == 0 ? determinant : -determinant;
-    return ComplexInterval{minor.re / scale, minor.im / scale};
+    return ComplexInterval{minor.real / scale, minor.imag / scale};
   }};
 }
 
 bool is_positive_definite(const IntervalMatrix& x) {
-  return is_positive(x(0, 0).re) && is_positive(leading_minor(x)) && is_positive(hermitian_determinant(x));
+  return is_positive(x(0, 0).real) && is_positive(leading_minor(x)) && is_positive(hermitian_determinant(x));
 }
 
 Interval norm_bound(const IntervalMatrix& x) {
@@ -87,8 +87,8 @@ Interval norm_bound(const IntervalMatrix& x) {
   for (std::size_t i = 0; i < 3; ++i) {
     Real sum(x.precision());
     for (std::size_t k = 0; k < 3; ++k) {
-      add_magnitude(sum, x(i, k).re);
-      add_magnitude(sum, x(i, k).im);
+      add_magnitude(sum, x(i, k).real);
+      add_magnitude(sum, x(i, k).imag);
     }
     mpfr_max(largest.get(), largest.get(), sum.get(), MPFR_RNDU);
   }

@@ -79,7 +79,7 @@ Enclosure part(const DampedWave& wave, bool sine, long sign, int digits) {
   if (wave.decay > 700'000'000) return faded_away(digits);
   return enclose(digits, 0, [&](double nats) {
     const ComplexInterval integral = wave.integral(nats);
-    return sign * (sine ? integral.im : integral.re);
+    return sign * (sine ? integral.imag : integral.real);
   });
 }
 
@@ -94,7 +94,7 @@ Enclosure convolution(DampedWave (*side)(const Arguments&), bool sine, long sign
 
 /// e^{-decay} int_0^length e^{-rate v} dv
 Interval fading(const mpq_class& decay, const mpq_class& rate, const mpq_class& length, double nats) {
-  return DampedWave{decay, 0, rate, 0, length}.integral(nats).re;
+  return DampedWave{decay, 0, rate, 0, length}.integral(nats).real;
 }
 
 Interval rational(const mpq_class& value, double nats) {

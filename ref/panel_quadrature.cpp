@@ -32,12 +32,12 @@ ComplexInterval one_panel(const ComplexInterval& minus_y, mpfr_prec_t bits) {
   ComplexInterval sum{Interval(1L, bits), Interval(0L, bits)};
   for (long n = last; n >= 1; --n) {
     sum = sum * minus_y;
-    sum.re = sum.re / (n + 1) + 1;
-    sum.im = sum.im / (n + 1);
+    sum.real = sum.real / (n + 1) + 1;
+    sum.imag = sum.imag / (n + 1);
   }
   Interval remainder(1L, bits);
   mpfi_div_2ui(remainder.get(), remainder.get(), static_cast<unsigned long>(bits));
-  return {sum.re.widened(remainder), sum.im.widened(remainder)};
+  return {sum.real.widened(remainder), sum.imag.widened(remainder)};
 }
 
 }  // namespace
@@ -65,11 +65,11 @@ ComplexInterval damped_wave_integral(const mpq_class& rate, const mpq_class& fre
   ComplexInterval sum = one_panel(minus_y, precision);
   for (unsigned long left = doublings; left >= 1; --left) {
     ComplexInterval q = wave(halved(decay, left), halved(angle, left), precision);
-    q.re = q.re + 1;
+    q.real = q.real + 1;
     sum = sum * q;
   }
   const Interval panel = rational(halved(length, doublings), precision);
-  return {sum.re * panel, sum.im * panel};
+  return {sum.real * panel, sum.imag * panel};
 }
 
 }  // namespace nipref::ref

@@ -35,7 +35,7 @@ AcousticPencil<Small> double_pencil(const AcousticMatrices& x) {
     Small result;
     for (std::size_t k = 0; k < 9; ++k) {
       result(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) =
-          mpfi_get_d(entries(k / 3, k % 3).re.get());
+          mpfi_get_d(entries(k / 3, k % 3).real.get());
     }
     return result;
   };
@@ -96,7 +96,7 @@ Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, con
     denominator = denominator + square(xi);
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval entry =
-          matrices.q(i, k).re + 2 * (si * matrices.r(i, k).re) + square(si) * matrices.t(i, k).re;
+          matrices.q(i, k).real + 2 * (si * matrices.r(i, k).real) + square(si) * matrices.t(i, k).real;
       numerator = numerator + xi * point(x(static_cast<Eigen::Index>(k)), precision) * entry;
     }
   }

@@ -20,17 +20,17 @@ constexpr int most_doublings = 2;
 using Components = std::vector<Interval>;
 
 ComplexInterval scaled(const Interval& factor, const ComplexInterval& x) {
-  return {factor * x.re, factor * x.im};
+  return {factor * x.real, factor * x.imag};
 }
 
 /// Components of SurfaceResponse in its order, from the inverse of the impedance in the axes 1, 2, 3.
 Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& n, const Interval& unit) {
   const ComplexInterval in_line = scaled(n.cosine, y(2, 0)) + scaled(n.sine, y(2, 1));
   const ComplexInterval across = scaled(n.cosine, y(2, 1)) - scaled(n.sine, y(2, 0));
-  const Interval mixed = 2 * (n.cosine * n.sine * y(0, 1).re);
-  const Interval nn = square(n.cosine) * y(0, 0).re + square(n.sine) * y(1, 1).re + mixed;
-  const Interval tt = square(n.sine) * y(0, 0).re + square(n.cosine) * y(1, 1).re - mixed;
-  Components result{y(2, 2).re, -in_line.im, -across.im, in_line.re, across.re, nn, tt};
+  const Interval mixed = 2 * (n.cosine * n.sine * y(0, 1).real);
+  const Interval nn = square(n.cosine) * y(0, 0).real + square(n.sine) * y(1, 1).real + mixed;
+  const Interval tt = square(n.sine) * y(0, 0).real + square(n.cosine) * y(1, 1).real - mixed;
+  Components result{y(2, 2).real, -in_line.imag, -across.imag, in_line.real, across.real, nn, tt};
   for (Interval& component : result) component = component / unit;
   return result;
 }

@@ -1,0 +1,16 @@
+#include "ref/complex_interval.hpp"
+
+namespace nipref::ref {
+
+ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y) {
+  return {x.real + y.real, x.imag + y.imag};
+}
+ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y) {
+  return {x.real - y.real, x.imag - y.imag};
+}
+ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
+  return {x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real};
+}
+ComplexInterval conj(const ComplexInterval& x) { return {x.real, -x.imag}; }
+
+}  // namespace nipref::ref
