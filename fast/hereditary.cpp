@@ -5,6 +5,7 @@
 #include <numbers>
 #include <type_traits>
 
+#include "fast/exponential_integrals.hpp"
 #include "fast/hereditary_core.hpp"
 #include "fast/sheet_kernels.hpp"
 
@@ -25,6 +26,20 @@ const Waves& nearest_waves(Accuracy accuracy) {
   return accuracy.rtol() >= 1e-8 ? coarse : full;
 }
 
+/// What the odd kernels tend to far ahead of the load; behind it is the negative.
+double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : pi / 4; }
+
+/// Ahead of the load, from the waves' distance for `length`, and for ever.
+template <typename Rate>
+Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
+  return memory_of_piece_ahead(kernel, from, rate, length) + limit(kernel) * length * phi1(rate * length);
+}
+template <typename Rate>
+Rate all_ahead(Kernel kernel, const Waves& from, Rate rate) {
+  const Rate far = memory_from_far(kernel, from, rate);
+  return kernel == Kernel::I1 ? far : far + limit(kernel) / rate;  // I1 has a memory at rate 0 too
+}
+
 double under_load(Kernel kernel, double from, double to, double length, const Fade& fade, Accuracy accuracy) {
   return memory_under_load(kernel, from, to, length, fade.rate.high,
                            fade.core[static_cast<std::size_t>(kernel)], accuracy);
@@ -37,11 +52,11 @@ double from_nearest(Kernel kernel, const Fade& fade, Accuracy) {
   return fade.beyond[static_cast<std::size_t>(kernel)];
 }
 Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
-  return memory_from_far(kernel, nearest_waves(accuracy), rate);
+  return all_ahead(kernel, nearest_waves(accuracy), rate);
 }
 
-/// D on [start, end], or to infinity without an end: behind the load by residues, within kNearest of it by
-/// memory_under_load, ahead by residues. What is passed first has faded most.
+/// The kernel on [start, end], or to infinity without an end: behind the load by residues, within kNearest of
+/// it by memory_under_load, ahead by residues. What is passed first has faded most.
 template <typename Rate>
 auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, const Rate& rate,
                Accuracy accuracy) {
@@ -55,7 +70,7 @@ auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, co
     const Value kept = faded(rate, way);
     const Value piece = memory_of_piece_behind(
         kernel, start.waves, all ? end->waves : nearest_waves(accuracy), plain, way.high, kept);
-    sum += kernel == Kernel::I1 ? piece : -piece;
+    sum += kernel == Kernel::I1 ? piece : -(piece + limit(kernel) * way.high * phi1(plain * way.high));
     if (all) return sum;
   }
   if (w < kNearest) {
@@ -68,12 +83,10 @@ auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, co
     if (ends) return sum;
   }
   if (w >= kNearest) {
-    return end ? memory_of_piece_ahead(kernel, start.waves, plain, length.high)
-               : memory_from_far(kernel, start.waves, plain);
+    return end ? piece_ahead(kernel, start.waves, plain, length.high) : all_ahead(kernel, start.waves, plain);
   }
-  const Value piece =
-      end ? memory_of_piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - kNearest)
-          : from_nearest(kernel, rate, accuracy);
+  const Value piece = end ? piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - kNearest)
+                          : from_nearest(kernel, rate, accuracy);
   return sum + faded(rate, -start.at + Two{kNearest, 0}) * piece;
 }
 
@@ -91,23 +104,22 @@ Spot spot(Two at, Accuracy accuracy) {
   return {at, std::fabs(at.high) < kNearest ? Waves{} : waves(at, tolerance)};
 }
 
-double faded_kernel(Kernel kernel, const Spot& at, Accuracy accuracy) {
+double kernel_at(Kernel kernel, const Spot& at, Accuracy accuracy) {
   const double w = at.at.high;
-  const int sign = (w > 0) - (w < 0);
-  if (std::fabs(w) >= kNearest) return (kernel == Kernel::I1 ? 1 : sign) * faded_kernel(kernel, at.waves);
+  if (std::fabs(w) >= kNearest) {
+    const double faded = faded_kernel(kernel, at.waves);
+    return kernel == Kernel::I1 ? faded : (w > 0 ? 1 : -1) * (limit(kernel) + faded);
+  }
   if (kernel == Kernel::I1) return I1(w, accuracy);
-  const double odd = kernel == Kernel::I3   ? I3(w, accuracy)
-                     : kernel == Kernel::I4 ? I4(w, accuracy)
-                                            : I5(w, accuracy);
-  return odd - sign * (pi / 4);
+  if (kernel == Kernel::I3) return I3(w, accuracy);
+  return kernel == Kernel::I4 ? I4(w, accuracy) : I5(w, accuracy);
 }
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   Fade made{rate};
   for (const Kernel kernel : kernels) {
     made.core[static_cast<std::size_t>(kernel)] = core_pieces(kernel, rate.high, accuracy);
-    made.beyond[static_cast<std::size_t>(kernel)] =
-        memory_from_far(kernel, nearest_waves(accuracy), rate.high);
+    made.beyond[static_cast<std::size_t>(kernel)] = all_ahead(kernel, nearest_waves(accuracy), rate.high);
   }
   return made;
 }
@@ -126,14 +138,15 @@ Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy a
 
 double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, const Fade& fade,
               Accuracy accuracy) {
-  // Over a half-thickness or more, and beyond the surroundings of the load, the rest is small against the
-  // whole.
-  if (length.high >= 1 && end.at.high >= kNearest) {
-    const double all = steady_memory(kernel, start, fade, accuracy);
-    const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
-    return forgotten ? all : all - faded(fade, length) * steady_memory(kernel, end, fade, accuracy);
-  }
-  return by_pieces(kernel, start, &end, length, fade, accuracy);
+  if (length.high < 1 || end.at.high < kNearest)
+    return by_pieces(kernel, start, &end, length, fade, accuracy);
+  const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
+  if (forgotten) return steady_memory(kernel, start, fade, accuracy);
+  // I1 over a half-thickness or more, and beyond the surroundings of the load: the rest is small against the
+  // whole. Not so for kernels that do not fade.
+  if (kernel != Kernel::I1) return by_pieces(kernel, start, &end, length, fade, accuracy);
+  return steady_memory(kernel, start, fade, accuracy) -
+         faded(fade, length) * steady_memory(kernel, end, fade, accuracy);
 }
 
 Complex memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Complex rate,

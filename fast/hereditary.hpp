@@ -18,7 +18,7 @@ struct Spot {
 Spot spot(Two at, Accuracy accuracy);
 
 /// A real rate of fading, and what of the memory depends on nothing else: from one of -1, -1/2, 0, 1/2 to the
-/// next, and from 1 on, int e^(-rate (w - start)) D(w) dw for the kernels it was made for.
+/// next, and from 1 on, int e^(-rate (w - start)) I(w) dw for the kernels it was made for.
 struct Fade {
   Two rate;
   std::array<CorePieces, kKernelCount> core{};
@@ -27,10 +27,10 @@ struct Fade {
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 
-/// The fading part D of a kernel at a spot; that of the odd ones is less (pi/4) sign(w), sign(0) = 0.
-double faded_kernel(Kernel kernel, const Spot& at, Accuracy accuracy);
+/// The kernel at a spot; of the odd ones I(0) = 0.
+double kernel_at(Kernel kernel, const Spot& at, Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) D(w) dw.
+/// int_start^inf e^(-rate (w - start)) I(w) dw.
 double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "fast/exponential_integrals.hpp"
 #include "fast/hereditary_rules.hpp"
@@ -96,11 +95,9 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
     const bool at_load = v <= tiny && (step < 0 || v == 0);
     if (!at_load) {
       sum += weight * by_rule(kernel, v, step, panel, rate, accuracy);
-    } else if (kernel == Kernel::I1) {
+    } else if (kernel == Kernel::I1) {  // the others are 0 at the load
       const auto log_to = [](double x) { return x > 0 ? x * (std::log(kLogEnd / x) + 1) : 0; };
       sum += weight * (step > 0 ? log_to(panel) : log_to(v) - log_to(std::max(v - panel, 0.0)));
-    } else {
-      sum += weight * panel * (-std::numbers::pi / 4);
     }
     done = panel >= left ? length : done + panel;
   }

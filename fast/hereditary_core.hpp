@@ -14,9 +14,9 @@ using CorePieces = std::array<double, kCoreStops.size()>;
 
 CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy);
 
-/// int_0^length e^(-rate d) D(w + d) dd for -1 <= w < end = w + length <= 1, D the fading part of a kernel:
-/// exponential integrals for the logarithm, Gauss rules for what is smooth. Both end and length, as either
-/// may be too small to be seen in the rounding of the other. `whole`: of the same kernel and rate.
+/// int_0^length e^(-rate d) I(w + d) dd for -1 <= w < end = w + length <= 1, I the whole kernel: exponential
+/// integrals for the logarithm, Gauss rules for what is smooth. Both end and length, as either may be too
+/// small to be seen in the rounding of the other. `whole`: of the same kernel and rate.
 double memory_under_load(Kernel kernel, double w, double end, double length, double rate,
                          const CorePieces& whole, Accuracy accuracy);
 /// The same for a complex rate by panels, finer towards the logarithm.

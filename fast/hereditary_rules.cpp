@@ -4,7 +4,6 @@
 #include <array>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "fast/sheet_code.hpp"
@@ -47,7 +46,7 @@ int rule_for(double decays, double ratio, Accuracy accuracy) {
   return easy ? 2 : 3;
 }
 
-/// I(v) less its limit, v > 0, at a rule's points between v and v + step length.
+/// I(v), v > 0, at a rule's points between v and v + step length.
 void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, Nodes& values,
                     Accuracy accuracy) {
   Nodes points;
@@ -56,10 +55,9 @@ void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, 
   const std::span<const double> at(points.data(), count);
   const std::span<double> value(values.data(), count);
   if (kernel == Kernel::I1) return I1(at, value, accuracy);
-  if (kernel == Kernel::I3) I3(at, value, accuracy);
-  if (kernel == Kernel::I4) I4(at, value, accuracy);
-  if (kernel == Kernel::I5) I5(at, value, accuracy);
-  for (double& x : value) x -= std::numbers::pi / 4;
+  if (kernel == Kernel::I3) return I3(at, value, accuracy);
+  if (kernel == Kernel::I4) return I4(at, value, accuracy);
+  I5(at, value, accuracy);
 }
 
 /// The pieces that most integrals are made of: [1/2, 1] and, for the kernels without logarithm, [0, 1/2],

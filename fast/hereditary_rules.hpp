@@ -25,8 +25,8 @@ Rate faded_sum(const GaussRule& rule, const Nodes& values, double length, Rate r
 /// For e^(-decays s) on [0, 1] times a function as smooth as the regular part of I1 on [0, 1/2].
 const GaussRule& gauss_rule_for(double decays, Accuracy accuracy);
 
-/// int_0^length e^(-rate d) D(v + step d) dd by one Gauss rule, D at positive arguments; step is 1 ahead of
-/// the load, -1 behind. For I1 the distances v and v + step length must be in a ratio below 6.
+/// int_0^length e^(-rate d) I(v + step d) dd by one Gauss rule, the kernel I at positive arguments; step is 1
+/// ahead of the load, -1 behind. For I1 the distances v and v + step length must be in a ratio below 6.
 template <typename Rate>
 Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accuracy accuracy);
 

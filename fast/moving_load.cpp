@@ -75,13 +75,18 @@ struct MovingLoad::Journey {
 
 namespace {
 
-/// int_from^to e^(-rate w) dw, from and to >= 0 in either order.
-double fading_way(double from, double to, const Fade& fade) {
-  const double rate = fade.rate.high;
-  return (to - from) * std::exp(-rate * std::min(from, to)) * phi1(rate * std::fabs(to - from));
+/// int_0^x e^(-rate w) dw.
+template <typename Rate>
+Rate fading_way(double x, Rate rate) {
+  return std::isinf(x) ? 1.0 / rate : x * phi1(rate * x);
 }
-Complex fading_way(double from, double to, Complex rate) {
-  return (to - from) * std::exp(-rate * std::min(from, to)) * phi1(rate * std::fabs(to - from));
+
+/// int_0^length e^(-rate w) sign dw of a point that is behind the load as far as `behind`, and then ahead.
+Complex memory_of_sign(double behind, double length, Complex rate) {
+  return fading_way(length, rate) - 2.0 * fading_way(behind, rate);
+}
+double memory_of_sign(double behind, double length, const Fade& fade) {
+  return fading_way(length, fade.rate.high) - 2 * fading_way(behind, fade.rate.high);
 }
 
 }  // namespace
@@ -142,7 +147,7 @@ MovingLoad::Journey MovingLoad::journey(double t, double T) const {
 }
 
 double MovingLoad::Un(const Journey& journey) const {
-  double sum = normal_.instantaneous * faded_kernel(Kernel::I1, journey.start, accuracy_);
+  double sum = normal_.instantaneous * kernel_at(Kernel::I1, journey.start, accuracy_);
   if (journey.length.high > 0) {
     sum += over_terms(normal_, fades_->normal, time_unit_,
                       [&](const auto& rate) { return journey.memory(Kernel::I1, rate, accuracy_); });
@@ -151,23 +156,17 @@ double MovingLoad::Un(const Journey& journey) const {
 }
 
 double MovingLoad::Vn(const Journey& to_point, const Journey& to_pin) const {
-  const double under_point = faded_kernel(Kernel::I3, to_point.start, accuracy_);
-  const double signs = pi / 4 * (to_point.sign() - to_pin.sign());
-  double sum =
-      theta1_.instantaneous * (under_point - faded_kernel(Kernel::I5, to_pin.start, accuracy_) + signs) +
-      theta2_.instantaneous * (under_point + faded_kernel(Kernel::I4, to_pin.start, accuracy_) - signs);
+  const double under_point = kernel_at(Kernel::I3, to_point.start, accuracy_);
+  double sum = theta1_.instantaneous * (under_point - kernel_at(Kernel::I5, to_pin.start, accuracy_)) +
+               theta2_.instantaneous *
+                   (under_point + kernel_at(Kernel::I4, to_pin.start, accuracy_) - pi / 2 * to_point.sign());
   if (to_point.length.high == 0) return sum / pi;
-  // The memory of the signs: between the passage of the pinned point and that of the other they differ by 2.
-  const auto memory_of_signs = [&](const auto& rate) {
-    return pi / 2 * fading_way(to_point.behind(), to_pin.behind(), rate);
-  };
   sum += over_terms(theta1_, fades_->theta1, time_unit_, [&](const auto& rate) {
-    return to_point.memory(Kernel::I3, rate, accuracy_) - to_pin.memory(Kernel::I5, rate, accuracy_) +
-           memory_of_signs(rate);
+    return to_point.memory(Kernel::I3, rate, accuracy_) - to_pin.memory(Kernel::I5, rate, accuracy_);
   });
   sum += over_terms(theta2_, fades_->theta2, time_unit_, [&](const auto& rate) {
     return to_point.memory(Kernel::I3, rate, accuracy_) + to_pin.memory(Kernel::I4, rate, accuracy_) -
-           memory_of_signs(rate);
+           pi / 2 * memory_of_sign(to_point.behind(), to_point.length.high, rate);
   });
   return sum / pi;
 }

@@ -29,15 +29,17 @@ double faded_moment(double k, double x) {
 /// int_0^x e^(-k v) min(1, b (from + v)) dv.
 double faded_wave(double k, double x, double b, double from) {
   const double until = b == 0 ? x : std::clamp(1 / b - from, 0.0, x);
-  return b * (from * faded(k, until) + faded_moment(k, until)) + std::exp(-k * until) * faded(k, x - until);
+  const double rising = until > 0 ? b * (from * faded(k, until) + faded_moment(k, until)) : 0;
+  return rising + std::exp(-k * until) * faded(k, x - until);
 }
 
 /// int_0^x e^(-k v) min(1, b (to - v)) dv, to >= x.
 double fading_wave(double k, double x, double b, double to) {
   const double from = b == 0 ? 0 : std::clamp(to - 1 / b, 0.0, x);
   const double rest = x - from;
-  return faded(k, from) +
-         std::exp(-k * from) * b * std::max(0.0, (to - from) * faded(k, rest) - faded_moment(k, rest));
+  const double falling =
+      rest > 0 ? b * std::max(0.0, (to - from) * faded(k, rest) - faded_moment(k, rest)) : 0;
+  return faded(k, from) + std::exp(-k * from) * falling;
 }
 
 /// Of J1, and of J2 with b = infinity. The load ahead of the point: distances w = T - tau from lo to T, faded

@@ -18,6 +18,7 @@ using std::numbers::pi;
 using Arguments = std::span<const double>;
 using Exacts = std::span<const ref::Exact>;
 using fast::Accuracy;
+using ref::Exact;
 
 constexpr double moving_load_promise = 8;
 constexpr auto remembered_size =
@@ -30,7 +31,6 @@ data::ViscoelasticMaterial material_of(double solid, double bulk, double tau) {
   return {{theta1, {{theta1 / tau, 1 / tau}}}, {theta2, {{theta2 / tau, (solid == 0 ? 1 : 2) / tau}}}};
 }
 
-/// The doubles that fast takes, exactly: the audit's question is what fast makes of its own input.
 ref::ExactMaterial exact_material_of(const ref::Exact& solid, const ref::Exact& bulk, const ref::Exact& tau) {
   return ref::exact_solid(solid.sign() == 0 ? ref::Solid::standard_linear_solid : ref::Solid::thesis, bulk,
                           tau);
@@ -129,13 +129,17 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   return entry;
 }
 
-// In all entries `at` is where the sheet's arguments begin.
+// In all entries `at` is where the sheet's arguments begin. 1/tau is rounded before fast gets it, and where
+// e^(-t/tau) has faded that is felt: the audit takes the material that fast was given.
 
 data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) {
   return material_of(x[at + 2], x[at + 3], x[at + 4]);
 }
 fast::MovingLoad load_at(Arguments x, std::size_t at, Accuracy accuracy) {
   return {material_at(x, at), x[at], x[at + 1], accuracy};
+}
+ref::ExactMaterial exact_of_material_at(Arguments x, std::size_t at) {
+  return ref::exact_material(material_at(x, at));
 }
 ref::ExactMaterial exact_at(Exacts x, std::size_t at) {
   return exact_material_of(x[at + 2], x[at + 3], x[at + 4]);
@@ -158,6 +162,9 @@ Quantity entry_Un() {
     if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
   };
   entry.by_ref = [](Exacts x, int digits) { return ref::Un(x[0], x[1], x[2], x[3], exact_at(x, 2), digits); };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Un(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2), digits);
+  };
   set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[2] / x[3];
@@ -185,6 +192,10 @@ Quantity entry_Vn() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Vn(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
   };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Vn(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), Exact(x[4]),
+                   exact_of_material_at(x, 3), digits);
+  };
   set_fast(entry,
            [](Arguments x, Accuracy accuracy) { return load_at(x, 3, accuracy).Vn(x[0], x[1], x[2]); });
   entry.envelope = [](Arguments x) {
@@ -205,6 +216,9 @@ Quantity entry_Un_steady() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Un_steady(x[0], x[1], x[2], exact_at(x, 1), digits);
   };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Un_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), exact_of_material_at(x, 1), digits);
+  };
   set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 1, accuracy).Un_steady(x[0]); });
   entry.envelope = [](Arguments x) { return size_Un(material_at(x, 1), x[1] / x[2], steady(x[0])); };
   return entry;
@@ -222,6 +236,10 @@ Quantity entry_Vn_steady() {
   };
   entry.by_ref = [](Exacts x, int digits) {
     return ref::Vn_steady(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
+  };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Vn_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2),
+                          digits);
   };
   set_fast(entry,
            [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Vn_steady(x[0], x[1]); });

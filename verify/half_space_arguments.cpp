@@ -52,6 +52,11 @@ fast::Direction direction_of_degrees(double degrees) {
   }
 }
 
+fast::Direction turned(fast::Direction from_motion, fast::Direction motion) {
+  return {from_motion.cosine * motion.cosine - from_motion.sine * motion.sine,
+          from_motion.sine * motion.cosine + from_motion.cosine * motion.sine};
+}
+
 data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
 
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson) {

@@ -19,6 +19,9 @@ using Exacts = std::span<const ref::Exact>;
 /// cos and sin of degrees to rounding; exact at multiples of 90.
 fast::Direction direction_of_degrees(double degrees);
 
+/// The angle from x1 of a line at an angle from the motion.
+fast::Direction turned(fast::Direction from_motion, fast::Direction motion);
+
 /// mu = 1, density 1: speeds are v/v_S.
 data::IsotropicSolid unit_isotropic(double poisson);
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);

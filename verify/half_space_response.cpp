@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <variant>
 
 #include "fast/isotropic_half_space.hpp"
 #include "fast/transversely_isotropic_half_space.hpp"
+#include "verify/half_space_arguments.hpp"
 
 namespace nipref::verify {
 namespace {
@@ -20,15 +20,7 @@ using fast::SurfaceResponse;
 
 double shear_speed(const data::IsotropicSolid& solid) { return std::sqrt(solid.shear / solid.density); }
 
-/// The angle from x1 of a line at an angle from the motion.
-Direction turned(Direction from_motion, Direction motion) {
-  return {from_motion.cosine * motion.cosine - from_motion.sine * motion.sine,
-          from_motion.sine * motion.cosine + from_motion.cosine * motion.sine};
-}
-
-Direction motion_of(const data::HalfSpaceProblem& problem) {
-  return Direction::of_angle(problem.direction * std::numbers::pi / 180);
-}
+Direction motion_of(const data::HalfSpaceProblem& problem) { return direction_of_degrees(problem.direction); }
 
 struct CriticalSpeedOf {
   Direction motion;

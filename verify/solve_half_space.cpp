@@ -10,6 +10,7 @@
 #include "fast/isotropic_half_space.hpp"
 #include "fast/rolling_sphere.hpp"
 #include "fast/sliding_contact.hpp"
+#include "verify/half_space_arguments.hpp"
 #include "verify/half_space_response.hpp"
 
 namespace nipref::verify {
@@ -26,16 +27,6 @@ Estimate times(double factor, const Estimate& estimate) {
 
 /// A ratio of lengths of one contact, to rounding.
 Estimate to_rounding(double value) { return {value, 0x1p-50 * std::fabs(value)}; }
-
-/// Of an angle from the motion in degrees; across it the cosine is 0.
-Direction direction(double degrees) {
-  const double quarters = degrees / 90;
-  if (quarters == std::round(quarters)) {
-    constexpr Direction along_axes[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    return along_axes[static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))];
-  }
-  return Direction::of_angle(degrees * degree);
-}
 
 constexpr Direction along{1, 0}, across{0, 1};
 
@@ -56,7 +47,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return of_ellipse(name);
   }
   [[nodiscard]] Estimate at(std::string_view name, double degrees) const final {
-    const Direction psi = direction(degrees);
+    const Direction psi = direction_of_degrees(degrees);
     if (name == "span") return span(psi);
     const fast::LineResponse line = response_(psi);
     return to_rounding(name == "compliance" ? line.compliance : line.coupling);
