@@ -8,7 +8,7 @@
 #include <string>
 
 #include "data/table_index.hpp"
-#include "verify/half_space_corrected.hpp"
+#include "fast/isotropic_half_space.hpp"
 #include "verify/printed_half_space.hpp"
 #include "verify/render_tables.hpp"
 #include "verify/replay_half_space.hpp"
@@ -27,7 +27,6 @@ namespace {
 
 /// nu = 1/3: mu = 1, lambda + 2 mu = 4.
 const data::IsotropicSolid isotropic{1, 1.0 / 3, 1};
-const data::TransverselyIsotropicSolid isotropic_as_anisotropic{4, 4, 2, 1, 1, 1};
 
 const ReplayedCell& cell_of(const Replay& replay, std::size_t row, const std::string& column) {
   return *std::ranges::find_if(
@@ -40,29 +39,10 @@ bool says(const ReplayedCell& cell, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("corrected half-spaces: at rest, in the isotropic limit, against an equal body") {
-  const fast::LineResponse at_rest = verify::corrected_line_response(isotropic, 0);
-  CHECK(at_rest.compliance == Approx(1 - isotropic.poisson).epsilon(1e-14));
-  CHECK(at_rest.coupling == Approx((1 - 2 * isotropic.poisson) / 2).epsilon(1e-14));
-  const fast::Direction line = fast::Direction::of_angle(0.6);
-  for (const double speed : {0.2, 0.5, 0.8}) {
-    CAPTURE(speed);
-    const fast::LineResponse expected = verify::corrected_line_response(isotropic, speed);
-    const fast::LineResponse normal = verify::corrected_line_response(isotropic_as_anisotropic, speed);
-    CHECK(normal.compliance == Approx(expected.compliance).epsilon(1e-12));
-    CHECK(normal.coupling == Approx(expected.coupling).epsilon(1e-12));
-    CHECK(verify::corrected_in_plane_compliance(isotropic_as_anisotropic, line, speed) ==
-          Approx(expected.compliance).epsilon(1e-7));  // the two roots fall together there
-    CHECK(verify::in_contact(expected, expected).coupling == 0);
-  }
-  CHECK(verify::contour_span(at_rest, 0) == Approx(2 * at_rest.compliance).epsilon(1e-14));
-  CHECK(verify::corrected_rolling_span_ratio(1.0 / 3, 1e-6) == Approx(1).epsilon(1e-11));
-}
-
 TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot") {
   const verify::ScaledModuli scaled{4, 4, 2, 1, 1, 1, 2};
   const fast::Direction line = fast::Direction::of_angle(0.6);
-  const double right = verify::corrected_line_response(isotropic, 0.5).compliance;
+  const double right = fast::isotropic_response(isotropic, 0.5, {1, 0}).compliance;
   // Half-space and sphere are the same solid here.
   CHECK(right == Approx(0.83010914587).epsilon(1e-10));
   CHECK(verify::in_plane_compliance_as_tabulated(scaled, line, 1, 0.5) - right ==
@@ -71,8 +51,7 @@ TEST_CASE("the formulas as printed or tabulated fail where the right ones cannot
   CHECK(verify::rolling_span_ratio_as_printed(1.0 / 3, 1e-3) == Approx(std::sqrt(2.0)).epsilon(1e-4));
   CHECK(verify::branch_radicand_as_printed({0.18, 2.08, 0.083, 0.0916, 0.0453, 0.46, 1.86}, line) < 0);
   // Without friction the printed, the tabulated and the right span of the die agree.
-  const double die = verify::contour_span(verify::corrected_line_response(isotropic, 0), 0) /
-                     verify::contour_span(verify::corrected_line_response(isotropic, 0.5), 0);
+  const double die = fast::isotropic_response(isotropic, 0, {1, 0}).compliance / right;
   CHECK(verify::die_span_ratio_as_printed(1.0 / 3, 0, 0.5) == Approx(die).epsilon(1e-12));
   CHECK(verify::die_span_ratio_as_tabulated(1.0 / 3, 0, 0.5, std::nullopt) == Approx(die).epsilon(1e-12));
   CHECK(verify::die_span_ratio_as_tabulated(1.0 / 3, 0, 0.1, 5) != Approx(die).epsilon(1e-4));
@@ -152,27 +131,6 @@ TEST_CASE("the sphere, axis in the plane: what the symmetry of K proves") {
 }
 
 TEST_CASE("the exact frictionless ellipse: the papers' contour is too slender") {
-  const auto compliance = [](fast::Direction line) {
-    return verify::corrected_line_response(isotropic, 0.6 * line.cosine).compliance;
-  };
-  const double ratio = verify::exact_span_ratio(compliance, {1, 0}, {0, 1});
-  CHECK(ratio == Approx(0.8905).epsilon(1e-4));
-  // What makes it the ellipse: the second harmonic of K/w^3 vanishes.
-  double harmonic = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const fast::Direction line = fast::Direction::of_angle((i + 0.5) * M_PI / 4000);
-    const double width2 = line.cosine * line.cosine + ratio * ratio * line.sine * line.sine;
-    harmonic += compliance(line) * (line.cosine * line.cosine - line.sine * line.sine) *
-                std::pow(width2, -1.5) / 4000;
-  }
-  CHECK(std::fabs(harmonic) < 1e-9);
-  // The same with the ellipse turned by 0.6.
-  const fast::Direction motion = fast::Direction::of_angle(0.6);
-  const auto turned = [&](fast::Direction line) {
-    return compliance({line.cosine * motion.cosine + line.sine * motion.sine, 0});
-  };
-  CHECK(verify::exact_span_ratio(turned, motion, {-motion.sine, motion.cosine}) ==
-        Approx(ratio).epsilon(1e-12));
   const auto exact = [](const char* id, const std::string& column) {
     return *cell_of(verify::replay_table(id), 0, column).exact;
   };

@@ -6,7 +6,7 @@
 namespace nipref::verify {
 
 // Formulas of the half-space papers that are WRONG, or right ones in the arithmetic of the papers' tables;
-// they serve the replay of the tables and nothing else. What is right is in half_space_corrected.hpp.
+// they serve the replay of the tables and nothing else. What is right is in fast.
 // "as printed" follows the paper's equation, "as tabulated" the numbers of the paper's table. Speeds are over
 // the shear wave speed of the isotropic solid. Domain: that of the papers' tables.
 

@@ -1,7 +1,10 @@
 // Tables 1 and 2 of brock2012: rigid bodies on an isotropic half-space.
 #include <fmt/format.h>
 
-#include "verify/half_space_corrected.hpp"
+#include "fast/elliptic_contact.hpp"
+#include "fast/rolling_sphere.hpp"
+#include "fast/sliding_contact.hpp"
+#include "verify/half_space_arguments.hpp"
 #include "verify/printed_half_space.hpp"
 #include "verify/replay_half_space_rows.hpp"
 
@@ -14,28 +17,32 @@ constexpr int root_decimals = 5;
 
 data::Interval only(double value) { return {value, value}; }
 
-/// A half-space in whose units v/v_S = 1 is the speed 1.
-data::IsotropicSolid unit_solid(const data::Table& table) { return {1, table.parameter("poisson").value, 1}; }
+constexpr fast::Direction along{1, 0}, across{0, 1};
+
+/// Of the exact frictionless contact of a sphere: span across over span along.
+double exact_span_ratio(const fast::SurfaceResponse& surface) {
+  const fast::EllipticContact contact(surface, {1, 1});
+  return contact.radius_ratio(across) / contact.radius_ratio(along);
+}
 
 }  // namespace
 
 std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
-  const data::IsotropicSolid solid = unit_solid(table);
-  const fast::LineResponse at_rest = corrected_line_response(solid, 0);
+  const double poisson = table.parameter("poisson").value;
   std::vector<HalfSpaceCell> cells;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const double friction = table.cell(row, "gamma").number->value;
     for (const data::TableColumn& column : table.columns) {
       if (column.is_key) continue;
       const double speed = *column.coordinate;
-      const double corrected =
-          contour_span(at_rest, 0) / contour_span(corrected_line_response(solid, speed), friction);
-      const double exact_roots = die_span_ratio_as_tabulated(solid.poisson, friction, speed, std::nullopt);
-      const double rounded_roots = die_span_ratio_as_tabulated(solid.poisson, friction, speed, root_decimals);
+      const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
+      const double corrected = fast::sliding_for_span(surface, {1, 1}, friction, along, 1).span_ratio(across);
+      const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
+      const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, root_decimals);
       const std::string error = fmt::format(
           "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
           "(Delta_1, Q_1); as printed it gives {:.5f}",
-          die_span_ratio_as_printed(solid.poisson, friction, speed));
+          die_span_ratio_as_printed(poisson, friction, speed));
       cells.push_back(
           {row,
            column.name,
@@ -44,11 +51,7 @@ std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
             {only(rounded_roots), Verdict::seed_error, "reproduced so with w_S and w_D to five decimals"}},
            error,
            "",
-           exact_span_ratio(
-               [&](fast::Direction line) {
-                 return corrected_line_response(solid, speed * line.cosine).compliance;
-               },
-               {1, 0}, {0, 1})});
+           exact_span_ratio(surface)});
     }
   }
   return cells;
@@ -59,7 +62,8 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
   std::vector<HalfSpaceCell> cells;
   for (const data::TableColumn& column : table.columns) {
     const double speed = *column.coordinate;
-    const double corrected = corrected_rolling_span_ratio(poisson, speed);
+    const double corrected =
+        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(across);
     const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, root_decimals);
     const std::string loss = fmt::format(
         "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, but "

@@ -2,9 +2,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
+#include <map>
+#include <memory>
 
-#include "verify/half_space_corrected.hpp"
+#include "fast/elliptic_contact.hpp"
+#include "fast/isotropic_half_space.hpp"
+#include "fast/sliding_contact.hpp"
+#include "fast/transversely_isotropic_half_space.hpp"
+#include "verify/half_space_arguments.hpp"
 #include "verify/printed_half_space.hpp"
 #include "verify/replay_half_space_rows.hpp"
 
@@ -15,16 +20,6 @@ namespace {
 constexpr double printed_d1 = 0.1803;
 
 data::Interval only(double value) { return {value, value}; }
-
-/// Exact at multiples of 90 degrees, where no speed is left across the motion.
-fast::Direction direction_of_degrees(double degrees) {
-  const double quarter = degrees / 90;
-  if (quarter == std::round(quarter)) {
-    const int turns = (static_cast<int>(quarter) % 4 + 4) % 4;
-    return {turns == 0 ? 1.0 : turns == 2 ? -1.0 : 0.0, turns == 1 ? 1.0 : turns == 3 ? -1.0 : 0.0};
-  }
-  return fast::Direction::of_angle(degrees * std::numbers::pi / 180);
-}
 
 /// The two bodies as the table's header states them, GPa and kg/m^3.
 struct Bodies {
@@ -50,14 +45,17 @@ struct Bodies {
   /// v_0, the sphere's shear wave speed.
   [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
 
-  [[nodiscard]] fast::LineResponse on_normal_axis(double line_speed) const {
-    return in_contact(corrected_line_response(half_space, line_speed * speed_unit()),
-                      corrected_line_response(sphere, line_speed * speed_unit()));
-  }
-
-  [[nodiscard]] double in_plane_compliance(fast::Direction line, double line_speed) const {
-    return corrected_in_plane_compliance(half_space, line, line_speed * speed_unit()) +
-           corrected_line_response(sphere, line_speed * speed_unit()).compliance;
+  /// Both bodies together, by the angle from the motion; c0 is speed over that of the sphere's shear waves.
+  /// The patch moves in the sphere, as the paper has it.
+  [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
+                                                 double c0) const {
+    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
+        half_space, axis, motion, c0 * speed_unit());
+    return [=, sphere = sphere](fast::Direction from_motion) -> fast::LineResponse {
+      const fast::LineResponse lower = surface->along(turned(from_motion, motion));
+      const fast::LineResponse upper = fast::isotropic_response(sphere, c0, from_motion);
+      return {lower.compliance + upper.compliance, lower.coupling - upper.coupling};
+    };
   }
 };
 
@@ -81,22 +79,28 @@ class InPlaneSpans {
     });
   }
   [[nodiscard]] double corrected(double phi, double speed) const {
-    return ratio(phi, [&](fast::Direction line, double cosine) {
-      return bodies_.in_plane_compliance(line, speed * cosine);
-    });
+    return contact(speed).by_rule.span_ratio(direction_of_degrees(phi));
   }
-
   [[nodiscard]] double exact(double phi, double speed) const {
-    const fast::Direction motion = direction_of_degrees(theta_);
-    return exact_span_ratio(
-        [&](fast::Direction line) {
-          const double cosine = line.cosine * motion.cosine + line.sine * motion.sine;
-          return bodies_.in_plane_compliance(line, speed * cosine);
-        },
-        motion, direction_of_degrees(theta_ + phi));
+    const fast::EllipticContact& ellipse = contact(speed).exact;
+    return ellipse.radius_ratio(direction_of_degrees(phi)) / ellipse.radius_ratio({1, 0});
   }
 
  private:
+  struct Contact {
+    fast::SlidingContact by_rule;
+    fast::EllipticContact exact;
+  };
+  [[nodiscard]] const Contact& contact(double speed) const {
+    const auto found = contacts_.find(speed);
+    if (found != contacts_.end()) return found->second;
+    const auto surface =
+        bodies_.in_contact(data::SymmetryAxis::in_plane, direction_of_degrees(theta_), speed);
+    return contacts_
+        .emplace(speed, Contact{fast::sliding_for_span(surface, {1, 1}, 0, {1, 0}, 1),
+                                fast::EllipticContact(surface, {1, 1})})
+        .first->second;
+  }
   template <class Compliance>
   [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
     const double across = compliance(direction_of_degrees(theta_ + phi), direction_of_degrees(phi).cosine);
@@ -105,6 +109,7 @@ class InPlaneSpans {
 
   Bodies bodies_;
   double theta_;
+  mutable std::map<double, Contact> contacts_;  ///< one for each column
 };
 
 /// Where the table itself, by the symmetry of K, shows that a cell is wrong.
@@ -147,23 +152,22 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
     for (const data::TableColumn& column : table.columns) {
       if (column.is_key) continue;
       const double speed = *column.coordinate;
+      const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
       const double corrected =
-          contour_span(bodies.on_normal_axis(0), 0) / contour_span(bodies.on_normal_axis(speed), friction);
+          fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1});
+      const fast::EllipticContact ellipse(surface, {1, 1});
       const std::string error = fmt::format(
           "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
           "circle demands 1; and (25c) adds the couplings, which subtract",
           sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-      cells.push_back(
-          {row,
-           column.name,
-           corrected,
-           {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)), Verdict::seed_error,
-             "reproduced so"}},
-           error,
-           error,
-           exact_span_ratio(
-               [&](fast::Direction line) { return bodies.on_normal_axis(speed * line.cosine).compliance; },
-               {1, 0}, {0, 1})});
+      cells.push_back({row,
+                       column.name,
+                       corrected,
+                       {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
+                         Verdict::seed_error, "reproduced so"}},
+                       error,
+                       error,
+                       ellipse.radius_ratio({0, 1}) / ellipse.radius_ratio({1, 0})});
     }
   }
   return cells;
@@ -176,18 +180,19 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
   std::vector<HalfSpaceCell> cells;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const fast::Direction motion = direction_of_degrees(key_of(table, row));
-    const BranchSpeeds corrected = corrected_branch_speeds(bodies.half_space, motion);
-    const BranchSpeeds tabulated = corrected_branch_speeds(with_printed_d1, motion);
     const double unit = bodies.speed_unit();
     const std::string print =
         fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
                     bodies.scaled.c11, branch_radicand_as_printed(bodies.scaled, motion));
-    const auto cell = [&](const char* column, double right, double made, const std::string& how) {
-      return HalfSpaceCell{row, column, right / unit, {{only(made / unit), Verdict::match, how}}, ""};
+    const auto cell = [&](const char* column, fast::BranchWave wave,
+                          const data::TransverselyIsotropicSolid& made_with, const std::string& how) {
+      const double right = fast::branch_speed(wave, bodies.half_space, motion) / unit;
+      const double made = fast::branch_speed(wave, made_with, motion) / unit;
+      return HalfSpaceCell{row, column, right, {{only(made), Verdict::match, how}}, ""};
     };
-    cells.push_back(cell("c_56", corrected.c_56, corrected.c_56, ""));
-    cells.push_back(cell("c_plus", corrected.c_plus, tabulated.c_plus, print));
-    cells.push_back(cell("c_minus", corrected.c_minus, tabulated.c_minus, print));
+    cells.push_back(cell("c_56", fast::BranchWave::transverse, bodies.half_space, ""));
+    cells.push_back(cell("c_plus", fast::BranchWave::quasi_longitudinal, with_printed_d1, print));
+    cells.push_back(cell("c_minus", fast::BranchWave::quasi_transverse, with_printed_d1, print));
   }
   return cells;
 }
