@@ -64,8 +64,8 @@ class TransverselyIsotropicLine {
  private:
   [[nodiscard]] LineFunctions at(Direction psi, Two line_speed) const;
 
-  double unit_;     ///< of the moduli, a power of two: no modulus is rounded, no product overflows
-  double density_;  ///< of the solid, over that unit
+  double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
+  double density_;       ///< of the solid, over that unit
   std::variant<NormalAxisLine, InPlaneAxisLine> line_;
 };
 

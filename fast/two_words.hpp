@@ -23,10 +23,16 @@ inline Two two_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
-/// The rest of these are good to a few units of 2^-104.
+/// a + b exactly, |a| >= |b| (Dekker).
+inline Two two_sum_ordered(double a, double b) {
+  const double sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+/// The rest of these are good to a few units of 2^-104 of the largest operand.
 inline Two operator+(Two a, Two b) {
   const Two sum = two_sum(a.high, b.high);
-  return two_sum(sum.high, sum.low + (a.low + b.low));
+  return two_sum_ordered(sum.high, sum.low + (a.low + b.low));
 }
 
 inline Two operator-(Two a) { return {-a.high, -a.low}; }
@@ -34,13 +40,13 @@ inline Two operator-(Two a) { return {-a.high, -a.low}; }
 inline Two operator*(Two a, Two b) {
   const Two product = two_product(a.high, b.high);
   if (!std::isfinite(product.high)) return {product.high, 0};
-  return two_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+  return two_sum_ordered(product.high, product.low + (a.high * b.low + a.low * b.high));
 }
 
 inline Two operator/(Two a, double b) {
   const double quotient = a.high / b;
   if (!std::isfinite(quotient)) return {quotient, 0};
-  return two_sum(quotient, (std::fma(-quotient, b, a.high) + a.low) / b);
+  return two_sum_ordered(quotient, (std::fma(-quotient, b, a.high) + a.low) / b);
 }
 
 /// e^-x without losing what is in the low word; x >= 0.

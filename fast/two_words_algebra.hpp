@@ -8,12 +8,6 @@ namespace nipref::fast::internal {
 // What algebra with square roots needs beyond two_words.hpp; each good to a few units of 2^-104 of its
 // largest operand. Finite arguments.
 
-/// a + b exactly, |a| >= |b| (Dekker).
-inline Two two_sum_ordered(double a, double b) {
-  const double sum = a + b;
-  return {sum, b - (sum - a)};
-}
-
 inline Two operator-(Two a, Two b) { return a + -b; }
 
 inline Two operator*(double a, Two b) {
@@ -21,17 +15,20 @@ inline Two operator*(double a, Two b) {
   return two_sum_ordered(product.high, std::fma(a, b.low, product.low));
 }
 
+/// The reciprocal first: it need not wait for a.
 inline Two operator/(Two a, Two b) {
-  const double quotient = a.high / b.high;
+  const double reciprocal = 1 / b.high;
+  const double quotient = a.high * reciprocal;
   const Two rest = a - quotient * b;
-  return two_sum_ordered(quotient, rest.high / b.high);
+  return two_sum_ordered(quotient, rest.high * reciprocal);
 }
 
 /// a > 0: one step of Newton from the root of the high word.
 inline Two sqrt(Two a) {
   const double root = std::sqrt(a.high);
+  const double slope = 0.5 / root;
   const Two rest = a - two_product(root, root);
-  return two_sum_ordered(root, rest.high / (2 * root));
+  return two_sum_ordered(root, rest.high * slope);
 }
 
 inline Two twice(Two a) { return {2 * a.high, 2 * a.low}; }

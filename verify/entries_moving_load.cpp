@@ -42,7 +42,8 @@ double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::f
 /// and the kernels' own scale set the pieces.
 template <class Magnitude>
 double remembered(Magnitude magnitude, double rate, double from, double to) {
-  const double end = std::min(to, from + 40 / rate);
+  // Towards the load the kernels grow faster than some memories fade.
+  const double end = std::min(to, std::max(from, 0.0) + 40 / rate);
   std::vector<double> cuts{from, end};
   for (const double cut : {-20.0, -8.0, -3.0, -1.0, -0.1, -1e-3, -1e-6, 0.0, 1e-6, 1e-3, 0.1, 1.0, 3.0, 8.0,
                            20.0, from + 0.1 / rate, from + 1 / rate, from + 4 / rate, from + 12 / rate}) {

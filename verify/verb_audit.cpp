@@ -14,21 +14,21 @@
 namespace nipref::verify {
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
-  const auto [quantities, contacts, rolling] = selection(line);
-  static_cast<void>(rolling);  // its quantities are in the catalogue
+  const Selection selected = selection(line, {"contact"});
   const AuditOptions options{points_option(line, 0), accuracy_option(line), {}};
-  const std::vector<AuditResult> results = audit_all(quantities, options);
+  const std::vector<AuditResult> results = audit_all(selected.quantities, options);
   Progress progress;
   const auto contact_audits =
-      contacts ? audit_contacts([&](const std::string& what) { progress.show("audit " + what); })
-               : std::vector<ContactAudit>{};
+      selected.has("contact")
+          ? audit_contacts([&](const std::string& what) { progress.show("audit " + what); })
+          : std::vector<ContactAudit>{};
   if (line.json) {
     auto json = audit_json(results);
     json["contacts"] = contact_audit_json(contact_audits);
     fmt::print(out, "{}\n", json.dump(2));
   } else {
     if (!results.empty()) fmt::print(out, "{}", audit_text(results, options.accuracy));
-    if (contacts) fmt::print(out, "\n{}", contact_audit_text(contact_audits));
+    if (selected.has("contact")) fmt::print(out, "\n{}", contact_audit_text(contact_audits));
   }
   return all_kept(results) && std::ranges::all_of(contact_audits, &ContactAudit::kept) ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/bench_contacts.hpp"
+#include "verify/bench_half_space.hpp"
 #include "verify/bench_rolling.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_bench.hpp"
@@ -23,12 +24,13 @@ constexpr auto notes =
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const auto [quantities, contacts, rolling] = selection(line);
+  const Selection selected = selection(line, {"contact", "rolling", "half-space"});
   Progress progress;
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
-  BenchReport report = bench(quantities, show);
-  if (contacts) append(report, bench_contacts(show));
-  if (rolling) append(report, bench_rolling(show));
+  BenchReport report = bench(selected.quantities, show);
+  if (selected.has("contact")) append(report, bench_contacts(show));
+  if (selected.has("rolling")) append(report, bench_rolling(show));
+  if (selected.has("half-space")) append(report, bench_half_space(show));
   if (line.json) {
     fmt::print(out, "{}\n", bench_json(report).dump(2));
   } else {

@@ -1,5 +1,6 @@
 #include "verify/verb_options.hpp"
 
+#include <algorithm>
 #include <vector>
 
 #include "data/bad_input.hpp"
@@ -24,13 +25,22 @@ std::size_t points_option(const CommandLine& line, std::size_t otherwise) {
   return static_cast<std::size_t>(points);
 }
 
-Selection selection(const CommandLine& line) {
-  std::vector<std::string> names = line.words;
-  const bool all = names.empty();
-  const bool contacts = std::erase(names, "contact") > 0;
-  const bool rolling = std::erase(names, "rolling") > 0;
-  if (!all && names.empty()) return {{}, contacts, rolling};
-  return {select_quantities(names), contacts || all, rolling || all};
+bool Selection::has(std::string_view group) const { return std::ranges::find(groups, group) != groups.end(); }
+
+Selection selection(const CommandLine& line, std::initializer_list<std::string_view> groups) {
+  if (line.words.empty()) return {select_quantities({}), groups};
+  Selection selected;
+  std::vector<std::string> names;
+  for (const std::string& word : line.words) {
+    const auto* group = std::ranges::find(groups, word);
+    if (group == groups.end()) {
+      names.push_back(word);
+    } else {
+      selected.groups.push_back(*group);
+    }
+  }
+  if (!names.empty()) selected.quantities = select_quantities(names);
+  return selected;
 }
 
 }  // namespace nipref::verify

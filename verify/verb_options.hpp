@@ -1,5 +1,7 @@
 #pragma once
 #include <cstddef>
+#include <initializer_list>
+#include <string_view>
 #include <vector>
 
 #include "fast/accuracy.hpp"
@@ -14,13 +16,15 @@ namespace nipref::verify {
 fast::Accuracy accuracy_option(const CommandLine& line);
 std::size_t points_option(const CommandLine& line, std::size_t otherwise);
 
-/// What the words name: quantities of the catalogue, "contact" the elastic contacts, "rolling" the
-/// viscoelastic ones; all of it if there are none. BadInput for other words.
+/// What the words name: quantities of the catalogue, and groups that are not in it; all of it if there are
+/// none.
 struct Selection {
   std::vector<const Quantity*> quantities;
-  bool contacts;
-  bool rolling;
+  std::vector<std::string_view> groups;
+
+  [[nodiscard]] bool has(std::string_view group) const;
 };
-Selection selection(const CommandLine& line);
+/// BadInput for words that are neither a quantity nor one of `groups`.
+Selection selection(const CommandLine& line, std::initializer_list<std::string_view> groups);
 
 }  // namespace nipref::verify

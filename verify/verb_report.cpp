@@ -8,6 +8,7 @@
 #include "verify/audit_all.hpp"
 #include "verify/audit_contacts.hpp"
 #include "verify/bench_contacts.hpp"
+#include "verify/bench_half_space.hpp"
 #include "verify/bench_rolling.hpp"
 #include "verify/catalogue.hpp"
 #include "verify/machine.hpp"
@@ -38,6 +39,7 @@ BenchReport run_bench() {
   BenchReport report = bench(select_quantities({}), show);
   append(report, bench_contacts(show));
   append(report, bench_rolling(show));
+  append(report, bench_half_space(show));
   return report;
 }
 
@@ -65,7 +67,7 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
     return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
            row.method.find("digits") != std::string::npos || row.quantity == "contact" ||
-           row.quantity == "rolling";
+           row.quantity == "rolling" || row.quantity == "half-space";
   });
   return essential;
 }
