@@ -71,6 +71,19 @@ LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed,
           quotient(line.coupling, line.rayleigh, solid.shear)};
 }
 
+double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  const LineFunctions line = line_functions(solid, speed, from_motion);
+  const double X = std::pow(speed * from_motion.cosine, 2);
+  const double ratio = inverse_squared_pressure_speed(solid.poisson).high;
+  const double wS = line.shear_decay.high, wD = line.pressure_decay.high, roots = wS * wD;
+  // With K = wD/r, r = R/X = 4 - X - 4 (1 - roots)/X, derivatives with respect to X.
+  const double roots_slope = -(wD / wS + ratio * wS / wD) / 2;
+  const double defect_slope =
+      -(ratio * (1 + roots) + (1 + ratio - X * ratio) * roots_slope) / ((1 + roots) * (1 + roots));
+  const double r_slope = -1 - 4 * defect_slope;
+  return 2 * X * (-ratio / (2 * wD * wD) - r_slope / line.rayleigh.high);
+}
+
 ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double speed,
                                        Direction from_motion) {
   const LineFunctions line = line_functions(solid, speed, from_motion);

@@ -16,6 +16,10 @@ namespace nipref::fast {
 /// X/cD^2 and R = 4 wS wD - (2 - X)^2 they are X wD/(mu R) and (2 - X - 2 wS wD)/(mu R). (brock2012 18a)
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
+/// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times as
+/// large. Grows without bound towards the Rayleigh speed.
+double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
 /// What the surface answers to shear on lines, in its own direction: du/dx = -in_line H[tau] along the line
 /// for tau along it, du/dx = -across H[tau] across it; 1/stress.
 struct ShearResponse {

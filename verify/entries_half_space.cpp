@@ -122,6 +122,62 @@ Quantity isotropic_line(std::string name, std::string definition, FastMember of_
   return entry;
 }
 
+/// By a central difference of the reference's K in three times the digits.
+ref::Enclosure exact_condition(const Exact& poisson, const Exact& speed, const SurfaceDirection& psi,
+                               int digits) {
+  const auto motion = SurfaceDirection::of_degrees(Exact(0.0));
+  const ref::ExactStiffness solid = exact_isotropic(poisson);
+  const Exact step = Exact::parse("1e-" + std::to_string(digits));
+  const auto ln_K = [&](int sign) {
+    const Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));
+    ref::Real value = ref::surface_response(solid, moved, motion, psi, 3 * digits).compliance.value;
+    mpfr_log(value.get(), value.get(), MPFR_RNDN);
+    return value;
+  };
+  ref::Real slope = ln_K(1);
+  const ref::Real below = ln_K(-1);
+  mpfr_sub(slope.get(), slope.get(), below.get(), MPFR_RNDN);
+  ref::Real two_steps(slope.precision());
+  mpfr_set_q(two_steps.get(), mpq_class(2 * step.value()).get_mpq_t(), MPFR_RNDN);
+  mpfr_div(slope.get(), slope.get(), two_steps.get(), MPFR_RNDN);
+  // The next term is step^2 times a third derivative, which grows like the cube of the slope.
+  ref::Real error(64);
+  mpfr_set_q(error.get(), step.value().get_mpq_t(), MPFR_RNDU);
+  return {slope, error, digits};
+}
+
+Quantity entry_condition() {
+  Quantity entry = half_space_entry(
+      "halfspace.condition", "d ln K/d ln speed: how much of a relative error of the speed comes out in K",
+      "of brock2012 (18a)");
+  entry.arguments = {{"poisson", ArgumentKind::poisson, {}, {}},
+                     {"speed", ArgumentKind::nonnegative, {}, {}},
+                     {"psi_deg", ArgumentKind::degrees, "0", {}}};
+  entry.scale = "1 or the value";
+  entry.envelope = [](Doubles) { return 1.0; };
+  entry.promise = 16;
+  entry.draw = [](Random& random) {
+    const double poisson = draw_poisson(random);
+    return Point{poisson, random.uniform(0.01, 0.999) * fast::isotropic_rayleigh_speed(poisson),
+                 random.uniform(-80, 80)};
+  };
+  entry.keep_off = [](Point& x) {
+    x[0] = std::clamp(x[0], -0.9, largest_poisson);
+    x[1] = std::min(x[1], 0.999 * fast::isotropic_rayleigh_speed(x[0]));
+  };
+  entry.by_ref = [](Exacts x, int digits) {
+    return exact_condition(x[0], x[1], SurfaceDirection::of_degrees(x[2]), digits);
+  };
+  entry.by_ref_of_doubles = [](Doubles x, int digits) {
+    const Exact along(mpq_class(mpq_class(x[1]) * mpq_class(direction_of_degrees(x[2]).cosine)));
+    return exact_condition(Exact(x[0]), along, SurfaceDirection::of_degrees(Exact(0.0)), digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::isotropic_condition(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2]));
+  });
+  return entry;
+}
+
 Quantity entry_rayleigh() {
   Quantity entry = half_space_entry("halfspace.rayleigh", "speed of Rayleigh waves over that of shear waves",
                                     "brock2012, root of R (16b)");
@@ -237,6 +293,47 @@ Quantity entry_transverse_critical() {
   return entry;
 }
 
+Quantity entry_transverse_rayleigh() {
+  constexpr std::size_t solid = 2;
+  Quantity entry =
+      half_space_entry("ti.rayleigh",
+                       "speed, in those of steel's shear waves, at which lines at psi are critical by a "
+                       "surface wave",
+                       "brock2013, root of M (19c), (43b) corrected");
+  entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}},
+                     {"psi_deg", ArgumentKind::degrees, "0", {}}};
+  append_transverse_arguments(entry.arguments);
+  entry.promise = 16;
+  entry.audit_points = 6;
+  entry.draw = [](Random& random) {
+    const double theta = random.uniform(-90, 90);
+    return Point{
+        theta, theta + random.uniform(-60, 60), random.chance(0.2) ? 0.0 : 1.0, 13.9, 160.7, 6.44, 7.07, 3.5,
+        1688};
+  };
+  entry.keep_off = [](Point& x) { x = {x[0], x[1], x[2], 13.9, 160.7, 6.44, 7.07, 3.5, 1688}; };
+  const auto speed = [](const ref::ExactStiffness& material, const SurfaceDirection& motion,
+                        const SurfaceDirection& psi, int digits) {
+    const auto found = ref::surface_wave_speed(material, motion, psi, digits);
+    if (!found) throw data::BadInput("psi_deg", "(as given)", "must be a direction that has a surface wave");
+    return *found;
+  };
+  entry.by_ref = [speed](Exacts x, int digits) {
+    return speed(exact_transverse_at(x, solid), SurfaceDirection::of_degrees(x[0]),
+                 SurfaceDirection::of_degrees(x[1]), digits);
+  };
+  entry.by_ref_of_doubles = [speed](Doubles x, int digits) {
+    const Direction motion = direction_of_degrees(x[0]), psi = direction_of_degrees(x[1]);
+    return speed(exact_of_transverse_at(x, solid), {Exact(motion.cosine), Exact(motion.sine)},
+                 {Exact(psi.cosine), Exact(psi.sine)}, digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::rayleigh_speed(transverse_at(x, solid), axis_at(x, solid), direction_of_degrees(x[0]),
+                                direction_of_degrees(x[1]));
+  });
+  return entry;
+}
+
 }  // namespace
 
 std::vector<Quantity> half_space_entries() {
@@ -247,11 +344,13 @@ std::vector<Quantity> half_space_entries() {
                          &ref::SurfaceResponse::compliance),
           isotropic_line("halfspace.coupling", coupling, &LineResponse::coupling,
                          &ref::SurfaceResponse::coupling),
+          entry_condition(),
           entry_rayleigh(),
           transverse_line("ti.compliance", std::string("K") + transverse, &LineResponse::compliance,
                           &ref::SurfaceResponse::compliance),
           transverse_line("ti.coupling", std::string("S") + transverse, &LineResponse::coupling,
                           &ref::SurfaceResponse::coupling),
+          entry_transverse_rayleigh(),
           entry_transverse_critical()};
 }
 
