@@ -60,9 +60,7 @@ Enclosure result(const Float& value, Float error, int digits) {
 }
 
 /// Without quadrature: what the surface's own digits and rounding leave.
-Enclosure closed(const Float& value, int digits) {
-  return result(value, 0, digits);
-}
+Enclosure closed(const Float& value, int digits) { return result(value, 0, digits); }
 
 template <class Compute>
 Enclosure with_digits(int digits, Compute compute) {
@@ -144,16 +142,24 @@ struct Ellipse {
   Float e = 0, f = 0;
 };
 
+/// cos and sin of twice the angles of evenly spread directions.
+struct DoubledAngles {
+  std::vector<Float> c, s;
+
+  explicit DoubledAngles(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Float angle = 2 * pi() * static_cast<long>(i) / static_cast<long>(count) - pi();
+      c.push_back(cos(angle));
+      s.push_back(sin(angle));
+    }
+  }
+};
+
 /// Newton's method on the trapezoidal sums.
 Ellipse solve_ellipse(const std::vector<Float>& compliance) {
   const auto count = compliance.size();
   Ellipse ellipse;
-  std::vector<Float> c(count), s(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Float angle = 2 * pi() * static_cast<long>(i) / static_cast<long>(count) - pi();
-    c[i] = cos(angle);
-    s[i] = sin(angle);
-  }
+  const auto [c, s] = DoubledAngles(count);
   for (int step = 0; step < 60; ++step) {
     Float r1 = 0, r2 = 0, j11 = 0, j12 = 0, j22 = 0;
     for (std::size_t i = 0; i < count; ++i) {
@@ -183,6 +189,37 @@ Ellipse solve_ellipse(const std::vector<Float>& compliance) {
 Float axis_ratio(const Ellipse& ellipse) {
   const Float r = hypot(ellipse.e, ellipse.f);
   return sqrt((1 - r) / (1 + r));
+}
+
+Float stiffness(const std::vector<Float>& compliance) {
+  const Ellipse ellipse = solve_ellipse(compliance);
+  const auto [c, s] = DoubledAngles(compliance.size());
+  Float first = 0, third = 0;
+  for (std::size_t i = 0; i < compliance.size(); ++i) {
+    const Float square = 1 + ellipse.e * c[i] + ellipse.f * s[i];
+    const Float term = compliance[i] / sqrt(square);
+    first += term;
+    third += term / square;
+  }
+  const Float step = pi() / static_cast<long>(compliance.size());
+  return 8 * pi() / 3 * sqrt(third * step) / pow(first * step, Float(1.5));
+}
+
+/// What `of_compliances` makes of K at evenly spread directions, doubled until it changes no more.
+template <class OfCompliances>
+Enclosure of_ellipse(const SurfaceAnswer& surface, int digits, OfCompliances of_compliances) {
+  return with_digits(digits, [&](int working) {
+    const Surface lines(surface, working);
+    Float last = 0, change = 1;
+    doubled<Float>([&](const Exact& degrees) -> Float { return lines.at(degrees).compliance; },
+                   [&](const std::vector<Float>& values) {
+                     const Float finer = of_compliances(values);
+                     change = abs(finer - last);
+                     last = finer;
+                     return change <= tolerance(digits) * std::min(Float(1), last) / 10;
+                   });
+    return result(last, change, digits);
+  });
 }
 
 }  // namespace
@@ -248,18 +285,12 @@ Enclosure rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
 }
 
 Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, int digits) {
-  return with_digits(digits, [&](int working) {
-    const Surface lines(surface, working);
-    Float ratio = 0, change = 1;
-    doubled<Float>([&](const Exact& degrees) -> Float { return lines.at(degrees).compliance; },
-                   [&](const std::vector<Float>& values) {
-                     const Float finer = axis_ratio(solve_ellipse(values));
-                     change = abs(finer - ratio);
-                     ratio = finer;
-                     return change <= tolerance(digits) * ratio / 10;
-                   });
-    return result(ratio, change, digits);
-  });
+  return of_ellipse(surface, digits,
+                    [](const std::vector<Float>& values) { return axis_ratio(solve_ellipse(values)); });
+}
+
+Enclosure elliptic_stiffness(const SurfaceAnswer& surface, int digits) {
+  return of_ellipse(surface, digits, stiffness);
 }
 
 }  // namespace nipref::ref

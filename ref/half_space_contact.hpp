@@ -51,4 +51,8 @@ Enclosure rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
 /// psi) + f sin(2 psi).
 Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, int digits);
 
+/// F/(sqrt(R) delta^(3/2)) of that contact, R the sphere's radius and delta its approach: (8 pi/3) I3^(1/2)/
+/// I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. At rest Hertz's 8/(3 K).
+Enclosure elliptic_stiffness(const SurfaceAnswer& surface, int digits);
+
 }  // namespace nipref::ref

@@ -42,6 +42,7 @@ TEST_CASE("the reference's sliding contact at rest without friction is a circle 
   CHECK(ref::sliding_force(surface, Exact(0.0), 20).to_double() ==
         doctest::Approx(2 * std::numbers::pi / 3 / 8 / 0.75).epsilon(1e-14));
   CHECK(ref::elliptic_axis_ratio(surface, 20).to_double() == doctest::Approx(1).epsilon(1e-15));
+  CHECK(ref::elliptic_stiffness(surface, 20).to_double() == doctest::Approx(8 / (3 * 0.75)).epsilon(1e-14));
 }
 
 TEST_CASE("moving contacts have the shapes found before") {

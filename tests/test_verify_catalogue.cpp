@@ -60,6 +60,7 @@ TEST_CASE("the catalogue holds every quantity") {
                                        "rolling.index",
                                        "rolling.span_ratio",
                                        "ellipse.axis_ratio",
+                                       "ellipse.stiffness",
                                        "ti.span_ratio"});
 }
 

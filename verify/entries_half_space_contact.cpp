@@ -171,6 +171,24 @@ Quantity entry_axis_ratio() {
   return entry;
 }
 
+Quantity entry_stiffness() {
+  Quantity entry = contact_entry(
+      "ellipse.stiffness",
+      "F/(mu sqrt(r0) delta^(3/2)) of the exact frictionless contact of a rigid sphere that slides, "
+      "delta its approach",
+      "notes on brock2012 (31)", 128);  // the solver stops at 64
+  entry.arguments = isotropic_arguments();
+  entry.audit_points = 6;
+  drawn_with(entry, [](Random&) { return Point{}; });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::elliptic_stiffness(exact_isotropic_surface(x[0], x[1]), digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::EllipticContact(isotropic_surface(x[0], x[1]), {1, 1}).for_approach(1).force.value;
+  });
+  return entry;
+}
+
 // The seed's steel sphere on a transversely isotropic half-space: theta_deg, speed, then the entry's own
 // argument and the solid. The patch moves in the sphere, as in the seed.
 
@@ -260,8 +278,8 @@ Quantity entry_seed_span_ratio() {
 }  // namespace
 
 std::vector<Quantity> half_space_contact_entries() {
-  return {entry_exponent(),           entry_die_span_ratio(), entry_die_force(),      entry_rolling_index(),
-          entry_rolling_span_ratio(), entry_axis_ratio(),     entry_seed_span_ratio()};
+  return {entry_exponent(),           entry_die_span_ratio(), entry_die_force(), entry_rolling_index(),
+          entry_rolling_span_ratio(), entry_axis_ratio(),     entry_stiffness(), entry_seed_span_ratio()};
 }
 
 }  // namespace nipref::verify
