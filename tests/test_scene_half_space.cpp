@@ -5,7 +5,7 @@
 #include <string>
 
 #include "data/scene_file.hpp"
-#include "run_nipref.hpp"
+#include "refused_scene.hpp"
 #include "scratch_file.hpp"
 #include "verify/solve.hpp"
 
@@ -39,17 +39,6 @@ const std::string spans = wanting(R"("span_along", "span_across", "normal_force"
 verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
   const ScratchFile file(text);
   return verify::solve(data::load_scene(file.path()));
-}
-
-void check_refused(const std::string& text, const std::string& says, const std::string& flags = "") {
-  const ScratchFile file(text);
-  const Outcome outcome = run("solve " + file.path() + flags);
-  CAPTURE(outcome.err);
-  CAPTURE(says);
-  CHECK(outcome.status == 2);
-  CHECK(outcome.out.empty());
-  CHECK(outcome.err.find(says) != std::string::npos);
-  CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
 }
 
 void check_same(const std::string& a, const std::string& b, double tolerance) {

@@ -10,7 +10,7 @@
 #include "data/bad_input.hpp"
 #include "data/scene_file.hpp"
 #include "fast/rolling_converged.hpp"
-#include "run_nipref.hpp"
+#include "refused_scene.hpp"
 #include "scratch_file.hpp"
 #include "verify/solve.hpp"
 
@@ -60,17 +60,6 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   const std::size_t position = text.find(from);
   REQUIRE(position != std::string::npos);
   return text.replace(position, from.size(), to);
-}
-
-void check_refused(const std::string& text, const std::string& says, const std::string& flags = "") {
-  const ScratchFile file(text);
-  const Outcome outcome = run("solve " + file.path() + flags);
-  CAPTURE(outcome.err);
-  CAPTURE(says);
-  CHECK(outcome.status == 2);
-  CHECK(outcome.out.empty());
-  CHECK(outcome.err.find(says) != std::string::npos);
-  CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
 }
 
 void check_material_refused(const std::string& material, const std::string& says) {

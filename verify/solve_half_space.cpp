@@ -143,12 +143,20 @@ struct Slide {
   }
 };
 
-/// By the papers' rule.
-class Sliding : public OnHalfSpace {
+Estimate peak(const fast::SlidingContact& contact) { return contact.peak_pressure(); }
+/// At the centre, the same on every line.
+Estimate peak(const fast::RollingSphere& contact) {
+  const Estimate span = contact.span();
+  const double pressure = -contact.along(along).normal_traction(0);
+  return {pressure, pressure * span.error / span.value};
+}
+
+/// By the papers' rule: Contact is fast::SlidingContact or fast::RollingSphere.
+template <class Contact>
+class ByRule : public OnHalfSpace {
  public:
-  Sliding(const HalfSpaceResponse& response, const data::HalfSpaceProblem& problem)
-      : OnHalfSpace(response, problem.friction),
-        contact_(std::visit(Slide{response, problem}, problem.given)) {}
+  ByRule(const HalfSpaceResponse& response, double friction, Contact contact)
+      : OnHalfSpace(response, friction), contact_(std::move(contact)) {}
 
  private:
   [[nodiscard]] Estimate span(Direction psi) const override {
@@ -158,9 +166,9 @@ class Sliding : public OnHalfSpace {
     return to_rounding(contact_.span_ratio(psi));
   }
   [[nodiscard]] Estimate force() const override { return contact_.force(); }
-  [[nodiscard]] Estimate peak_pressure() const override { return contact_.peak_pressure(); }
+  [[nodiscard]] Estimate peak_pressure() const override { return peak(contact_); }
 
-  fast::SlidingContact contact_;
+  Contact contact_;
 };
 
 struct Roll {
@@ -180,29 +188,6 @@ struct Roll {
   }
 };
 
-class Rolling : public OnHalfSpace {
- public:
-  Rolling(const HalfSpaceResponse& response, const data::HalfSpaceProblem& problem)
-      : OnHalfSpace(response, 0), contact_(std::visit(Roll{problem}, problem.given)) {}
-
- private:
-  [[nodiscard]] Estimate span(Direction psi) const override {
-    return times(contact_.span_ratio(psi), contact_.span());
-  }
-  [[nodiscard]] Estimate span_ratio(Direction psi) const override {
-    return to_rounding(contact_.span_ratio(psi));
-  }
-  [[nodiscard]] Estimate force() const override { return contact_.force(); }
-  /// At the centre, the same on every line.
-  [[nodiscard]] Estimate peak_pressure() const override {
-    const Estimate span = contact_.span();
-    const double pressure = -contact_.along(along).normal_traction(0);
-    return {pressure, pressure * span.error / span.value};
-  }
-
-  fast::RollingSphere contact_;
-};
-
 }  // namespace
 
 std::unique_ptr<SolvedContact<Estimate>> solve_half_space(const data::Scene& scene,
@@ -210,8 +195,10 @@ std::unique_ptr<SolvedContact<Estimate>> solve_half_space(const data::Scene& sce
   const HalfSpaceResponse response(problem, scene.origin);
   if (problem.rule == data::ContourRule::exact) return std::make_unique<Exact>(response, problem);
   if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
-    return std::make_unique<Rolling>(response, problem);
-  return std::make_unique<Sliding>(response, problem);
+    return std::make_unique<ByRule<fast::RollingSphere>>(response, 0,
+                                                         std::visit(Roll{problem}, problem.given));
+  return std::make_unique<ByRule<fast::SlidingContact>>(response, problem.friction,
+                                                        std::visit(Slide{response, problem}, problem.given));
 }
 
 }  // namespace nipref::verify
