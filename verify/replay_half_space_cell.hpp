@@ -30,7 +30,9 @@ struct HalfSpaceCell {
 
 /// The verdict: `match` if the printed number is within one unit of the table's fourth decimal of the
 /// corrected one (the tables have four decimals and drop trailing zeros, so that 1.21 is 1.2100); that of the
-/// first attempt from which it is within one unit of its own last digit; `seed_error` if there is a proof;
+/// first attempt from which it is within one unit of its own last digit, which is `match` where the formula
+/// that made the table gives the cell, be it right or wrong (the note says which), and `seed_error` where the
+/// table is refuted as a whole or the cell needs another number too; `seed_error` if there is a proof;
 /// otherwise `unexplained`. A cell that its table casts doubt on takes no proof: what is wrong with it is
 /// more than the formula.
 ReplayedCell judge_half_space(const data::Table& table, const HalfSpaceCell& cell);

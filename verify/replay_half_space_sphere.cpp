@@ -211,7 +211,7 @@ std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& tabl
           row,
           column.name,
           spans.corrected(phi, speed),
-          {{only(tabulated), Verdict::seed_error, "reproduced so"}},
+          {{only(tabulated), Verdict::match, "reproduced so"}},
           fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
                       "wrong too, {:.4f}",
                       spans.printed(phi, speed)),
