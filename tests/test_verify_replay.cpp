@@ -7,6 +7,7 @@
 #include "data/bad_input.hpp"
 #include "data/table_index.hpp"
 #include "fast/contact_converged.hpp"
+#include "replayed.hpp"
 #include "verify/render_tables.hpp"
 #include "verify/replay.hpp"
 #include "verify/replay_corrected.hpp"
@@ -38,7 +39,7 @@ TEST_CASE("the matching rule: intervals meet or they do not") {
 }
 
 TEST_CASE("Table VII: every cell that its own row does not contradict matches") {
-  const verify::Replay replay = verify::replay_table("thesis-VII");
+  const verify::Replay& replay = replayed("thesis-VII");
   CHECK(replay.count(Verdict::input) == 8);
   CHECK(replay.cells.size() == 72);
   for (const verify::ReplayedCell& replayed : replay.cells) {
@@ -71,7 +72,7 @@ TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one sa
   double without_number = 0;
   for (const verify::LineLoadTable& table : verify::line_load_tables()) {
     const std::string id(table.id);
-    const verify::Replay replay = verify::replay_table(id);
+    const verify::Replay& replay = replayed(id);
     for (const verify::ReplayedCell& replayed : replay.cells) {
       CAPTURE(id);
       CAPTURE(replayed.row);
@@ -91,13 +92,13 @@ TEST_CASE("Tables III to X: 95 in 100 cells are explained, and each other one sa
 
 TEST_CASE("the printed creep of Table III is rounded away from zero, and of no other") {
   for (const std::string id : {"thesis-III", "thesis-IV", "thesis-V", "thesis-VI"}) {
-    const verify::Replay replay = verify::replay_table(id);
+    const verify::Replay& replay = replayed(id);
     CAPTURE(id);
     CHECK((replay.count(Verdict::seed_error) > 0) == (id == "thesis-III"));
     CHECK(replay.count(Verdict::input) == 16);  // L and creep
   }
   // One number mends d0, d1, q_max and their ratios of a row together.
-  const verify::Replay third = verify::replay_table("thesis-III");
+  const verify::Replay& third = replayed("thesis-III");
   for (const verify::ReplayedCell& replayed : third.cells) {
     if (replayed.row != 5 || replayed.verdict == Verdict::input) continue;
     CHECK(replayed.verdict != Verdict::unexplained);
@@ -105,14 +106,14 @@ TEST_CASE("the printed creep of Table III is rounded away from zero, and of no o
 }
 
 TEST_CASE("where L is not printed the row is replayed from L/B, which then counts as input") {
-  const verify::Replay replay = verify::replay_table("thesis-VIII");
+  const verify::Replay& replay = replayed("thesis-VIII");
   CHECK(replay.count(Verdict::input) == 8 + 7);
   CHECK(replay.count(Verdict::unexplained) == 0);
 }
 
 TEST_CASE("the notes of missed cells say what would meet them") {
   const auto note = [](const std::string& id, std::size_t row, const std::string& column) {
-    const verify::Replay replay = verify::replay_table(id);
+    const verify::Replay& replay = replayed(id);
     return std::ranges::find_if(replay.cells,
                                 [&](const verify::ReplayedCell& replayed) {
                                   return replayed.row == row && replayed.column == column;
@@ -134,7 +135,7 @@ TEST_CASE("the notes of missed cells say what would meet them") {
 TEST_CASE("the known misses are misses, all of them, and the only ones in the viscoelastic tables") {
   std::size_t known = 0;
   for (const std::string& id : verify::replayable_tables()) {
-    const verify::Replay replay = verify::replay_table(id);
+    const verify::Replay& replay = replayed(id);
     for (const verify::ReplayedCell& replayed : replay.cells) {
       CAPTURE(id);
       CAPTURE(replayed.row);
@@ -151,7 +152,7 @@ TEST_CASE("the known misses are misses, all of them, and the only ones in the vi
 }
 
 TEST_CASE("corrected: the continuous contact at the stated load, which thick sheets are a sixth short of") {
-  verify::Replay replay = verify::replay_table("thesis-VII");
+  verify::Replay replay = replayed("thesis-VII");
   verify::correct(replay);
   const data::ElasticNip nip = verify::nip_of_the_tables(replay.table);
   const auto truth = fast::converged_for_load(nip, data::Friction::none, 25.0, 1e-10);
@@ -183,7 +184,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
 }
 
 TEST_CASE("corrected with full friction has the shear and the creep of its own") {
-  verify::Replay replay = verify::replay_table("thesis-IV");
+  verify::Replay replay = replayed("thesis-IV");
   verify::correct(replay);
   const auto json = verify::tables_json({replay});
   bool differs = false;
@@ -196,7 +197,7 @@ TEST_CASE("corrected with full friction has the shear and the creep of its own")
 }
 
 TEST_CASE("JSON of the replay has the shape that tools rely on") {
-  const auto json = verify::tables_json({verify::replay_table("thesis-VII")});
+  const auto json = verify::tables_json({replayed("thesis-VII")});
   CHECK(json["tables"][0]["id"] == "thesis-VII");
   const auto& first = json["tables"][0]["cells"][1];
   CHECK(first["row"]["W"] == "25");

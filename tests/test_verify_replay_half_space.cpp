@@ -9,6 +9,7 @@
 
 #include "data/table_index.hpp"
 #include "fast/isotropic_half_space.hpp"
+#include "replayed.hpp"
 #include "verify/printed_half_space.hpp"
 #include "verify/render_tables.hpp"
 #include "verify/replay_half_space.hpp"
@@ -68,7 +69,7 @@ TEST_CASE("the verdicts of the five tables") {
                                  {"brock2013-2", 15, 0, 0, 0},
                                  {"brock2013-3", 7, 22, 11, 5}}) {
     CAPTURE(expected.id);
-    const Replay replay = verify::replay_table(expected.id);
+    const Replay& replay = replayed(expected.id);
     CHECK(replay.count(Verdict::match) == expected.match);
     CHECK(replay.count(Verdict::seed_error) == expected.seed_error);
     CHECK(replay.count(Verdict::unexplained) == expected.unexplained);
@@ -89,7 +90,7 @@ TEST_CASE("the verdicts of the five tables") {
 }
 
 TEST_CASE("the die: friction in the wrong places, roots of five decimals, one pair of digits exchanged") {
-  const Replay replay = verify::replay_table("brock2012-1");
+  const Replay& replay = replayed("brock2012-1");
   for (const ReplayedCell& cell : replay.cells) {
     CAPTURE(cell.row);
     CAPTURE(cell.column);
@@ -104,7 +105,7 @@ TEST_CASE("the die: friction in the wrong places, roots of five decimals, one pa
 }
 
 TEST_CASE("the sphere, axis normal: right is nearly a circle, where 0.53 is printed") {
-  const Replay replay = verify::replay_table("brock2013-1");
+  const Replay& replay = replayed("brock2013-1");
   CHECK(*cell_of(replay, 0, "c=0.05").corrected == Approx(0.99637).epsilon(1e-5));
   CHECK(says(cell_of(replay, 0, "c=0.05"), "0.5354 at rest"));
   for (const ReplayedCell& cell : replay.cells) {
@@ -113,7 +114,7 @@ TEST_CASE("the sphere, axis normal: right is nearly a circle, where 0.53 is prin
 }
 
 TEST_CASE("the sphere, axis in the plane: what the symmetry of K proves") {
-  const Replay replay = verify::replay_table("brock2013-3");
+  const Replay& replay = replayed("brock2013-3");
   for (const char* column : {"c=0.05", "c=0.1", "c=0.2", "c=0.3", "c=0.4"}) {
     const ReplayedCell& left = cell_of(replay, 8, column);
     const ReplayedCell& right = cell_of(replay, 0, column);
@@ -132,11 +133,11 @@ TEST_CASE("the sphere, axis in the plane: what the symmetry of K proves") {
 
 TEST_CASE("the exact frictionless ellipse: the papers' contour is too slender") {
   const auto exact = [](const char* id, const std::string& column) {
-    return *cell_of(verify::replay_table(id), 0, column).exact;
+    return *cell_of(replayed(id), 0, column).exact;
   };
   CHECK(exact("brock2012-1", "c=0.3") == Approx(0.9770).epsilon(1e-4));
   CHECK(exact("brock2013-1", "c=0.4") == Approx(0.9157).epsilon(1e-4));
-  CHECK_FALSE(cell_of(verify::replay_table("brock2012-2"), 0, "c=0.3").exact);
+  CHECK_FALSE(cell_of(replayed("brock2012-2"), 0, "c=0.3").exact);
 }
 
 TEST_CASE("the rule of verdicts") {

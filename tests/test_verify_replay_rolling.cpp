@@ -10,6 +10,7 @@
 #include "fast/contact_line_loads.hpp"
 #include "fast/rolling_converged.hpp"
 #include "fast/rolling_line_loads.hpp"
+#include "replayed.hpp"
 #include "verify/replay_corrected.hpp"
 #include "verify/replay_rolling.hpp"
 #include "verify/replay_rolling_row.hpp"
@@ -39,7 +40,7 @@ const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5,
 TEST_CASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
   for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
     CAPTURE(id);
-    const Replay replay = verify::replay_table(id);
+    const Replay& replay = replayed(id);
     const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
     CHECK(static_cast<double>(met) >= 0.9 * static_cast<double>(legible(replay)));
     CHECK(static_cast<double>(met + replay.count(Verdict::seed_error)) >=
@@ -51,7 +52,7 @@ TEST_CASE("the viscoelastic tables are met from their printed lengths, one for e
 }
 
 TEST_CASE("the notes' rows come out to their printed digits") {
-  const Replay replay = verify::replay_table("thesis-XV");
+  const Replay& replay = replayed("thesis-XV");
   CHECK(cell_of(replay, 5, "d0").value == doctest::Approx(575.042e-6).scale(0).epsilon(1e-5));
   CHECK(cell_of(replay, 5, "muR").value == doctest::Approx(702.36e-6).scale(0).epsilon(1e-5));
   CHECK(cell_of(replay, 5, "d0").verdict == Verdict::match);
@@ -61,7 +62,7 @@ TEST_CASE("the notes' rows come out to their printed digits") {
 }
 
 TEST_CASE("a row without a legible length is replayed from d2, one with a doubtful L1 from L2") {
-  const Replay replay = verify::replay_table("thesis-XII");
+  const Replay& replay = replayed("thesis-XII");
   for (std::size_t row = 5; row < 10; ++row) {
     CAPTURE(row);
     CHECK(replay.table.cell(row, "L1").is_readable() == false);
@@ -99,7 +100,7 @@ TEST_CASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as 
                              {"thesis-XXV", 0.84},
                              {"thesis-XXVI", 0.88}}) {
     CAPTURE(bound.id);
-    const Replay replay = verify::replay_table(std::string(bound.id));
+    const Replay& replay = replayed(std::string(bound.id));
     const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
     CHECK(static_cast<double>(met) >= bound.met * static_cast<double>(legible(replay)));
     all_met += met;
@@ -109,7 +110,7 @@ TEST_CASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as 
 }
 
 TEST_CASE("the creep of short relaxation times lacks what underflowed") {
-  const Replay replay = verify::replay_table("thesis-XXIV");
+  const Replay& replay = replayed("thesis-XXIV");
   const ReplayedCell& short_time = cell_of(replay, 8, "creep");
   CHECK(short_time.verdict == Verdict::seed_error);
   CHECK(short_time.note.find("underflows") != std::string::npos);
@@ -117,7 +118,7 @@ TEST_CASE("the creep of short relaxation times lacks what underflowed") {
 }
 
 TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
-  Replay replay = verify::replay_table("thesis-XI");
+  Replay replay = replayed("thesis-XI");
   verify::correct(replay);
   REQUIRE(replay.costs.size() == 3);
   const auto largest = [&](std::size_t cost, std::size_t column) {

@@ -1,0 +1,12 @@
+#pragma once
+#include <map>
+#include <string>
+
+#include "verify/replay.hpp"
+
+/// verify::replay_table, once for each table in all tests.
+inline const nipref::verify::Replay& replayed(const std::string& id) {
+  static std::map<std::string, nipref::verify::Replay> all;
+  const auto found = all.find(id);
+  return found != all.end() ? found->second : all.emplace(id, nipref::verify::replay_table(id)).first->second;
+}
