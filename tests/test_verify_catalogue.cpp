@@ -51,6 +51,7 @@ TEST_CASE("the catalogue holds every quantity") {
                                        "halfspace.condition",
                                        "halfspace.rayleigh",
                                        "ti.rayleigh",
+                                       "ti.branch",
                                        "ti.compliance",
                                        "ti.coupling",
                                        "ti.critical",

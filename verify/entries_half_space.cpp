@@ -7,6 +7,7 @@
 #include "data/bad_input.hpp"
 #include "fast/isotropic_half_space.hpp"
 #include "fast/transversely_isotropic_half_space.hpp"
+#include "ref/bulk_wave.hpp"
 #include "ref/surface_response.hpp"
 #include "ref/surface_wave.hpp"
 #include "verify/entries.hpp"
@@ -264,6 +265,46 @@ Quantity transverse_line(std::string name, std::string definition, FastMember of
   return entry;
 }
 
+// The order of their names on the command line.
+constexpr fast::BranchWave branch_waves[] = {
+    fast::BranchWave::transverse, fast::BranchWave::quasi_longitudinal, fast::BranchWave::quasi_transverse};
+constexpr ref::BulkWave bulk_waves[] = {ref::BulkWave::upright, ref::BulkWave::faster, ref::BulkWave::slower};
+
+Quantity entry_branch() {
+  constexpr std::size_t solid = 1;  // in place of its axis, which lies in the surface, there is the wave
+  Quantity entry = half_space_entry(
+      "ti.branch", "speed of bulk waves along theta, in those of steel's shear waves, axis in the surface",
+      "brock2013 (46) corrected");
+  entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}},
+                     {"which", ArgumentKind::choice, {}, {}, {"56", "plus", "minus"}}};
+  append_constants(entry.arguments);
+  entry.draw = [](Random& random) {
+    Point x{draw_degrees(random), static_cast<double>(random.index(3))};
+    const Point drawn = draw_solid(random);
+    x.insert(x.end(), drawn.begin() + 1, drawn.end());
+    return x;
+  };
+  entry.keep_off = [](Point& x) {
+    if (!is_physical(x, solid)) x = {x[0], x[1], 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
+  };
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::bulk_wave_speed(exact_transverse_at(x, solid, data::SymmetryAxis::in_plane),
+                                SurfaceDirection::of_degrees(x[0]),
+                                bulk_waves[static_cast<std::size_t>(x[1].approximate())], digits);
+  };
+  entry.by_ref_of_doubles = [](Doubles x, int digits) {
+    const Direction line = direction_of_degrees(x[0]);
+    return ref::bulk_wave_speed(exact_of_transverse_at(x, solid, data::SymmetryAxis::in_plane),
+                                {Exact(line.cosine), Exact(line.sine)},
+                                bulk_waves[static_cast<std::size_t>(x[1])], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::branch_speed(branch_waves[static_cast<std::size_t>(x[1])], transverse_at(x, solid),
+                              direction_of_degrees(x[0]));
+  });
+  return entry;
+}
+
 Quantity entry_transverse_critical() {
   constexpr std::size_t solid = 1;
   Quantity entry = half_space_entry(
@@ -351,6 +392,7 @@ std::vector<Quantity> half_space_entries() {
           transverse_line("ti.coupling", std::string("S") + transverse, &LineResponse::coupling,
                           &ref::SurfaceResponse::coupling),
           entry_transverse_rayleigh(),
+          entry_branch(),
           entry_transverse_critical()};
 }
 

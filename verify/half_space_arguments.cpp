@@ -84,6 +84,10 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
 
 void append_transverse_arguments(std::vector<Argument>& arguments) {
   arguments.push_back({"axis", ArgumentKind::choice, "normal", {}, {"normal", "in-plane"}});
+  append_constants(arguments);
+}
+
+void append_constants(std::vector<Argument>& arguments) {
   arguments.push_back({"c11", ArgumentKind::positive, seed::c11, {}});
   arguments.push_back({"c33", ArgumentKind::positive, seed::c33, {}});
   arguments.push_back({"c13", ArgumentKind::amplitude, seed::c13, {}});
@@ -102,6 +106,11 @@ data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
+  return exact_transverse_at(x, at,
+                             x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane);
+}
+
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
   const mpq_class shear("772/10"), density("7860");
   const auto in_steel = [&](std::size_t i) { return mpq_class(x[at + i].value() / shear); };
   const Constants c{in_steel(1), in_steel(2), in_steel(3),
@@ -109,14 +118,18 @@ ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
   data::TransverselyIsotropicSolid{c.c11.get_d(), c.c33.get_d(), c.c13.get_d(),
                                    c.c44.get_d(), c.c66.get_d(), c.density.get_d()}
       .check();
-  return stiffness_of(c, x[at].sign() == 0 ? 2 : 1);
+  return stiffness_of(c, number_of(axis));
 }
 
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
+  return exact_of_transverse_at(x, at, axis_at(x, at));
+}
+
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis) {
   const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
   solid.check();
   return stiffness_of({solid.c11, solid.c33, solid.c13, solid.c44, solid.c66, solid.density},
-                      number_of(axis_at(x, at)));
+                      number_of(axis));
 }
 
 }  // namespace nipref::verify

@@ -46,10 +46,14 @@ inline constexpr double steel_poisson = 0.29529;  ///< c_D = 1.8554
 /// axis, c11, c33, c13, c44, c66 (GPa), density (kg/m^3), from the argument number `at` on, with the seed's
 /// values unless others are given.
 void append_transverse_arguments(std::vector<Argument>& arguments);
+/// Those without the axis.
+void append_constants(std::vector<Argument>& arguments);
 data::SymmetryAxis axis_at(Doubles x, std::size_t at);
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
 /// Of the doubles that transverse_at makes.
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at);
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis);
 
 }  // namespace nipref::verify

@@ -1,5 +1,8 @@
 #include "verify/quantity.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <limits>
 
 #include "data/bad_input.hpp"
@@ -32,7 +35,7 @@ std::string_view domain_of_number(ArgumentKind kind) {
 
 std::string domain(const Argument& argument) {
   if (argument.kind != ArgumentKind::choice) return std::string(domain_of_number(argument.kind));
-  return std::string(argument.choices[0]) + " or " + std::string(argument.choices[1]);
+  return fmt::format("{}", fmt::join(argument.choices, " or "));
 }
 
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {

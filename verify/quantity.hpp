@@ -31,7 +31,7 @@ enum class ArgumentKind {
   positive,          ///< speed, half-thickness, modulus, relaxation time
   nonnegative,       ///< speed, coefficient of friction
   degrees,           ///< an angle
-  choice             ///< one of two: on the command line a name, in a Point 0 or 1
+  choice             ///< one of a few: on the command line a name, in a Point its number
 };
 
 struct Argument {
@@ -40,9 +40,11 @@ struct Argument {
   std::optional<std::string> default_text;  ///< none: the argument must be given
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
-  std::array<std::string_view, 2> choices{};  ///< names of a choice, in the order of their numbers
+  std::vector<std::string_view> choices = {};  ///< names of a choice, in the order of their numbers
 
-  [[nodiscard]] std::string_view choice(double number) const { return choices[number < 0.5 ? 0 : 1]; }
+  [[nodiscard]] std::string_view choice(double number) const {
+    return choices[static_cast<std::size_t>(number)];
+  }
 };
 
 /// Domain of an argument, in words that continue "must be ...".

@@ -93,8 +93,6 @@ double into_domain(ArgumentKind kind, double value) {
       return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
     case ArgumentKind::index:
       return std::clamp(std::round(value), 1.0, largest_index);
-    case ArgumentKind::choice:
-      return value < 0.5 ? 0 : 1;
     default:  // steps are relative: they leave no sign behind
       return value;
   }
@@ -185,7 +183,7 @@ Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
   if (kind == ArgumentKind::index) {
     value += random.uniform(-20, 20);
   } else if (kind == ArgumentKind::choice) {
-    value = 1 - value;
+    value = std::fmod(value + 1, static_cast<double>(quantity.arguments[i].choices.size()));
   } else if (value != 0 && random.chance(0.3)) {
     value = neighbour(value, static_cast<int>(random.index(9)) - 4);
   } else {
