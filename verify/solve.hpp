@@ -52,14 +52,13 @@ struct SceneSolution {
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
-/// scene's accuracy is not used. It has, and refuses with BadInput whatever else the scene says or wants:
-/// - of elastic nips only, the continuous contact without friction, with estimated errors: contact_length,
-/// load, indentation,
+/// scene's accuracy is not used. It has, of elastic nips only, and refuses with BadInput whatever else the
+/// scene says or wants:
+/// - the continuous contact without friction, with estimated errors: contact_length, load, indentation,
 ///   edge_displacement, peak_pressure, pressure; digits from 16 to 100 (ref/contact_converged.hpp);
-/// - of elastic nips only, line loads of given contact length, with friction of given creep ratio, no
-/// residue_terms: load, indentation,
-///   edge_displacement, with proven bounds on the error of the discrete system, not of its distance to the
-///   continuous contact; digits from 16 to 300 (ref/contact_line_loads.hpp).
+/// - line loads of given contact length, with friction of given creep ratio, no residue_terms: load,
+///   indentation, edge_displacement, with proven bounds on the error of the discrete system, not of its
+///   distance to the continuous contact; digits from 16 to 300 (ref/contact_line_loads.hpp).
 [[nodiscard]] SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
 }  // namespace nipref::verify
