@@ -1,6 +1,9 @@
 #include "fast/isotropic_half_space.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <numbers>
 
 #include "data/bad_input.hpp"
 #include "fast/bisection.hpp"
@@ -42,6 +45,15 @@ bool subcritical(double speed, double poisson) {
   return below_shear.high > 0 && line_functions(X, below_shear, poisson).rayleigh.high > 0;
 }
 
+[[noreturn]] void refuse_supercritical(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion) {
+  const double psi = std::acos(std::fabs(from_motion.cosine)) * (180 / std::numbers::pi);
+  throw data::BadInput(
+      "speed", speed,
+      fmt::format("must be below {:.6g}, which is critical on lines {:.6g} degrees from the motion",
+                  isotropic_rayleigh_speed(solid.poisson) / std::fabs(from_motion.cosine), psi));
+}
+
 LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   solid.check();
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
@@ -55,7 +67,7 @@ LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Di
     const LineFunctions functions = line_functions(X, below_shear, solid.poisson);
     if (functions.rayleigh.high > 0) return functions;
   }
-  throw data::BadInput("speed", speed, "must be below the Rayleigh speed along the line");
+  refuse_supercritical(solid, speed, from_motion);
 }
 
 /// All that cancels has done so: the quotient itself is taken in double.

@@ -7,6 +7,7 @@
 
 #include "data/bad_input.hpp"
 #include "fast/half_turn_integral.hpp"
+#include "fast/isotropic_half_space.hpp"
 
 namespace nipref::fast {
 
@@ -53,7 +54,7 @@ RollingSphere::RollingSphere(const data::IsotropicSolid& solid, double radius, d
       speed_(speed) {
   solid.check();
   check_positive("radius", radius);
-  if (!(speed >= 0 && speed < 1)) throw BadInput("speed", speed, "must be at least 0 and subcritical");
+  static_cast<void>(isotropic_response(solid, speed, {1, 0}));  // refuses speeds that are not subcritical
   stiffness_along_ = shape({1, 0}).stiffness();
 }
 
@@ -140,7 +141,8 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   check_positive("force", force);
   RollingSphere contact(solid, radius, speed);
   const auto [value, error] = contact.force_factor();
-  if (!(value > 0)) throw BadInput("speed", speed, "is so near the Rayleigh speed that the tractions pull");
+  if (!(value > 0))
+    throw BadInput("speed", speed, "must be farther below the Rayleigh speed: here the tractions pull");
   const double span = std::cbrt(force / value);
   contact.span_ = {span, span * error / value};
   contact.force_ = {force, 0};

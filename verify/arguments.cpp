@@ -40,7 +40,12 @@ std::string text_of(const Argument& argument, const Quantity& quantity, const As
 
 /// The name of a choice stands for its number.
 ref::Exact parse(const Argument& argument, const std::string& text) {
-  if (argument.kind != ArgumentKind::choice) return ref::Exact::parse(text, argument.name);
+  if (argument.kind != ArgumentKind::choice) {
+    const ref::Exact number = ref::Exact::parse(text, argument.name);
+    if (argument.kind == ArgumentKind::nonnegative && number.sign() < 0)
+      throw BadInput(argument.name, text, "must be " + domain(argument));
+    return number;
+  }
   const auto found = std::ranges::find(argument.choices, text);
   if (found == argument.choices.end()) throw BadInput(argument.name, text, "must be " + domain(argument));
   return ref::Exact(static_cast<double>(found - argument.choices.begin()));

@@ -94,6 +94,12 @@ void keep_subcritical(Point& x) {
   x[1] = std::min(x[1], nearest_critical * fast::isotropic_rayleigh_speed(x[0]));
 }
 
+/// Refuses what fast refuses: the reference solves the equations beyond the Rayleigh speed too.
+void check_line(const Exact& poisson, const Exact& speed, const Exact& psi_deg) {
+  static_cast<void>(fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(),
+                                             direction_of_degrees(psi_deg.approximate())));
+}
+
 template <class FastMember, class RefMember>
 Quantity isotropic_line(std::string name, std::string definition, FastMember of_fast, RefMember of_ref) {
   Quantity entry =
@@ -107,6 +113,7 @@ Quantity isotropic_line(std::string name, std::string definition, FastMember of_
   };
   entry.keep_off = keep_subcritical;
   entry.by_ref = [of_ref](Exacts x, int digits) {
+    check_line(x[0], x[1], x[2]);
     return ref::surface_response(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
                                  SurfaceDirection::of_degrees(x[2]), digits).*
            of_ref;
@@ -167,6 +174,7 @@ Quantity entry_condition() {
     x[1] = std::min(x[1], 0.999 * fast::isotropic_rayleigh_speed(x[0]));
   };
   entry.by_ref = [](Exacts x, int digits) {
+    check_line(x[0], x[1], x[2]);
     return exact_condition(x[0], x[1], SurfaceDirection::of_degrees(x[2]), digits);
   };
   entry.by_ref_of_doubles = [](Doubles x, int digits) {
@@ -248,6 +256,7 @@ Quantity transverse_line(std::string name, std::string definition, FastMember of
   };
   entry.keep_off = keep_line_off;
   entry.by_ref = [of_ref](Exacts x, int digits) {
+    check_subcritical(x, line_solid, x[0], x[2]);
     return ref::surface_response(exact_transverse_at(x, line_solid), x[2], SurfaceDirection::of_degrees(x[0]),
                                  SurfaceDirection::of_degrees(x[1]), digits).*
            of_ref;

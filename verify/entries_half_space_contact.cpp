@@ -215,6 +215,7 @@ ref::Real sum(const ref::Real& x, const ref::Real& y, int sign) {
 }
 
 ref::SurfaceAnswer exact_seed_contact(Exacts x) {
+  check_subcritical(x, solid_at, x[0], x[1]);
   const ref::ExactStiffness solid = exact_transverse_at(x, solid_at);
   const auto motion = ref::SurfaceDirection::of_degrees(x[0]);
   const ref::SurfaceAnswer steel = exact_isotropic_surface(Exact(mpq_class("29529/100000")), x[1]);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "fast/isotropic_half_space.hpp"
+#include "fast/transversely_isotropic_half_space.hpp"
 #include "ref/surface_response.hpp"
 
 namespace nipref::verify {
@@ -73,6 +74,8 @@ fast::SurfaceResponse isotropic_surface(double poisson, double speed) {
 }
 
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed) {
+  static_cast<void>(
+      fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(), {1, 0}));
   const ref::ExactStiffness solid = exact_isotropic(poisson);
   const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
   return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
@@ -119,6 +122,14 @@ ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::Symmetry
                                    c.c44.get_d(), c.c66.get_d(), c.density.get_d()}
       .check();
   return stiffness_of(c, number_of(axis));
+}
+
+void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed) {
+  std::vector<double> nearest;
+  for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
+  static_cast<void>(fast::TransverselyIsotropicHalfSpace(transverse_at(nearest, at), axis_at(nearest, at),
+                                                         direction_of_degrees(theta_deg.approximate()),
+                                                         speed.approximate()));
 }
 
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {

@@ -27,6 +27,7 @@ data::IsotropicSolid unit_isotropic(double poisson);
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);
 /// By a half-space of mu = 1 and density 1; the angle counts from the motion.
 fast::SurfaceResponse isotropic_surface(double poisson, double speed);
+/// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
 
 /// The seed's steel, whose mu is the unit of stress and whose v_S is that of speed, and its graphite epoxy in
@@ -52,6 +53,8 @@ data::SymmetryAxis axis_at(Doubles x, std::size_t at);
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
+/// BadInput naming the speed unless it is subcritical on every line.
+void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed);
 /// Of the doubles that transverse_at makes.
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at);
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis);
