@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "data/bad_input.hpp"
+#include "fast/adaptive_panels.hpp"
 #include "fast/jacobi_amplitude.hpp"
 
 namespace nipref::fast {
@@ -62,33 +63,79 @@ Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
   return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
 }
 
-/// The trapezoidal rule in u, psi - major = am(u, k) with k' = b/a: there w = a dn(u), and m = (cd, k' sd) is
-/// smooth however slender the ellipse. The nodes are taken up to half the quarter period and mirrored. nodes:
-/// a multiple of 4.
-Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response, int nodes) {
-  const double ratio = ellipse.b / ellipse.a;
-  const JacobiAmplitude jacobi(ratio);
-  const double step = 2 * jacobi.quarter_period() / nodes;
+/// psi - major = am(u, k) with k' = b/a, -K <= u <= K: there w = a dn(u), and m = (cd, k' sd) is smooth
+/// however slender the ellipse.
+class Parameter {
+ public:
+  explicit Parameter(double ratio) : ratio_(ratio), jacobi_(ratio) {}
+
+  struct Point {
+    Direction from_major, m;
+  };
+
+  /// `share` of the quarter period K, -1 <= share <= 1.
+  [[nodiscard]] Point at(double share) const {
+    const double magnitude = std::fabs(share);
+    const auto [c, s, m1, m2] = magnitude <= 0.5 ? near_major(magnitude) : near_minor(1 - magnitude);
+    return {{c, std::copysign(s, share)}, {m1, std::copysign(m2, share)}};
+  }
+  [[nodiscard]] double quarter_period() const { return jacobi_.quarter_period(); }
+
+ private:
+  [[nodiscard]] std::array<double, 4> near_major(double share) const {
+    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
+    return {cn, sn, cn / dn, ratio_ * sn / dn};
+  }
+  /// share from the quarter period down.
+  [[nodiscard]] std::array<double, 4> near_minor(double share) const {
+    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
+    return {ratio_ * sn / dn, cn / dn, sn, cn};
+  }
+
+  double ratio_;
+  JacobiAmplitude jacobi_;
+};
+
+/// The terms of Balance::sums by the share of the quarter period.
+class Terms {
+ public:
+  Terms(const Ellipse& ellipse, const SurfaceResponse& response)
+      : ellipse_(ellipse),
+        response_(response),
+        parameter_(ellipse.b / ellipse.a),
+        factor_(parameter_.quarter_period() / ellipse.a) {}
+
+  std::array<double, 5> operator()(double share) const {
+    const auto [from_major, m] = parameter_.at(share);
+    const double weight = factor_ * checked_compliance(response_, turned(ellipse_.major, from_major));
+    const double m11 = m.cosine * m.cosine, m12 = m.cosine * m.sine, m22 = m.sine * m.sine;
+    return {weight * m11 * m11, weight * m11 * m12, weight * m11 * m22, weight * m12 * m22,
+            weight * m22 * m22};
+  }
+
+ private:
+  Ellipse ellipse_;
+  const SurfaceResponse& response_;
+  Parameter parameter_;
+  double factor_;
+};
+
+using Mesh = internal::AdaptedPanels<5>;
+
+Mesh adapted_mesh(const Ellipse& ellipse, const SurfaceResponse& response) {
+  return internal::adapt_panels<5>(Terms(ellipse, response), -1, 1);
+}
+
+/// On panels that were made for an ellipse not far off.
+Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
+                const std::vector<internal::Panel>& panels) {
   Balance result{{}, scaled_curvatures(ellipse, body)};
-  const auto add = [&](double cosine, double sine, double m1, double m2) {
-    const double compliance = checked_compliance(response, turned(ellipse.major, {cosine, sine}));
-    const std::array powers{m1 * m1 * m1 * m1, m1 * m1 * m1 * m2, m1 * m1 * m2 * m2, m1 * m2 * m2 * m2,
-                            m2 * m2 * m2 * m2};
-    for (std::size_t j = 0; j < powers.size(); ++j)
-      result.sums[j] += step / ellipse.a * compliance * powers[j];
-  };
-  // u and -u: the sine and m2 change sign.
-  const auto add_pair = [&](double cosine, double sine, double m1, double m2) {
-    add(cosine, sine, m1, m2);
-    add(cosine, -sine, m1, -m2);
-  };
-  add(1, 0, 1, 0);
-  add(0, 1, 0, 1);
-  const int quarter = nodes / 4;
-  for (int node = 1; node <= quarter; ++node) {
-    const auto [sn, cn, dn] = jacobi(step * node);
-    add_pair(cn, sn, cn / dn, ratio * sn / dn);
-    if (node < quarter) add_pair(ratio * sn / dn, cn / dn, sn, cn);  // at the quarter period less u
+  const Terms terms(ellipse, response);
+  for (const internal::Panel& panel : panels) {
+    internal::visit_nodes(panel, [&](double share, double weight) {
+      const std::array<double, 5> term = terms(share);
+      for (std::size_t j = 0; j < term.size(); ++j) result.sums[j] += weight * term[j];
+    });
   }
   return result;
 }
@@ -119,10 +166,11 @@ double contraction(const Symmetric& a, const Symmetric& b) {
   return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
 }
 
-/// Newton with `nodes` nodes from `ellipse`, improved in place; the length of the first step.
-double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response, int nodes) {
-  constexpr int most_steps = 12;  // where too few nodes let it wander, the next level goes on
-  Balance here = balance(ellipse, body, response, nodes);
+/// Newton with these panels from `ellipse`, improved in place; the length of the first step.
+double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
+             const std::vector<internal::Panel>& panels) {
+  constexpr int most_steps = 12;  // where old panels let it wander, new ones go on
+  Balance here = balance(ellipse, body, response, panels);
   double first = 0;
   for (int count = 0; count < most_steps; ++count) {
     const Symmetric step = newton_step(here);
@@ -134,7 +182,7 @@ double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& resp
     }
     for (double part = std::min(1.0, 1 / length);; part /= 2) {
       const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
-      const Balance next = balance(there, body, response, nodes);
+      const Balance next = balance(there, body, response, panels);
       const double rounding = 1e-13 * std::fabs(here.objective());
       if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
         ellipse = there;
@@ -146,14 +194,25 @@ double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& resp
   return std::numeric_limits<double>::infinity();
 }
 
+/// int K/w dpsi.
+Estimate sum_of(const Mesh& mesh) {
+  const auto& sums = mesh.integral;
+  return {sums[0].value + 2 * sums[2].value + sums[4].value,
+          sums[0].error + 2 * sums[2].error + sums[4].error};
+}
+
 /// Aligned with the body; Hertz's axis ratio for an isotropic solid within a few per cent.
-Ellipse first_guess(const Indenter& body, const SurfaceResponse& response) {
+Ellipse first_shape(const Indenter& body) {
   const auto [small, large] = std::minmax(body.curvature_1, body.curvature_2);
   const Direction major = body.curvature_1 <= body.curvature_2 ? Direction{1, 0} : Direction{0, 1};
-  Ellipse guess{1, std::pow(small / large, 0.62), major};
-  const Balance at = balance(guess, body, response, 32);
-  const double scale = std::cbrt(at.sum() / (at.curvatures.e11 + at.curvatures.e22));
-  return {guess.a * scale, guess.b * scale, major};
+  return {1, std::pow(small / large, 0.62), major};
+}
+
+/// Of the size for which the traces of int K n n/w^3 dpsi and of the curvatures agree in the ellipse's frame.
+Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& mesh) {
+  const Symmetric curvatures = scaled_curvatures(shape, body);
+  const double scale = std::cbrt(sum_of(mesh).value / (curvatures.e11 + curvatures.e22));
+  return {shape.a * scale, shape.b * scale, shape.major};
 }
 
 void check_positive(const char* name, double value) {
@@ -167,20 +226,26 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   const double ratio = body.curvature_1 / body.curvature_2;
   if (!(ratio >= 1e-10 && ratio <= 1e10))
     throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
+  // Panels could straddle a few supercritical lines about the motion, which mostly is along an axis of the
+  // body.
+  for (const Direction axis : {Direction{1, 0}, Direction{0, 1}})
+    static_cast<void>(checked_compliance(response, axis));
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-  Ellipse ellipse = first_guess(body, response);
-  double change = std::numeric_limits<double>::infinity();
-  int nodes = 16;
-  while (!(change < rounding) && nodes < 1 << 13) {
-    nodes *= 2;
-    change = solve(ellipse, body, response, nodes);
+  constexpr int most_meshes = 10;
+  Ellipse ellipse = first_shape(body);
+  Mesh mesh = adapted_mesh(ellipse, response);
+  ellipse = of_fitting_size(ellipse, body, mesh);
+  double change = solve(ellipse, body, response, mesh.panels);
+  for (int meshes = 1; meshes < most_meshes && !(change < rounding); ++meshes) {
+    mesh = adapted_mesh(ellipse, response);
+    change = solve(ellipse, body, response, mesh.panels);
   }
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;
   const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
   major_ = backwards ? Direction{-ellipse.major.cosine, -ellipse.major.sine} : ellipse.major;
-  sum_ = balance(ellipse, body, response, nodes).sum();
-  relative_error_ = change + rounding;
+  sum_ = balance(ellipse, body, response, mesh.panels).sum();
+  relative_error_ = change + rounding + sum_of(mesh).error / sum_of(mesh).value;
 }
 
 Estimate EllipticContact::axis_ratio() const {

@@ -19,8 +19,9 @@ struct EllipticLoad {
 /// surface below it by (p0 a b/4) int_0^pi K(psi) (1 - (n.x)^2/w^2)/w dpsi, n = (cos psi, sin psi) and w(psi)
 /// the half-width of the ellipse along n; so its ellipse follows from int K n n/w^3 dpsi being proportional
 /// to the curvatures of the body. That is the stationary point of a function strictly concave in the matrix
-/// of the ellipse: there is exactly one. Newton with line search, trapezoidal rule in the Jacobi amplitude,
-/// in which the integrands stay smooth for slender ellipses, nodes doubled until the ellipse moves no more.
+/// of the ellipse: there is exactly one. Newton with line search; integrals over the Jacobi amplitude, in
+/// which they stay smooth for slender ellipses, on panels that are halved where K asks for it (near critical
+/// lines) and renewed until the ellipse moves no more.
 class EllipticContact {
  public:
   /// The compliance must be positive and finite at every direction, else BadInput; the coupling is not used.

@@ -57,12 +57,16 @@ bool subcritical(double speed, double poisson) {
 LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   solid.check();
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  if (!(std::fabs(from_motion.cosine) <= 1)) {
-    throw data::BadInput("cosine", from_motion.cosine, "must be the cosine of an angle");
-  }
-  const Two line_speed = internal::two_product(speed, from_motion.cosine);
-  const Two X = square(line_speed);
-  const Two below_shear = (kOne - line_speed) * (kOne + line_speed);
+  const double length = std::hypot(from_motion.cosine, from_motion.sine);
+  if (!(std::fabs(length - 1) < 1e-9)) throw data::BadInput("psi", length, "must be of unit length");
+  // Of the unit vector that from_motion stands for: near the motion the rounding of its cosine would be a
+  // noise in K that grows towards the Rayleigh speed.
+  const Two cosine2 = internal::two_product(from_motion.cosine, from_motion.cosine);
+  const Two sine2 = internal::two_product(from_motion.sine, from_motion.sine);
+  const Two speed2 = internal::two_product(speed, speed);
+  const Two shortening = kOne / (cosine2 + sine2);
+  const Two X = speed2 * cosine2 * shortening;
+  const Two below_shear = (sine2 + (kOne - speed2) * cosine2) * shortening;
   if (below_shear.high > 0) {
     const LineFunctions functions = line_functions(X, below_shear, solid.poisson);
     if (functions.rayleigh.high > 0) return functions;

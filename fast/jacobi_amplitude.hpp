@@ -16,13 +16,14 @@ class JacobiAmplitude {
 
   explicit JacobiAmplitude(double complementary_modulus) : complement_(complementary_modulus) {
     double mean = 1, geometric = complement_;
-    while (std::fabs(mean - geometric) > 1e-8 * mean && levels_ < ratios_.size()) {
+    // Each level left out would move the amplitude by half the difference.
+    while (std::fabs(mean - geometric) > 1e-16 * mean && levels_ < ratios_.size()) {
       const double next = (mean + geometric) / 2;
       ratios_[levels_++] = (mean - geometric) / (2 * next);
       geometric = std::sqrt(mean * geometric);
       mean = next;
     }
-    mean_ = mean - (mean - geometric) / 2;
+    mean_ = mean;
   }
 
   /// K(k), the quarter period.

@@ -48,7 +48,7 @@ struct RollingSphere::Shape {
 };
 
 RollingSphere::RollingSphere(const data::IsotropicSolid& solid, double radius, double speed)
-    : shear_modulus_(solid.shear),
+    : solid_(solid),
       slowness_ratio_squared_((1 - 2 * solid.poisson) / (2 - 2 * solid.poisson)),
       radius_(radius),
       speed_(speed) {
@@ -63,10 +63,11 @@ RollingSphere::Shape RollingSphere::shape(Direction from_motion) const {
   const double x = speed_ * speed_ * from_motion.cosine * from_motion.cosine;
   const double shear_root = std::sqrt(1 - x), dilatation_root = std::sqrt(1 - k * x);
   const double product = shear_root * dilatation_root;
-  const double defect = (1 + k - k * x) / (1 + product);                   // (1 - wS wD)/X
-  const double rayleigh = 4 - x - 4 * defect;                              // R/X
+  const double defect = (1 + k - k * x) / (1 + product);  // (1 - wS wD)/X
+  // R/X, by way of a compliance that keeps its digits towards the Rayleigh speed
+  const double rayleigh =
+      dilatation_root / isotropic_response(solid_, speed_, from_motion).compliance / solid_.shear;
   const double coupling = (x * defect + 2 * k * (1 - x)) / (1 + product);  // -N/X
-  if (!(rayleigh > 0)) throw BadInput("speed", speed_, "must be below the Rayleigh speed");
   return {std::sqrt(shear_root / dilatation_root),
           std::atanh(coupling / std::sqrt(product)) / std::numbers::pi, std::sqrt(rayleigh / defect)};
 }
@@ -78,7 +79,7 @@ Estimate RollingSphere::force_factor() const {
     return std::array{ratio * ratio * oscillating_moment(line.index)};
   };
   const auto [value, error] = half_turn_integral<1>(terms)[0];
-  const double factor = shear_modulus_ * stiffness_along_ / (4 * radius_);
+  const double factor = solid_.shear * stiffness_along_ / (4 * radius_);
   return {factor * value, factor * error};
 }
 
@@ -95,7 +96,7 @@ RollingLine RollingSphere::along(Direction from_motion) const {
   return {span,
           line.index,
           2 * radius_ * lean,
-          shear_modulus_ * lean * line.rigidity / (2 * radius_),
+          solid_.shear * lean * line.rigidity / (2 * radius_),
           1 / line.slowness_ratio,
           relative * (relative / 16 * (1 - 4 * line.index * line.index) + line.index * line.slowness_ratio)};
 }

@@ -45,7 +45,8 @@ class RollingSphere {
   [[nodiscard]] Shape shape(Direction from_motion) const;
   [[nodiscard]] Estimate force_factor() const;
 
-  double shear_modulus_, slowness_ratio_squared_;  ///< mu and (v_S/v_D)^2
+  data::IsotropicSolid solid_;
+  double slowness_ratio_squared_;  ///< (v_S/v_D)^2
   double radius_, speed_;
   double stiffness_along_ = 0;
   Estimate span_{}, force_{};

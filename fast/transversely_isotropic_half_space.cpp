@@ -58,12 +58,12 @@ struct TransverselyIsotropicHalfSpace::Implementation {
   Direction motion;
   double speed;
 
-  [[nodiscard]] internal::LineFunctions at(Direction psi) const {
+  [[nodiscard]] internal::LineAnswers at(Direction psi) const {
     check_direction("psi", psi);
-    const internal::LineFunctions functions = line.at(psi, motion, speed);
+    const std::optional<internal::LineAnswers> answers = line.at(psi, motion, speed);
     // The search for the critical line may miss it by roundings.
-    if (!functions.subcritical) throw data::BadInput("speed", speed, "must be subcritical on the line");
-    return functions;
+    if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
+    return *answers;
   }
 };
 
@@ -82,8 +82,17 @@ TransverselyIsotropicHalfSpace& TransverselyIsotropicHalfSpace::operator=(
 TransverselyIsotropicHalfSpace::~TransverselyIsotropicHalfSpace() = default;
 
 LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
-  const internal::LineFunctions functions = implementation_->at(psi);
-  return {functions.compliance, functions.coupling};
+  const internal::LineAnswers answers = implementation_->at(psi);
+  return {answers.compliance, answers.coupling};
+}
+
+double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
+  static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
+  const auto& [line, motion, speed] = *implementation_;
+  const double condition = line.condition(psi, motion, speed);
+  if (!std::isfinite(condition))
+    throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");
+  return condition;
 }
 
 double TransverselyIsotropicHalfSpace::cross_coupling(Direction psi) const {

@@ -16,10 +16,10 @@ namespace {
 
 constexpr Two kOne{1};
 
-/// All that cancels has done so: the quotients themselves are taken in double.
-LineFunctions quotients(Two compliance, Two coupling, double cross_coupling, Two rayleigh) {
-  const double divisor = rayleigh.high;
-  return {divisor > 0, compliance.high / divisor, coupling.high / divisor, cross_coupling / divisor};
+/// X for loads that move along `motion`.
+NIPREF_CLONES Two stress_density(Direction psi, Direction motion, double density, double speed) {
+  const Two cosine = two_product(psi.cosine, motion.cosine) + two_product(psi.sine, motion.sine);
+  return density * square(speed * cosine);
 }
 
 double power_of_two(double modulus) { return std::scalbn(1.0, std::ilogb(modulus)); }
@@ -51,7 +51,8 @@ NormalAxisLine::NormalAxisLine(const data::TransverselyIsotropicSolid& solid)
 
 double NormalAxisLine::bound(Direction) const { return d5_; }
 
-NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction, Two X) const {
+NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction psi, Two scaled_X) const {
+  const Two X = scaled_X / (two_product(psi.cosine, psi.cosine) + two_product(psi.sine, psi.sine));
   const Two A1_squared = Two{d1_} - X, B5_squared = Two{d5_} - X;
   if (!(A1_squared.high > 0 && B5_squared.high > 0)) return {};
   const Two A1 = sqrt(A1_squared), B5 = sqrt(B5_squared);
@@ -61,7 +62,7 @@ NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction, Two X) const {
   // sqrt(d3 d5) M; d5 - B5^2 = X has been taken out of it
   const Two stiff = root3_ * root5_ * A1;
   const Two rayleigh = B5 * (determinant_ - d3_ * X) - X * stiff;
-  return quotients(A1 * sqrt(P_squared), stiff - d13_ * B5, 0, rayleigh);
+  return {rayleigh, A1 * sqrt(P_squared), stiff - d13_ * B5};
 }
 
 InPlaneAxisLine::InPlaneAxisLine(const data::TransverselyIsotropicSolid& solid)
@@ -113,7 +114,7 @@ NIPREF_CLONES LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
   const Two J1 = q - (2 * d5_) * G + sum_over_d1_ * sin2;
   const Two J2 = Pi + B1_squared - sum_over_d1_ * inverse6_ * T5;
   const Two rayleigh = (2 * d5_) * left + T5 * J1 - d6_ * sin2 * J2;
-  return quotients(compliance, sin2 * J2 - cos2 * J1, psi.cosine * psi.sine * (J1 + J2).high, rayleigh);
+  return {rayleigh, compliance, sin2 * J2 - cos2 * J1, psi.cosine * psi.sine * (J1 + J2).high};
 }
 
 TransverselyIsotropicLine::TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid,
@@ -122,24 +123,40 @@ TransverselyIsotropicLine::TransverselyIsotropicLine(const data::TransverselyIso
       density_(solid.density * inverse_unit_),
       line_(line_of(times(inverse_unit_, solid), axis)) {}
 
-LineFunctions TransverselyIsotropicLine::at(Direction psi, Two line_speed) const {
-  const Two X = density_ * square(line_speed);
-  LineFunctions functions = std::visit([&](const auto& line) { return line.at(psi, X); }, line_);
-  functions.compliance *= inverse_unit_;
-  functions.coupling *= inverse_unit_;
-  functions.cross_coupling *= inverse_unit_;
-  return functions;
+LineFunctions TransverselyIsotropicLine::functions(Direction psi, Two X) const {
+  return std::visit([&](const auto& line) { return line.at(psi, X); }, line_);
 }
 
-LineFunctions TransverselyIsotropicLine::at(Direction psi, Direction motion, double speed) const {
-  const Two cosine = two_product(psi.cosine, motion.cosine) + two_product(psi.sine, motion.sine);
-  return at(psi, speed * cosine);
+// All that cancels has done so: the quotients themselves are taken in double.
+std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, Direction motion,
+                                                         double speed) const {
+  const LineFunctions line = functions(psi, stress_density(psi, motion, density_, speed));
+  if (!line.subcritical()) return std::nullopt;
+  const double divisor = line.rayleigh.high;
+  return LineAnswers{line.compliance.high / divisor * inverse_unit_,
+                     line.coupling.high / divisor * inverse_unit_,
+                     line.cross_coupling / divisor * inverse_unit_};
+}
+
+// By a central difference in two words: with this step rounding leaves 1e-13 of it, the next term
+// (step/gap)^2 for the relative distance `gap` from the critical speed.
+double TransverselyIsotropicLine::condition(Direction psi, Direction motion, double speed) const {
+  constexpr double step = 0x1p-50;
+  const Two X = stress_density(psi, motion, density_, speed);
+  const auto compliance = [&](double change) {
+    const LineFunctions line = functions(psi, X + change * X);
+    return line.compliance / line.rayleigh;
+  };
+  const Two above = compliance(step), below = compliance(-step);
+  return 2 * (above - below).high / (above + below).high / step;
 }
 
 double TransverselyIsotropicLine::limit(Direction psi) const {
   const double bound = std::visit([&](const auto& line) { return line.bound(psi); }, line_);
   const double beyond = 1.001 * std::sqrt(bound / density_);
-  return last_that([&](double speed) { return at(psi, Two{speed}).subcritical; }, 0, beyond);
+  return last_that(
+      [&](double speed) { return functions(psi, density_ * two_product(speed, speed)).subcritical(); }, 0,
+      beyond);
 }
 
 }  // namespace nipref::fast::internal

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <variant>
 
 #include "data/half_space_solids.hpp"
@@ -9,15 +10,23 @@ namespace nipref::fast::internal {
 
 // What a transversely isotropic half-space answers along one line, moduli and reciprocal answers in one unit.
 // Two words: nothing that cancels, be it near a branch point or near the Rayleigh speed, shows in the doubles
-// that come out. X is the dynamic stress density c_X^2 of the speed c_X along the line.
+// that come out. X is the dynamic stress density c_X^2 of the speed c_X along the line, times the square of
+// the length of psi: a Direction stands for the unit vector along it, which doubles make only nearly so long.
 
-/// Only where the line is subcritical, that is slower than every wave along it, bulk or Rayleigh, do the
-/// numbers mean something.
+/// The answers times `rayleigh`, which vanishes at the Rayleigh speed. Only where it is positive, that is
+/// where the line is slower than every wave along it, bulk or Rayleigh, do the numbers mean something.
 struct LineFunctions {
-  bool subcritical = false;
-  double compliance = 0;
-  double coupling = 0;        ///< to shear along the line
+  Two rayleigh;
+  Two compliance;
+  Two coupling;               ///< to shear along the line
   double cross_coupling = 0;  ///< to shear across the line
+
+  [[nodiscard]] bool subcritical() const { return rayleigh.high > 0; }
+};
+
+/// 1/stress.
+struct LineAnswers {
+  double compliance, coupling, cross_coupling;
 };
 
 /// The axis of symmetry is normal to the surface: all lines are alike. (brock2013 19, 25b)
@@ -55,14 +64,17 @@ class TransverselyIsotropicLine {
  public:
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
-  /// speed: along `motion`.
-  [[nodiscard]] LineFunctions at(Direction psi, Direction motion, double speed) const;
+  /// speed: along `motion`. Nothing if the line is not subcritical.
+  [[nodiscard]] std::optional<LineAnswers> at(Direction psi, Direction motion, double speed) const;
+
+  /// d ln K/d ln speed on a subcritical line.
+  [[nodiscard]] double condition(Direction psi, Direction motion, double speed) const;
 
   /// The speed along the line psi from which on it is no longer subcritical, rounded down to a double.
   [[nodiscard]] double limit(Direction psi) const;
 
  private:
-  [[nodiscard]] LineFunctions at(Direction psi, Two line_speed) const;
+  [[nodiscard]] LineFunctions functions(Direction psi, Two X) const;
 
   double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
   double density_;       ///< of the solid, over that unit

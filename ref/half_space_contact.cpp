@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -155,25 +156,35 @@ struct DoubledAngles {
   }
 };
 
-/// Newton's method on the trapezoidal sums.
-Ellipse solve_ellipse(const std::vector<Float>& compliance) {
+/// (C1 - C2)/(C1 + C2) of the curvatures along and across the motion.
+Float eccentricity(const Exact& curvature_ratio) {
+  if (curvature_ratio.sign() <= 0)
+    throw data::BadInput("curvature_ratio", curvature_ratio.approximate(), "must be positive");
+  return to_float(Exact(mpq_class((1 - curvature_ratio.value()) / (1 + curvature_ratio.value()))));
+}
+
+/// int K n n/w^3 dpsi is proportional to the curvatures where int K (cos 2 psi - eccentricity)/w^3 dpsi and
+/// int K sin 2 psi/w^3 dpsi vanish: Newton's method on the trapezoidal sums; nothing if it does not converge.
+std::optional<Ellipse> solve_ellipse(const std::vector<Float>& compliance, const Float& eccentricity) {
   const auto count = compliance.size();
   Ellipse ellipse;
   const auto [c, s] = DoubledAngles(count);
   for (int step = 0; step < 60; ++step) {
-    Float r1 = 0, r2 = 0, j11 = 0, j12 = 0, j22 = 0;
+    Float r1 = 0, r2 = 0, j11 = 0, j12 = 0, j21 = 0, j22 = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const Float square = 1 + ellipse.e * c[i] + ellipse.f * s[i];
       const Float term = compliance[i] / (square * sqrt(square));
       const Float slope = Float(-1.5) * term / square;
-      r1 += term * c[i];
+      const Float off = c[i] - eccentricity;
+      r1 += term * off;
       r2 += term * s[i];
-      j11 += slope * c[i] * c[i];
-      j12 += slope * c[i] * s[i];
+      j11 += slope * off * c[i];
+      j12 += slope * off * s[i];
+      j21 += slope * s[i] * c[i];
       j22 += slope * s[i] * s[i];
     }
-    const Float determinant = j11 * j22 - j12 * j12;
-    Float de = -(r1 * j22 - r2 * j12) / determinant, df = -(r2 * j11 - r1 * j12) / determinant;
+    const Float determinant = j11 * j22 - j12 * j21;
+    Float de = -(r1 * j22 - r2 * j12) / determinant, df = -(r2 * j11 - r1 * j21) / determinant;
     const auto beyond = [&] { return hypot(ellipse.e + de, ellipse.f + df) >= 1; };
     while (beyond()) {
       de /= 2;
@@ -181,9 +192,9 @@ Ellipse solve_ellipse(const std::vector<Float>& compliance) {
     }
     ellipse.e += de;
     ellipse.f += df;
-    if (hypot(de, df) < sqrt(std::numeric_limits<Float>::epsilon()) * Float(1e-3)) break;
+    if (hypot(de, df) < sqrt(std::numeric_limits<Float>::epsilon()) * Float(1e-3)) return ellipse;
   }
-  return ellipse;
+  return std::nullopt;
 }
 
 Float axis_ratio(const Ellipse& ellipse) {
@@ -191,8 +202,7 @@ Float axis_ratio(const Ellipse& ellipse) {
   return sqrt((1 - r) / (1 + r));
 }
 
-Float stiffness(const std::vector<Float>& compliance) {
-  const Ellipse ellipse = solve_ellipse(compliance);
+Float stiffness(const Ellipse& ellipse, const std::vector<Float>& compliance) {
   const auto [c, s] = DoubledAngles(compliance.size());
   Float first = 0, third = 0;
   for (std::size_t i = 0; i < compliance.size(); ++i) {
@@ -205,20 +215,24 @@ Float stiffness(const std::vector<Float>& compliance) {
   return 8 * pi() / 3 * sqrt(third * step) / pow(first * step, Float(1.5));
 }
 
-/// What `of_compliances` makes of K at evenly spread directions, doubled until it changes no more.
-template <class OfCompliances>
-Enclosure of_ellipse(const SurfaceAnswer& surface, int digits, OfCompliances of_compliances) {
+/// `value` of the ellipse and K at evenly spread directions, doubled until it changes no more.
+template <class Value>
+Enclosure of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits, Value value) {
   return with_digits(digits, [&](int working) {
     const Surface lines(surface, working);
-    Float last = 0, change = 1;
+    const Float off_centre = eccentricity(curvature_ratio);
+    std::optional<Float> last;
+    Float change = 1;
     doubled<Float>([&](const Exact& degrees) -> Float { return lines.at(degrees).compliance; },
-                   [&](const std::vector<Float>& values) {
-                     const Float finer = of_compliances(values);
-                     change = abs(finer - last);
+                   [&](const std::vector<Float>& compliance) {
+                     const std::optional<Ellipse> ellipse = solve_ellipse(compliance, off_centre);
+                     if (!ellipse) return false;
+                     const Float finer = value(*ellipse, compliance);
+                     if (last) change = abs(finer - *last);
                      last = finer;
-                     return change <= tolerance(digits) * std::min(Float(1), last) / 10;
+                     return change <= tolerance(digits) * std::min(Float(1), finer) / 10;
                    });
-    return result(last, change, digits);
+    return result(*last, change, digits);
   });
 }
 
@@ -284,13 +298,13 @@ Enclosure rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
   });
 }
 
-Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, int digits) {
-  return of_ellipse(surface, digits,
-                    [](const std::vector<Float>& values) { return axis_ratio(solve_ellipse(values)); });
+Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
+  return of_ellipse(surface, curvature_ratio, digits,
+                    [](const Ellipse& ellipse, const std::vector<Float>&) { return axis_ratio(ellipse); });
 }
 
-Enclosure elliptic_stiffness(const SurfaceAnswer& surface, int digits) {
-  return of_ellipse(surface, digits, stiffness);
+Enclosure elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
+  return of_ellipse(surface, curvature_ratio, digits, stiffness);
 }
 
 }  // namespace nipref::ref

@@ -46,13 +46,15 @@ Enclosure rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int 
 /// squares go like K_nn/K/(K K_nn - S^2), are equal at the centre. (brock2012 53)
 Enclosure rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
-/// Minor over major axis of the exact frictionless contact of a sphere: the ellipse with half-widths w for
-/// which int K cos(2 psi)/w^3 dpsi = int K sin(2 psi)/w^3 dpsi = 0. By Newton's method for w^2 = 1 + e cos(2
-/// psi) + f sin(2 psi).
-Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, int digits);
+/// Minor over major axis of the exact frictionless contact of a rigid body whose curvature across the motion
+/// is curvature_ratio > 0 times that along it, a sphere for 1: the ellipse whose half-widths w make int K n
+/// n/w^3 dpsi proportional to the curvatures. By Newton's method for w^2 = 1 + e cos(2 psi) + f sin(2 psi).
+/// Ellipses slenderer than about 1/100 need more lines than are tried: std::runtime_error.
+Enclosure elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
-/// F/(sqrt(R) delta^(3/2)) of that contact, R the sphere's radius and delta its approach: (8 pi/3) I3^(1/2)/
-/// I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. At rest Hertz's 8/(3 K).
-Enclosure elliptic_stiffness(const SurfaceAnswer& surface, int digits);
+/// F/(sqrt(R) delta^(3/2)) of that contact, 1/R the mean of the two curvatures and delta the approach: (8
+/// pi/3) I3^(1/2)/I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. A sphere at rest:
+/// Hertz's 8/(3 K).
+Enclosure elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
 }  // namespace nipref::ref

@@ -329,9 +329,61 @@ TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and b
         doctest::Approx(0.56459743).epsilon(1e-7));
 }
 
+TEST_CASE("transversely isotropic half-space at rest: the classical plane and indentation moduli") {
+  // A half-plane along a principal direction, stiffnesses a along it, n normal to it, m between, g in shear:
+  // K = sqrt(a/(a n - m^2) (1/g + 2/(sqrt(a n) + m))). With the axis normal that is 2/M of Elliott's and
+  // Willis's M.
+  const auto plane = [](double a, double n, double m, double g) {
+    return std::sqrt(a / (a * n - m * m) * (1 / g + 2 / (std::sqrt(a * n) + m)));
+  };
+  std::mt19937_64 generator(11);
+  for (int i = 0; i < 50; ++i) {
+    const TransverselyIsotropicSolid solid = random_solid(generator);
+    const double c12 = solid.c11 - 2 * solid.c66;
+    const TransverselyIsotropicHalfSpace normal(solid, SymmetryAxis::normal, {1, 0}, 0);
+    const TransverselyIsotropicHalfSpace in_plane(solid, SymmetryAxis::in_plane, {1, 0}, 0);
+    const auto close = [](double found, double truth) {
+      CHECK(found == doctest::Approx(truth).epsilon(1e-12));
+    };
+    close(normal.along({0.6, 0.8}).compliance, plane(solid.c11, solid.c33, solid.c13, solid.c44));
+    close(in_plane.along({0, 1}).compliance, plane(solid.c33, solid.c11, solid.c13, solid.c44));
+    close(in_plane.along({1, 0}).compliance, plane(solid.c11, solid.c11, c12, solid.c66));
+  }
+}
+
+TEST_CASE("transversely isotropic half-space: the condition is the slope of K over the speed") {
+  std::mt19937_64 generator(12);
+  for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
+    const TransverselyIsotropicSolid solid = random_solid(generator);
+    const Direction motion = random_direction(generator), psi = Direction::of_angle(0.4);
+    const double limit = fast::critical_speed(solid, axis, motion).speed;
+    const auto surface = [&](double speed) {
+      return TransverselyIsotropicHalfSpace(solid, axis, motion, speed);
+    };
+    for (const double part : {0.0, 0.3, 0.9}) {
+      const double speed = part * limit, step = 1e-4 * speed;
+      const double slope = part == 0 ? 0
+                                     : std::log(surface(speed + step).along(psi).compliance /
+                                                surface(speed - step).along(psi).compliance) /
+                                           (2e-4);
+      CHECK(surface(speed).condition(psi) == doctest::Approx(slope).epsilon(1e-5));
+    }
+    CHECK(surface(0.5 * limit).condition({-motion.sine, motion.cosine}) < 1e-12);
+    // At the last double below the critical speed it is a large number or a refusal, never nan.
+    const TransverselyIsotropicHalfSpace last = surface(std::nextafter(limit, 0));
+    const Direction critical = Direction::of_angle(fast::critical_speed(solid, axis, motion).psi);
+    try {
+      CHECK(last.condition(critical) > 1e3);
+    } catch (const data::BadInput&) {
+      CHECK(true);
+    }
+  }
+}
+
 TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
   const auto isotropic_at = [](double poisson, double speed, double cosine) {
-    return refusal([=] { static_cast<void>(fast::isotropic_response({1, poisson, 1}, speed, {cosine, 0})); });
+    const Direction psi{cosine, std::sqrt(1 - cosine * cosine)};
+    return refusal([=] { static_cast<void>(fast::isotropic_response({1, poisson, 1}, speed, psi)); });
   };
   CHECK(isotropic_at(0.5, 0.1, 1).starts_with("poisson = "));
   CHECK(isotropic_at(0.3, not_a_number, 1).starts_with("speed = nan"));
@@ -339,7 +391,7 @@ TEST_CASE("half-spaces refuse what they cannot answer, in one line") {
   CHECK(isotropic_at(0.3, 0.95, 1).starts_with("speed = "));
   CHECK(isotropic_at(0.3, 1.5, 1).starts_with("speed = "));
   CHECK(isotropic_at(0.3, 0.95, 0.5).empty());
-  CHECK(isotropic_at(0.3, 0.1, not_a_number).starts_with("cosine = nan"));
+  CHECK(isotropic_at(0.3, 0.1, not_a_number).starts_with("psi = nan"));
   CHECK_THROWS_AS(fast::isotropic_rayleigh_speed(not_a_number), data::BadInput);
 
   const Direction motion = Direction::of_angle(45 * degree);

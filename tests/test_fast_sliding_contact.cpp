@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "data/bad_input.hpp"
+#include "fast/half_turn_integral.hpp"
 #include "fast/sliding_contact.hpp"
 #include "half_space_common.hpp"
 
@@ -154,6 +155,39 @@ TEST_CASE("sliding: the contour of a die, by the closed form of the cross direct
   const double q = std::pow(0.5 + angle, 0.5 + angle) * std::pow(0.5 - angle, 0.5 - angle);
   CHECK(contact.span_ratio({0, 1}) * 1.9 / 0.7 ==
         doctest::Approx((1 - poisson) / std::hypot(compliance, gamma) * 2 * q).epsilon(1e-14));
+}
+
+TEST_CASE("integrals over half a turn keep their digits at poles beside the directions") {
+  for (const double gap : {1., 1e-4, 1e-8, 1e-16}) {
+    const auto peaked = [gap](Direction psi) {
+      const double c = psi.cosine * psi.cosine, s = psi.sine * psi.sine;
+      return std::array{1 / (gap * c + s), psi.cosine * psi.sine / (gap * c + s)};
+    };
+    const auto [even, odd] = fast::half_turn_integral<2>(peaked);
+    CHECK(even.value == doctest::Approx(pi / std::sqrt(gap)).scale(0).epsilon(1e-13));
+    CHECK(even.error < 1e-13 * even.value);
+    CHECK(std::fabs(odd.value) <= odd.error);
+    // The same peak where no panel ends: how well the angle is known limits it.
+    const Direction off = Direction::of_angle(0.3);
+    const auto turned = fast::half_turn_integral<1>([&](Direction psi) {
+      const double c = psi.cosine * off.cosine + psi.sine * off.sine;
+      const double s = psi.sine * off.cosine - psi.cosine * off.sine;
+      return std::array{1 / (gap * c * c + s * s)};
+    })[0];
+    CHECK(std::fabs(turned.value - even.value) <= turned.error + even.error);
+    CHECK(turned.error < 1e-15 / std::sqrt(gap) * turned.value + 1e-13 * turned.value);
+  }
+}
+
+TEST_CASE("integrals over half a turn: a jump, and noise that no rule can see through") {
+  const auto jump =
+      fast::half_turn_integral<1>([](Direction psi) { return std::array{psi.sine > 0.1 ? 1. : 0.}; })[0];
+  CHECK(std::fabs(jump.value - std::acos(0.1)) <= jump.error);
+  CHECK(jump.error < 1e-12);
+  const auto noisy = fast::half_turn_integral<1>(
+      [](Direction psi) { return std::array{1 + 1e-9 * std::sin(1e9 * psi.sine)}; })[0];
+  CHECK(std::fabs(noisy.value - pi) <= noisy.error);
+  CHECK(noisy.error < 1e-7);
 }
 
 TEST_CASE("sliding: bad input is one line that names it") {

@@ -2,6 +2,8 @@
 // here.
 #include <doctest/doctest.h>
 
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -41,13 +43,35 @@ TEST_CASE("the reference's sliding contact at rest without friction is a circle 
   // The pressure (C/K) sqrt(L^2/4 - x^2) over a disc: (2 pi/3)(L/2)^3 C/K, K = 1 - nu.
   CHECK(ref::sliding_force(surface, Exact(0.0), 20).to_double() ==
         doctest::Approx(2 * std::numbers::pi / 3 / 8 / 0.75).epsilon(1e-14));
-  CHECK(ref::elliptic_axis_ratio(surface, 20).to_double() == doctest::Approx(1).epsilon(1e-15));
-  CHECK(ref::elliptic_stiffness(surface, 20).to_double() == doctest::Approx(8 / (3 * 0.75)).epsilon(1e-14));
+  CHECK(ref::elliptic_axis_ratio(surface, Exact(1.0), 20).to_double() == doctest::Approx(1).epsilon(1e-15));
+  CHECK(ref::elliptic_stiffness(surface, Exact(1.0), 20).to_double() ==
+        doctest::Approx(8 / (3 * 0.75)).epsilon(1e-14));
+}
+
+TEST_CASE("the reference's die at rest is Hertz's ellipse") {
+  // (Johnson, Contact Mechanics, 4.26-4.28) by Carlson's integrals, for axes a = 1 and b = ratio, p0 = E*.
+  const auto surface = isotropic(0.25, 1e-30);
+  for (const double ratio : {0.9, 0.4, 0.15}) {
+    const double square = ratio * ratio;
+    const double flat = 2 * ratio * boost::math::ellint_rd(0, square, 1) / 3;
+    const double sharp = 2 * ratio * boost::math::ellint_rd(0, 1, square) / 3;
+    const double approach = ratio * boost::math::ellint_rf(0, square, 1), modulus = 2 / 0.75;
+    const double force = 2 * std::numbers::pi / 3 * ratio * modulus;
+    const double stiffness = force / std::pow(approach, 1.5) * std::sqrt((flat + sharp) / 2);
+    for (const double curvature_ratio : {sharp / flat, flat / sharp}) {
+      CHECK(ref::elliptic_axis_ratio(surface, Exact(curvature_ratio), 18).to_double() ==
+            doctest::Approx(ratio).epsilon(1e-13));
+      CHECK(ref::elliptic_stiffness(surface, Exact(curvature_ratio), 18).to_double() ==
+            doctest::Approx(stiffness).epsilon(1e-13));
+    }
+  }
+  CHECK_THROWS_AS((void)ref::elliptic_axis_ratio(surface, Exact(0.0), 18), data::BadInput);
 }
 
 TEST_CASE("moving contacts have the shapes found before") {
   const auto surface = isotropic(1.0 / 3, 0.6);
-  CHECK(ref::elliptic_axis_ratio(surface, 18).to_double() == doctest::Approx(0.8905).epsilon(1e-4));
+  CHECK(ref::elliptic_axis_ratio(surface, Exact(1.0), 18).to_double() ==
+        doctest::Approx(0.8905).epsilon(1e-4));
   // Table 2 of brock2012, last cell; and with cD^2 = 4 what its Table 1 should have for c = 0.6, gamma = 0.
   CHECK(ref::rolling_span_ratio(surface, Exact(90.0), 18).to_double() ==
         doctest::Approx(0.7318).epsilon(1e-4));

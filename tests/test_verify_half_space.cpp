@@ -1,6 +1,9 @@
-// Catalogue entries of the half-spaces on the command line: refusals, by either path.
+// Catalogue entries of the half-spaces on the command line: refusals, by either path; the seeds' own
+// formulas.
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "run_nipref.hpp"
@@ -18,6 +21,20 @@ void check_refused(const std::string& arguments, const std::string& says) {
     CHECK(outcome.err.find(says) != std::string::npos);
     CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
   }
+}
+
+nlohmann::json eval(const std::string& arguments) {
+  const Outcome outcome = run("eval " + arguments + " --json");
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.status == 0);
+  return nlohmann::json::parse(outcome.out)["results"];
+}
+
+double seed_value(const std::string& arguments) {
+  const nlohmann::json results = eval(arguments);
+  REQUIRE(results.size() == 1);
+  CHECK(results[0]["error_bound"].is_null());
+  return std::stod(results[0]["value"].get<std::string>());
 }
 
 }  // namespace
@@ -43,5 +60,49 @@ TEST_CASE("solids, motions and choices that cannot be are refused by name") {
   check_refused("ti.compliance speed=0.1 c13=60", "c13 = ");
   check_refused("ti.compliance speed=0.1 c66=0", "c66 = 0: ");
   check_refused("ti.compliance speed=0.1 axis=oblique", "axis = oblique: must be normal or in-plane");
+  check_refused("ti.span_ratio speed=0.1 axis=in-plane friction=0.1", "friction = 0.1: must be 0");
+  check_refused("ellipse.axis_ratio poisson=0.3 speed=0.1 curvature_ratio=0", "curvature_ratio = 0: ");
+  check_refused("ellipse.stiffness poisson=0.3 speed=0.1 curvature_ratio=-1", "curvature_ratio = -1: ");
+  check_refused("ti.condition axis=in-plane theta_deg=45 speed=0.5", "must be below 0.49899605");
   check_refused("ti.branch which=57", "which = 57: must be 56 or plus or minus");
+}
+
+TEST_CASE("form=table gives the numbers that stand in the papers' tables") {
+  // brock2012, Table 1, gamma = 0.1, c = 0.6, and Table 2, c = 0.1 and 0.6; brock2013, Table 1, gamma = 0, c0
+  // = 0.05.
+  CHECK(std::fabs(seed_value("die.span_ratio poisson=0.33333333333 speed=0.6 friction=0.1 form=table") -
+                  0.7049) < 1e-4);
+  CHECK(std::fabs(seed_value("rolling.span_ratio poisson=0.33333333333 speed=0.6 form=table") - 0.7318) <
+        1e-4);
+}
+
+TEST_CASE("form=printed differs from what is right as the seed's slips make it") {
+  // At rest the factor c_D = 2 under the root of (53b) leaves the square root of 2.
+  CHECK(seed_value("rolling.span_ratio poisson=0.33333333333 speed=1e-3 form=printed") ==
+        doctest::Approx(std::sqrt(2.)).epsilon(1e-4));
+  // (35) at rest where the circle demands 1.
+  CHECK(seed_value("ti.span_ratio speed=0 form=printed") == doctest::Approx(1 / 1.87).epsilon(0.01));
+  CHECK(eval("ti.span_ratio speed=0 path=fast")[0]["value"] == "1");
+  // K of lines across the axis is that of the isotropic plane: there the missing term vanishes.
+  const double across = seed_value("ti.compliance axis=in-plane speed=0.2 form=table");
+  const double right =
+      std::stod(eval("ti.compliance axis=in-plane speed=0.2 path=fast")[0]["value"].get<std::string>());
+  CHECK(across == doctest::Approx(right).epsilon(1e-12));
+}
+
+TEST_CASE("forms that the seed does not have are refused") {
+  check_refused("I1 alpha=1 form=table", "form = table: must be corrected of I1");
+  check_refused("rolling.span_ratio poisson=0.3 speed=0.1 form=typed",
+                "form = typed: must be corrected or printed or table of rolling.span_ratio");
+  check_refused("rolling.span_ratio poisson=0.3 speed=0.1 form=printed",
+                "must be left out with form=printed");
+  const auto refused = [](const std::string& arguments, const std::string& says) {
+    const Outcome outcome = run("eval " + arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.find(says) != std::string::npos);
+  };
+  refused("rolling.span_ratio poisson=0.3 speed=0.95 form=printed", "speed = 0.95: must be below");
+  refused("ti.compliance speed=0.1 form=printed", "axis = normal: must be in-plane");
+  refused("ti.span_ratio speed=0.1 phi_deg=30 form=printed", "phi_deg = 30: must be 90");
+  refused("ti.span_ratio speed=0.1 moving_patch=false form=table", "moving_patch = false: must be true");
 }

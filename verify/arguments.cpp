@@ -42,8 +42,9 @@ std::string text_of(const Argument& argument, const Quantity& quantity, const As
 ref::Exact parse(const Argument& argument, const std::string& text) {
   if (argument.kind != ArgumentKind::choice) {
     const ref::Exact number = ref::Exact::parse(text, argument.name);
-    if (argument.kind == ArgumentKind::nonnegative && number.sign() < 0)
-      throw BadInput(argument.name, text, "must be " + domain(argument));
+    const bool refused = (argument.kind == ArgumentKind::nonnegative && number.sign() < 0) ||
+                         (argument.kind == ArgumentKind::positive && number.sign() <= 0);
+    if (refused) throw BadInput(argument.name, text, "must be " + domain(argument));
     return number;
   }
   const auto found = std::ranges::find(argument.choices, text);

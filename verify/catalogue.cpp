@@ -15,7 +15,8 @@ namespace {
 std::vector<Quantity> gather() {
   std::vector<Quantity> all;
   for (auto group : {root_entries(), kernel_entries(), displacement_entries(), memory_entries(),
-                     moving_load_entries(), half_space_entries(), half_space_contact_entries()}) {
+                     moving_load_entries(), half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
+                     elliptic_contact_entries(), seed_sphere_entries()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

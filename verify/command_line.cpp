@@ -35,6 +35,8 @@ const OptionText solve_digits_option{
 const OptionText rtol_option{
     "rtol",
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
+const OptionText form_option{
+    "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
 const OptionText points_option{"points", "points for each quantity (default 20000)"};
 
 const std::array verbs{
@@ -42,13 +44,14 @@ const std::array verbs{
     VerbText{"eval",
              "one quantity at one argument: eval I1 alpha=0.73",
              "quantity name=value",
-             {path_option, digits_option, rtol_option}},
+             {path_option, digits_option, rtol_option, form_option}},
     VerbText{"solve",
              "what a scene wants of its contact: solve SCENE.toml",
              "scene",
              {solve_path_option, solve_digits_option}},
     VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
-    VerbText{"audit", "largest error of fast against ref", "quantity or contact", {points_option, rtol_option}},
+    VerbText{
+        "audit", "largest error of fast against ref", "quantity or contact", {points_option, rtol_option}},
     VerbText{"bench", "speed against error, beside other libraries", "quantity or contact", {}},
     VerbText{"report", "audit, bench and tables on a page or two", "", {points_option}},
 };

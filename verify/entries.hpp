@@ -12,10 +12,13 @@ std::vector<Quantity> root_entries();         ///< roots of sinh 2z + 2z = 0, th
 std::vector<Quantity> kernel_entries();       ///< I1 to I7, thesis (4.9), (4.20)
 std::vector<Quantity> memory_entries();       ///< J1 to J6, thesis (6.20)
 std::vector<Quantity> moving_load_entries();  ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
+std::vector<Quantity> half_space_entries();   ///< K, S, isotropic, brock2012 (18a)
 std::vector<Quantity>
-half_space_entries();  ///< K, S and critical speeds, brock2012 (18a), brock2013 (19), (43)
+transverse_half_space_entries();  ///< K, S and critical speeds, brock2013 (19), (43), (46)
 std::vector<Quantity>
-half_space_contact_entries();                  ///< dies and spheres, brock2012 (26) to (53), brock2013 (34)
+half_space_contact_entries();  ///< dies and spheres by the papers' rule, brock2012 (26) to (53)
+std::vector<Quantity> elliptic_contact_entries();  ///< the exact frictionless contact, isotropic half-space
+std::vector<Quantity> seed_sphere_entries();   ///< the seed's sphere, brock2013 (34), and its exact contact
 std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 
 // Arguments that several entries share, with their hard values.

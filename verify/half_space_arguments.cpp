@@ -108,6 +108,18 @@ data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
   return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / seed::steel_density};
 }
 
+ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
+  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
+  constexpr double nu = seed::steel_poisson;
+  return {solid.c11,
+          solid.c33,
+          solid.c13,
+          solid.c44,
+          solid.c66,
+          std::sqrt(solid.density),
+          std::sqrt((2 - 2 * nu) / (1 - 2 * nu))};
+}
+
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
   return exact_transverse_at(x, at,
                              x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane);

@@ -7,6 +7,7 @@
 #include "fast/surface_response.hpp"
 #include "ref/exact_stiffness.hpp"
 #include "ref/half_space_contact.hpp"
+#include "verify/printed_half_space.hpp"
 #include "verify/quantity.hpp"
 
 namespace nipref::verify {
@@ -51,6 +52,8 @@ void append_transverse_arguments(std::vector<Argument>& arguments);
 void append_constants(std::vector<Argument>& arguments);
 data::SymmetryAxis axis_at(Doubles x, std::size_t at);
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
+/// In the units of steel, with the seed's sphere.
+ScaledModuli scaled_moduli_at(Doubles x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
 /// BadInput naming the speed unless it is subcritical on every line.

@@ -70,8 +70,7 @@ double in_plane_compliance(const ScaledModuli& moduli, fast::Direction line, dou
   const double q = square(d6_and_d12) * sine2 / (d1 * d6) - cosine2 - a2 / d6 - b_plus * b_minus;
   const double m = sign * 4 * square(d5) * b5 * b_cubic * cosine2 -
                    d6 * a6 * (cosine2 + a6 / d1 + b_plus * b_minus) * sine2 - q * square(t5);
-  const SphereTerms sphere(moduli.sphere_dilatation, speed * cosine_from_motion);
-  return std::fabs(a6 / m) * b_cubic + sphere.numerator / sphere.m;
+  return std::fabs(a6 / m) * b_cubic;
 }
 
 }  // namespace
@@ -122,6 +121,11 @@ double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction,
   const double half_space = 2 * std::sqrt(d1) * std::sqrt(2 * d5 + along + d13) /
                             ((along + d13) * std::sqrt(d5) * std::sqrt(along - d13));
   return q / std::hypot(k, gamma) * (d + half_space) / (d - 1);
+}
+
+double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed) {
+  const SphereTerms sphere(moduli.sphere_dilatation, speed * cosine_from_motion);
+  return sphere.numerator / sphere.m;
 }
 
 double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,

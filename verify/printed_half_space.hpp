@@ -37,9 +37,15 @@ struct ScaledModuli {
 /// subtract.
 double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed);
 
-/// mu_0 K of (brock2013 43) as printed, axis in the surface along x2: half-space and sphere together. Wrong:
-/// the first term of M needs a minus sign, and 2 A6 T5 (d6 + d12) sin^2(psi)/d1 is missing.
-/// `cosine_from_motion`: of psi - theta.
+/// To which w_S and w_D stand in the arithmetic of (brock2012) Tables 1 and 2: found by trial, and then all
+/// cells of both but one are within a unit.
+inline constexpr int kTableRootDecimals = 5;
+
+/// mu_0 K of the sphere, by (brock2013 20). `cosine_from_motion`: of psi - theta.
+double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed);
+
+/// mu_0 K of (brock2013 43) as printed, axis in the surface along x2: the half-space's share. Wrong: the
+/// first term of M needs a minus sign, and 2 A6 T5 (d6 + d12) sin^2(psi)/d1 is missing.
 double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
                                       double cosine_from_motion, double speed);
 

@@ -65,6 +65,13 @@ struct MultiprecisionPeer {
   std::function<std::string(const std::string& argument, int digits)> evaluate;
 };
 
+/// A formula of the seed that is wrong or was evaluated coarsely, for those who compare with it; in double.
+struct SeedForm {
+  std::string name;     ///< printed: the equation as it stands; table: what the seed's table was made with
+  std::string differs;  ///< from what is right, one line
+  std::function<double(std::span<const double> arguments)> value;
+};
+
 /// An entry of the catalogue: everything that the verbs need to know about one quantity.
 struct Quantity {
   std::string name;
@@ -97,6 +104,7 @@ struct Quantity {
   bool timed_alone = true;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
 
+  std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
   std::vector<Peer> peers;
   std::vector<MultiprecisionPeer> multiprecision_peers;
 };

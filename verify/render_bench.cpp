@@ -2,19 +2,29 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace nipref::verify {
+namespace {
+
+/// A dash where nothing was measured.
+std::string measured(double value, int digits) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value, digits);
+}
+
+}  // namespace
+
 std::string bench_text(const std::vector<BenchRow>& rows) {
-  std::string text = fmt::format("{:9}{:32}{:28}{:>11}{:>12}{:>11}{:>10}\n", "quantity", "arguments",
+  std::string text = fmt::format("{:11}{:30}{:28}{:>11}{:>12}{:>11}{:>10}\n", "quantity", "arguments",
                                  "method", "ns/value", "time ratio", "max ulp", "max rel");
   const BenchRow* previous = nullptr;
   for (const BenchRow& row : rows) {
     const bool same =
         previous != nullptr && previous->quantity == row.quantity && previous->arguments == row.arguments;
-    text += fmt::format("{:9}{:32}{:28}{:>11.4g}{:>12.3g}{:>11.3g}{:>10.2g}\n", same ? "" : row.quantity,
-                        same ? "" : row.arguments, row.method, row.nanoseconds, row.ratio, row.max_error_ulp,
-                        row.max_relative_error);
+    text += fmt::format("{:11}{:30}{:28}{:>11.4g}{:>12.3g}{:>11}{:>10}\n", same ? "" : row.quantity,
+                        same ? "" : row.arguments, row.method, row.nanoseconds, row.ratio,
+                        measured(row.max_error_ulp, 3), measured(row.max_relative_error, 2));
     previous = &row;
   }
   return text;

@@ -70,12 +70,14 @@ class InPlaneSpans {
 
   [[nodiscard]] double tabulated(double phi, double speed) const {
     return ratio(phi, [&](fast::Direction line, double cosine) {
-      return in_plane_compliance_as_tabulated(bodies_.scaled, line, cosine, speed);
+      return in_plane_compliance_as_tabulated(bodies_.scaled, line, cosine, speed) +
+             sphere_compliance(bodies_.scaled, cosine, speed);
     });
   }
   [[nodiscard]] double printed(double phi, double speed) const {
     return ratio(phi, [&](fast::Direction line, double cosine) {
-      return in_plane_compliance_as_printed(bodies_.scaled, line, cosine, speed);
+      return in_plane_compliance_as_printed(bodies_.scaled, line, cosine, speed) +
+             sphere_compliance(bodies_.scaled, cosine, speed);
     });
   }
   [[nodiscard]] double corrected(double phi, double speed) const {

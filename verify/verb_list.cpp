@@ -22,6 +22,9 @@ nlohmann::ordered_json to_json(const Quantity& quantity) {
                               {"scale", quantity.scale}};
   json["arguments"] = nlohmann::ordered_json::array();
   for (const Argument& argument : quantity.arguments) json["arguments"].push_back(to_json(argument));
+  json["seed_forms"] = nlohmann::ordered_json::array();
+  for (const SeedForm& form : quantity.seed_forms)
+    json["seed_forms"].push_back({{"form", form.name}, {"differs", form.differs}});
   return json;
 }
 
@@ -45,6 +48,8 @@ int list_verb(const CommandLine& line, std::ostream& out) {
   for (const Quantity& quantity : catalogue()) {
     fmt::print(out, "{:8} {:31} {}\n{:40} {}; scale: {}\n", quantity.name, arguments_text(quantity),
                quantity.definition, "", quantity.source, quantity.scale);
+    for (const SeedForm& form : quantity.seed_forms)
+      fmt::print(out, "{:40} form={}: {}\n", "", form.name, form.differs);
   }
   fmt::print(out,
              "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held "
