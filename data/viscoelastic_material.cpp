@@ -67,6 +67,28 @@ void check_loss(const ViscoelasticMaterial& material, double frequency) {
   }
 }
 
+/// Where a loss that is negative anywhere shows: dense against the width of a real rate's peak, far beyond
+/// both ends, and about the resonance of each complex rate in steps of its own width.
+std::vector<double> telling_frequencies(const ViscoelasticMaterial& material) {
+  std::vector<double> frequencies;
+  double least = INFINITY, greatest = 0;
+  for (const MaterialFunction* function : {&material.theta1, &material.theta2}) {
+    for (const RelaxationTerm& term : function->terms) {
+      least = std::min(least, std::abs(term.rate));
+      greatest = std::max(greatest, std::abs(term.rate));
+      const double resonance = std::fabs(term.rate.imag());
+      for (double widths = 1e-2; resonance > 0 && widths < 1e4; widths *= 1.1) {
+        const double off = widths * term.rate.real();
+        frequencies.push_back(resonance + off);
+        if (off < resonance) frequencies.push_back(resonance - off);
+      }
+    }
+  }
+  for (double frequency = least / 1e3; frequency <= greatest * 1e3; frequency *= 1.02)
+    frequencies.push_back(frequency);
+  return frequencies;
+}
+
 }  // namespace
 
 Complex MaterialFunction::transform(Complex p) const {
@@ -78,16 +100,7 @@ Complex MaterialFunction::transform(Complex p) const {
 void ViscoelasticMaterial::check() const {
   check_function(theta1, "theta1");
   check_function(theta2, "theta2");
-  double least = INFINITY, greatest = 0;
-  for (const MaterialFunction* function : {&theta1, &theta2}) {
-    for (const RelaxationTerm& term : function->terms) {
-      least = std::min(least, std::abs(term.rate));
-      greatest = std::max(greatest, std::abs(term.rate));
-    }
-  }
-  // Dense against the width of a loss peak, far beyond both ends.
-  for (double frequency = least / 1e3; frequency <= greatest * 1e3; frequency *= 1.02)
-    check_loss(*this, frequency);
+  for (const double frequency : telling_frequencies(*this)) check_loss(*this, frequency);
 }
 
 MaterialFunction ViscoelasticMaterial::normal_compliance() const {

@@ -108,6 +108,30 @@ TEST_CASE("operators: three relaxation times, shared factors and a complex pair"
       [](Complex) { return Complex(10); }, 1e-13);
 }
 
+TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
+  for (const double resonance : {0.31, 1.0137, 7.7}) {
+    for (const double width : {1e-2, 1e-4, 1e-7}) {
+      // A resonance of peak compliance 1/100: physical with the loss of the peak beside it, not with its
+      // opposite sign.
+      const auto with = [&](double sign) {
+        const Complex rate(width, resonance), amplitude(0, sign * width / 100);
+        data::ViscoelasticMaterial material{
+            {1, {{0.001, 1}, {amplitude, rate}, {std::conj(amplitude), std::conj(rate)}}},
+            {0.3, {{0.0003, 1}}}};
+        for (const data::RelaxationTerm& term : material.theta1.terms)
+          material.theta2.terms.push_back({0.3 * term.amplitude, term.rate});
+        material.theta2.terms.erase(material.theta2.terms.begin());
+        return material;
+      };
+      const data::ViscoelasticMaterial one = with(1), other = with(-1);
+      CAPTURE(width);
+      const bool one_refused = refusal([&] { one.check(); }).starts_with("material shear loss");
+      const bool other_refused = refusal([&] { other.check(); }).starts_with("material shear loss");
+      CHECK(one_refused != other_refused);
+    }
+  }
+}
+
 TEST_CASE("what is no material is refused by the name of what is wrong") {
   using data::single_relaxation_time_solid;
   CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));
