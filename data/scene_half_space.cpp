@@ -160,13 +160,6 @@ void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
   }
 }
 
-/// Shear across the lines moves the surface too when the axis lies in it, which the papers' rule leaves out.
-void check_friction_in_plane(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
-  const auto* body = std::get_if<TransverselyIsotropicBody>(&problem.half_space);
-  require(body == nullptr || body->axis == SymmetryAxis::normal || problem.friction == 0, origin,
-          "sliding.friction", problem.friction, "must be 0 with the axis in the surface");
-}
-
 void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
   if (problem.rule != ContourRule::exact) return;
   if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
@@ -212,7 +205,6 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
           problem.friction, "must be finite and >= 0");
   std::visit(GivenCheck{origin, smallest_radius}, problem.given);
   check_rolling(problem, origin);
-  check_friction_in_plane(problem, origin);
   check_rule(problem, origin);
 }
 

@@ -75,12 +75,14 @@ SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, d
 }
 
 SlidingContact::Shape SlidingContact::shape(Direction psi) const {
-  const auto [compliance, coupling] = response_(psi);
+  const auto [compliance, coupling, coupling_across] = response_(psi);
   if (!(compliance > 0) || !std::isfinite(compliance))
     throw BadInput("compliance", compliance, "must be positive and finite: is the speed subcritical?");
-  if (!std::isfinite(coupling)) throw BadInput("coupling", coupling, "must be a finite number");
+  for (const double each : {coupling, coupling_across})
+    if (!std::isfinite(each)) throw BadInput("coupling", each, "must be a finite number");
   const double to_motion = psi.cosine * motion_.cosine + psi.sine * motion_.sine;
-  const double shear = friction_ * to_motion * coupling;
+  const double to_motion_across = psi.cosine * motion_.sine - psi.sine * motion_.cosine;
+  const double shear = friction_ * (to_motion * coupling + to_motion_across * coupling_across);
   const double modulus = std::hypot(compliance, shear);
   return {std::atan2(compliance, shear) / std::numbers::pi,
           std::atan2(compliance, -shear) / std::numbers::pi,

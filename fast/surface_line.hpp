@@ -12,11 +12,19 @@ struct Direction {
 };
 
 /// What the surface of a half-space x3 > 0 answers along the lines x of one direction, when a load that
-/// depends on x only moves steadily: du3/dx = -compliance H[sigma33] - coupling tau with H[f] = (1/pi) vp int
-/// f(xi)/(xi - x) dxi, and tau = sigma_3x the shear traction along the line. Both in 1/stress. (brock2012
-/// 18a, brock2013 14)
+/// depends on x only moves steadily: du3/dx = -compliance H[sigma33] - coupling tau - coupling_across tau'
+/// with H[f] = (1/pi) vp int f(xi)/(xi - x) dxi, tau = sigma_3x the shear traction along the line and tau'
+/// that across it, 90 degrees from x as x2 is from x1. In 1/stress. (brock2012 18a, brock2013 14)
 struct LineResponse {
   double compliance, coupling;
+  double coupling_across = 0;  ///< 0 unless the solid distinguishes left and right of the line
 };
+
+/// The answer to what acts between two bodies: the shear on one is the reaction on the other. (brock2013
+/// 25b-c)
+inline LineResponse in_contact(const LineResponse& lower, const LineResponse& upper) {
+  return {lower.compliance + upper.compliance, lower.coupling - upper.coupling,
+          lower.coupling_across - upper.coupling_across};
+}
 
 }  // namespace nipref::fast

@@ -83,7 +83,7 @@ TransverselyIsotropicHalfSpace::~TransverselyIsotropicHalfSpace() = default;
 
 LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
   const internal::LineAnswers answers = implementation_->at(psi);
-  return {answers.compliance, answers.coupling};
+  return {answers.compliance, answers.coupling, answers.coupling_across};
 }
 
 double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
@@ -93,10 +93,6 @@ double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
   if (!std::isfinite(condition))
     throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");
   return condition;
-}
-
-double TransverselyIsotropicHalfSpace::cross_coupling(Direction psi) const {
-  return implementation_->at(psi).cross_coupling;
 }
 
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,

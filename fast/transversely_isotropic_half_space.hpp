@@ -25,19 +25,15 @@ class TransverselyIsotropicHalfSpace {
   TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
   ~TransverselyIsotropicHalfSpace();
 
-  /// Compliance and coupling to the shear along the line; each to two units in the last place, up to 1 -
-  /// 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
-  /// coupling added)
+  /// Compliance and couplings to the shear along and across the line; each to two units in the last place, up
+  /// to 1 - 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
+  /// couplings added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
   /// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times
   /// as large. To 3e-13 of 1 or of itself up to 1 - 1e-8 of the critical speed, towards which it grows
   /// without bound.
   [[nodiscard]] double condition(Direction psi) const;
-
-  /// S' of du3/dx = -S' tau' for the shear tau' across the line, in the direction psi + 90 degrees; 1/stress.
-  /// 0 for the normal axis.
-  [[nodiscard]] double cross_coupling(Direction psi) const;
 
  private:
   struct Implementation;

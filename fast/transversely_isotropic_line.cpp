@@ -135,7 +135,7 @@ std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, Directio
   const double divisor = line.rayleigh.high;
   return LineAnswers{line.compliance.high / divisor * inverse_unit_,
                      line.coupling.high / divisor * inverse_unit_,
-                     line.cross_coupling / divisor * inverse_unit_};
+                     line.coupling_across / divisor * inverse_unit_};
 }
 
 // By a central difference in two words: with this step rounding leaves 1e-13 of it, the next term

@@ -18,15 +18,15 @@ namespace nipref::fast::internal {
 struct LineFunctions {
   Two rayleigh;
   Two compliance;
-  Two coupling;               ///< to shear along the line
-  double cross_coupling = 0;  ///< to shear across the line
+  Two coupling;                ///< to shear along the line
+  double coupling_across = 0;  ///< to shear across the line
 
   [[nodiscard]] bool subcritical() const { return rayleigh.high > 0; }
 };
 
 /// 1/stress.
 struct LineAnswers {
-  double compliance, coupling, cross_coupling;
+  double compliance, coupling, coupling_across;
 };
 
 /// The axis of symmetry is normal to the surface: all lines are alike. (brock2013 19, 25b)

@@ -19,7 +19,7 @@ constexpr int most_digits = 100;
 constexpr int guard_digits = 12;
 
 struct Answer {
-  Float compliance, coupling, in_line;
+  Float compliance, coupling, coupling_across, in_line;
 };
 
 /// The surface at working digits.
@@ -29,7 +29,8 @@ class Surface {
 
   [[nodiscard]] Answer at(const Exact& degrees) const {
     const LineAnswer line = answer_(degrees, digits_);
-    return {to_float(line.compliance), to_float(line.coupling), to_float(line.in_line)};
+    return {to_float(line.compliance), to_float(line.coupling), to_float(line.coupling_across),
+            to_float(line.in_line)};
   }
 
  private:
@@ -49,6 +50,8 @@ Float cosine(const Exact& degrees) {
   mpq_class from_90 = 90 - abs(degrees.value());
   return sin(to_float(Exact(from_90)) * pi() / 180);
 }
+
+Float sine(const Exact& degrees) { return sin(to_float(degrees) * pi() / 180); }
 
 Float tolerance(int digits) { return pow(Float(10), -digits); }
 
@@ -74,11 +77,12 @@ Enclosure with_digits(int digits, Compute compute) {
 /// One line of a sliding contact.
 struct SlidingLine {
   Float omega;
-  Float h;  ///< sqrt(K^2 + (friction cos(psi) S)^2)
+  Float h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2)
 
   SlidingLine(const Surface& surface, const Exact& friction, const Exact& degrees) {
     const Answer answer = surface.at(degrees);
-    const Float shear = to_float(friction) * cosine(degrees) * answer.coupling;
+    const Float shear =
+        to_float(friction) * (cosine(degrees) * answer.coupling - sine(degrees) * answer.coupling_across);
     omega = atan(shear / answer.compliance) / pi() - Float(0.5);
     h = sqrt(answer.compliance * answer.compliance + shear * shear);
   }

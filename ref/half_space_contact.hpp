@@ -15,17 +15,17 @@ namespace nipref::ref {
 //   friction    coefficient, >= 0
 //   degrees     angle of a line from the motion
 
-/// K, S and K_nn of the lines of one direction, 1/stress: du3/dx = -compliance H[sigma33] - coupling tau,
-/// du/dx = -in_line H[tau] + coupling sigma33.
+/// K, S, S' and K_nn of the lines of one direction, 1/stress: du3/dx = -compliance H[sigma33] - coupling tau
+/// - coupling_across tau', du/dx = -in_line H[tau] + coupling sigma33.
 struct LineAnswer {
-  Real compliance, coupling, in_line;
+  Real compliance, coupling, coupling_across, in_line;
 };
 
 /// The answer at an angle from the motion in degrees, good to 10^-digits.
 using SurfaceAnswer = std::function<LineAnswer(const Exact& degrees, int digits)>;
 
-/// Omega = -1/2 + atan(friction cos(psi) S/K)/pi: the pressure on a line ends like (x+ - x)^(1 + Omega) (x -
-/// x-)^(-Omega). (brock2012 26a, brock2013 29a)
+/// Omega = -1/2 + atan(friction (cos(psi) S - sin(psi) S')/K)/pi: the pressure on a line ends like (x+ -
+/// x)^(1 + Omega) (x - x-)^(-Omega). (brock2012 26a, brock2013 29a)
 Enclosure sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                            int digits);
 

@@ -5,12 +5,14 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "data/bad_input.hpp"
 #include "fast/half_turn_integral.hpp"
 #include "fast/sliding_contact.hpp"
+#include "fast/transversely_isotropic_half_space.hpp"
 #include "half_space_common.hpp"
 
 using namespace nipref;
@@ -58,13 +60,18 @@ std::array<double, 3> resultants(const SlidingContact& contact, Direction motion
 
 TEST_CASE("sliding: the pressure satisfies the integral equation of every line") {
   const double friction = 0.4;
-  const auto response = isotropic(poisson, 0.6);
+  const fast::SurfaceResponse response = [](Direction psi) {
+    fast::LineResponse line = test::isotropic_line(poisson, 0.6, psi);
+    line.coupling_across = 0.3 * psi.cosine * psi.sine;
+    return line;
+  };
   const auto contact = sliding_for_span(response, die, friction, along_x1, 0.3);
   double worst = 0;
   for (int i = 0; i < 100; ++i) {
     const Direction psi = Direction::of_angle(-1.5 + 0.03 * i);
     const SlidingLine line = contact.along(psi);
-    const auto [compliance, coupling] = response(psi);
+    const auto [compliance, coupling, coupling_across] = response(psi);
+    const double shear = psi.cosine * coupling - psi.sine * coupling_across;  // (1, 0) by line and across it
     const double x = line.trailing_end() + line.span * (0.02 + 0.96 * ((37 * i) % 100) / 99.);
     // With the distances to the ends as they come, for the powers there.
     const double power = line.leading_share;
@@ -75,7 +82,7 @@ TEST_CASE("sliding: the pressure satisfies the integral equation of every line")
           return -scale * std::pow(at.to_upper, 1 - power) * std::pow(at.to_lower, power);
         });
     const double slope = die.curvature(psi) * x;  // K H[sigma] + Gamma sigma = slope (brock2012 23)
-    const double found = compliance * transform - friction * psi.cosine * coupling * line.pressure(x);
+    const double found = compliance * transform - friction * shear * line.pressure(x);
     worst = std::fmax(worst, std::fabs(found - slope) / (die.curvature(psi) * line.span));
   }
   CHECK(worst < 2e-14);
@@ -136,6 +143,24 @@ TEST_CASE("sliding: at rest without friction a sphere carries pi/4 of Hertz at t
   CHECK(std::fabs(contact.centre_along().value) < 1e-16);
 }
 
+TEST_CASE("sliding: an axis in the surface, oblique to the motion, and its mirror image") {
+  const data::TransverselyIsotropicSolid solid{3.1, 20.7, 1.4, 1.9, 0.8, 1};
+  const auto contact = [&](double theta) {
+    const Direction motion = Direction::of_angle(theta);
+    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
+        solid, data::SymmetryAxis::in_plane, motion, 0.3);
+    return sliding_for_span([surface](Direction psi) { return surface->along(psi); }, {1, 1}, 0.5, motion,
+                            0.1);
+  };
+  const auto one = contact(0.5), image = contact(-0.5);
+  CHECK(one.force().value == doctest::Approx(image.force().value).epsilon(1e-13));
+  CHECK(one.centre_along().value == doctest::Approx(image.centre_along().value).epsilon(1e-12));
+  CHECK(one.centre_across().value == doctest::Approx(-image.centre_across().value).epsilon(1e-12));
+  // Along and across the axis nothing distinguishes the sides.
+  for (const double theta : {0., pi / 2}) CHECK(std::fabs(contact(theta).centre_across().value) < 1e-15);
+  CHECK(std::fabs(one.centre_across().value) > 1e-4);
+}
+
 TEST_CASE("sliding: table 1 of the first paper, first row, as far as friction matters there") {
   // The table leaves friction out of the last two factors (notes): 1e-3 at friction 0.1.
   constexpr std::array printed{0.9938, 0.9712, 0.9330, 0.8781, 0.8034, 0.7049};
@@ -150,7 +175,7 @@ TEST_CASE("sliding: the contour of a die, by the closed form of the cross direct
   // (brock2012 35) corrected: C2 L2/(C1 L1) = K(90) h1^-1 Q1/Q(90), Q(90) = 1/2.
   const double friction = 0.3, speed = 0.5;
   const auto contact = sliding_for_span(isotropic(poisson, speed), die, friction, along_x1, 0.1);
-  const auto [compliance, coupling] = isotropic(poisson, speed)(along_x1);
+  const auto [compliance, coupling, across] = isotropic(poisson, speed)(along_x1);
   const double gamma = friction * coupling, angle = std::atan(gamma / compliance) / pi;
   const double q = std::pow(0.5 + angle, 0.5 + angle) * std::pow(0.5 - angle, 0.5 - angle);
   CHECK(contact.span_ratio({0, 1}) * 1.9 / 0.7 ==

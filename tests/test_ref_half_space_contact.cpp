@@ -29,7 +29,8 @@ ref::SurfaceAnswer isotropic(double poisson, double speed) {
                 X = std::max(Float(speed * cosine * speed * cosine), Float(pow(Float(10), -digits)));
     const Float wS = sqrt(1 - X), wD = sqrt(1 - X * (1 - 2 * nu) / (2 - 2 * nu));
     const Float R = 4 * wS * wD - (2 - X) * (2 - X), minus_N = 2 - X - 2 * wS * wD;
-    return {ref::to_real(X * wD / R), ref::to_real(minus_N / R), ref::to_real(X * wS / R)};
+    return {ref::to_real(X * wD / R), ref::to_real(minus_N / R), ref::to_real(Float(0)),
+            ref::to_real(X * wS / R)};
   };
 }
 

@@ -134,8 +134,6 @@ TEST_CASE("what does not fit together is refused at its key") {
                 "sliding.friction = -0.1: ");
   check_refused(spans + isotropic + die + sliding("0.1", "friction = 0.1\n") + load + exact,
                 "sliding.friction = 0.1: must be 0");
-  check_refused(spans + graphite_epoxy + die + sliding("100.0", "friction = 0.1\n") + load + rule,
-                "sliding.friction = 0.1: must be 0 with the axis in the surface");
   check_refused(spans + isotropic + die + sliding("0.1", "direction = 91.0\n") + load + rule,
                 "sliding.direction = 91: ");
   check_refused(spans + isotropic + rolling + load + exact, "method.kind = exact: must be stationary-force");

@@ -55,6 +55,7 @@ TEST_CASE("the catalogue holds every quantity") {
                                        "ti.compliance",
                                        "ti.condition",
                                        "ti.coupling",
+                                       "ti.coupling_across",
                                        "ti.critical",
                                        "die.exponent",
                                        "die.span_ratio",
@@ -91,7 +92,8 @@ TEST_CASE("both paths agree within the promise at random points") {
   for (const Quantity& quantity : verify::catalogue()) {
     verify::Random random("test " + quantity.name);
     // Fewer where the reference is slow.
-    const std::size_t points = std::min<std::size_t>(quantity.timed_alone ? 40 : 10, quantity.audit_points / 2);
+    const std::size_t points =
+        std::min<std::size_t>(quantity.timed_alone ? 40 : 10, quantity.audit_points / 2);
     for (const Point& point : verify::random_points(quantity, points, random)) {
       CAPTURE(quantity.name);
       CAPTURE(point.front());

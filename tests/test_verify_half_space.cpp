@@ -60,7 +60,6 @@ TEST_CASE("solids, motions and choices that cannot be are refused by name") {
   check_refused("ti.compliance speed=0.1 c13=60", "c13 = ");
   check_refused("ti.compliance speed=0.1 c66=0", "c66 = 0: ");
   check_refused("ti.compliance speed=0.1 axis=oblique", "axis = oblique: must be normal or in-plane");
-  check_refused("ti.span_ratio speed=0.1 axis=in-plane friction=0.1", "friction = 0.1: must be 0");
   check_refused("ellipse.axis_ratio poisson=0.3 speed=0.1 curvature_ratio=0", "curvature_ratio = 0: ");
   check_refused("ellipse.stiffness poisson=0.3 speed=0.1 curvature_ratio=-1", "curvature_ratio = -1: ");
   check_refused("ti.condition axis=in-plane theta_deg=45 speed=0.5", "must be below 0.49899605");
@@ -103,6 +102,7 @@ TEST_CASE("forms that the seed does not have are refused") {
   };
   refused("rolling.span_ratio poisson=0.3 speed=0.95 form=printed", "speed = 0.95: must be below");
   refused("ti.compliance speed=0.1 form=printed", "axis = normal: must be in-plane");
+  refused("ti.span_ratio speed=0.1 axis=in-plane friction=0.1 form=table", "friction = 0.1: must be 0");
   refused("ti.span_ratio speed=0.1 phi_deg=30 form=printed", "phi_deg = 30: must be 90");
   refused("ti.span_ratio speed=0.1 moving_patch=false form=table", "moving_patch = false: must be true");
 }

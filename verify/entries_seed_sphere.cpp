@@ -41,7 +41,7 @@ fast::SurfaceResponse seed_contact(Doubles x) {
   return [=, speed = x[patch_at] * x[1]](Direction from_motion) -> fast::LineResponse {
     const fast::LineResponse lower = surface->along(turned(from_motion, motion));
     const fast::LineResponse upper = fast::isotropic_response(steel, speed, from_motion);
-    return {lower.compliance + upper.compliance, lower.coupling - upper.coupling};
+    return fast::in_contact(lower, upper);
   };
 }
 
@@ -63,6 +63,7 @@ ref::SurfaceAnswer exact_seed_contact(Exacts x) {
     const auto lower = ref::surface_response(solid, speed, motion, psi, digits);
     const ref::LineAnswer upper = steel(degrees, digits);
     return {sum(lower.compliance.value, upper.compliance, 1), sum(lower.coupling.value, upper.coupling, -1),
+            sum(lower.coupling_across.value, upper.coupling_across, -1),
             sum(lower.in_line.value, upper.in_line, 1)};
   };
 }
@@ -109,6 +110,7 @@ std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
         throw BadInput("phi_deg", phi, "must be 90 or -90: (35) is of the cross direction");
       return sphere_span_ratio_as_printed(moduli, friction, x[1]);
     }
+    if (friction != 0) throw BadInput("friction", friction, "must be 0: (48) is frictionless");
     const double along =
         in_plane(moduli, direction_of_degrees(x[0]), 1, x[1]) + sphere_compliance(moduli, 1, x[1]);
     const double cosine = direction_of_degrees(phi).cosine;
@@ -116,13 +118,6 @@ std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
             sphere_compliance(moduli, cosine, x[1])) /
            along;
   };
-}
-
-/// Shear across the lines has no place in the papers' rule.
-template <class Number>
-void check_friction(const Number& friction, bool in_plane, double nearest) {
-  if (in_plane && friction != 0)
-    throw BadInput("friction", nearest, "must be 0 with axis=in-plane: shear across the lines would enter");
 }
 
 Quantity entry_span_ratio() {
@@ -133,19 +128,11 @@ Quantity entry_span_ratio() {
   entry.arguments.push_back({"phi_deg", ArgumentKind::degrees, "90", {}});
   entry.arguments.push_back({"friction", ArgumentKind::nonnegative, "0", {}});
   draw_seed(entry, [](Random& random) { return Point{draw_angle(random), draw_friction(random)}; });
-  entry.keep_off = [keep = entry.keep_off](Point& x) {
-    keep(x);
-    if (axis_at(x, solid_at) == data::SymmetryAxis::in_plane) x[own_at + 1] = 0;
-  };
   entry.by_ref = [](Exacts x, int digits) {
-    const Exact& friction = x[own_at + 1];
-    check_friction(friction.value(), x[solid_at].sign() != 0, friction.approximate());
-    return ref::sliding_span_ratio(exact_seed_contact(x), friction, x[own_at], digits);
+    return ref::sliding_span_ratio(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
   };
   set_fast(entry, [](Doubles x, Accuracy) {
-    const double friction = x[own_at + 1];
-    check_friction(friction, axis_at(x, solid_at) == data::SymmetryAxis::in_plane, friction);
-    return fast::sliding_for_span(seed_contact(x), {1, 1}, friction, {1, 0}, 1)
+    return fast::sliding_for_span(seed_contact(x), {1, 1}, x[own_at + 1], {1, 0}, 1)
         .span_ratio(direction_of_degrees(x[own_at]));
   });
   entry.seed_forms = {

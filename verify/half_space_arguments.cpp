@@ -81,7 +81,8 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
     const auto answer =
         ref::surface_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
-    return {answer.compliance.value, answer.coupling.value, answer.in_line.value};
+    return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
+            answer.in_line.value};
   };
 }
 

@@ -93,10 +93,8 @@ HalfSpaceResponse::HalfSpaceResponse(const data::HalfSpaceProblem& problem, cons
 
 fast::LineResponse HalfSpaceResponse::operator()(Direction from_motion) const {
   ++*evaluations_;
-  fast::LineResponse sum = half_space_(from_motion);
-  if (!body_) return sum;
-  const fast::LineResponse body = body_(from_motion);
-  return {sum.compliance + body.compliance, sum.coupling - body.coupling};
+  const fast::LineResponse half_space = half_space_(from_motion);
+  return body_ ? fast::in_contact(half_space, body_(from_motion)) : half_space;
 }
 
 double HalfSpaceResponse::critical_speed() const {

@@ -54,7 +54,7 @@ struct Bodies {
     return [=, sphere = sphere](fast::Direction from_motion) -> fast::LineResponse {
       const fast::LineResponse lower = surface->along(turned(from_motion, motion));
       const fast::LineResponse upper = fast::isotropic_response(sphere, c0, from_motion);
-      return {lower.compliance + upper.compliance, lower.coupling - upper.coupling};
+      return fast::in_contact(lower, upper);
     };
   }
 };
