@@ -49,12 +49,43 @@ struct PanelSum {
   }
 };
 
+/// A panel against its two halves.
+template <std::size_t count>
+struct HalvedPanel {
+  PanelSum<count> left, right;
+  std::array<Estimate, count> integral{};  ///< by the halves; the errors are their difference from the whole
+
+  template <typename Integrand>
+  HalvedPanel(Integrand& integrand, const PanelSum<count>& whole)
+      : left(integrand, {whole.panel.lower, whole.panel.middle()}),
+        right(integrand, {whole.panel.middle(), whole.panel.upper}) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double sum = left.value[i] + right.value[i];
+      integral[i] = {sum, std::fabs(sum - whole.value[i])};
+    }
+  }
+
+  [[nodiscard]] bool confirms_whole(const std::array<double, count>& tolerated) const {
+    for (std::size_t i = 0; i < count; ++i)
+      if (!(integral[i].error <= tolerated[i])) return false;
+    return true;
+  }
+};
+
 /// The integral of a vector f, and panels on which the rule gives each of its components to rounding of that
 /// component's absolute integral.
 template <std::size_t count>
 struct AdaptedPanels {
   std::vector<Panel> panels;
   std::array<Estimate, count> integral{};
+
+  void add(Panel panel, const std::array<Estimate, count>& part) {
+    panels.push_back(panel);
+    for (std::size_t i = 0; i < count; ++i) {
+      integral[i].value += part[i].value;
+      integral[i].error += part[i].error;
+    }
+  }
 };
 
 /// f is a functor of a number that returns a std::array<double, count>. Panels are halved until the halves
@@ -64,40 +95,31 @@ template <std::size_t count, typename Integrand>
 AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double upper) {
   constexpr double tolerance = 1e-15, rounding = 16 * std::numeric_limits<double>::epsilon();
   constexpr std::size_t most_nodes = 1 << 14;
-  using Sum = PanelSum<count>;
   const double middle = Panel{lower, upper}.middle();
-  std::vector<Sum> pending{{integrand, {lower, middle}}, {integrand, {middle, upper}}};
+  std::vector<PanelSum<count>> pending{{integrand, {lower, middle}}, {integrand, {middle, upper}}};
   std::size_t nodes = 2 * nodes_in_a_panel;
-  std::array<double, count> magnitude{};  // of the whole, as well as it is known
-  for (const Sum& sum : pending)
-    for (std::size_t i = 0; i < count; ++i) magnitude[i] += sum.magnitude[i];
+  std::array<double, count> magnitude{};  // of the whole integral, as well as it is known
+  const auto count_in = [&magnitude](const PanelSum<count>& sum, double sign) {
+    for (std::size_t i = 0; i < count; ++i) magnitude[i] += sign * sum.magnitude[i];
+  };
+  for (const auto& sum : pending) count_in(sum, 1);
 
   AdaptedPanels<count> result;
   while (!pending.empty()) {
-    std::vector<Sum> unconfirmed;
-    const auto scale = magnitude;
+    std::vector<PanelSum<count>> unconfirmed;
     const bool enough = nodes >= most_nodes;
-    for (const Sum& whole : pending) {
-      const Panel panel = whole.panel;
-      const Sum left(integrand, {panel.lower, panel.middle()}),
-          right(integrand, {panel.middle(), panel.upper});
+    auto tolerated = magnitude;
+    for (double& each : tolerated) each *= tolerance;
+    for (const PanelSum<count>& whole : pending) {
+      const HalvedPanel<count> halves(integrand, whole);
       nodes += 2 * nodes_in_a_panel;
-      std::array<Estimate, count> both;
-      bool confirmed = true;
-      for (std::size_t i = 0; i < count; ++i) {
-        both[i].value = left.value[i] + right.value[i];
-        both[i].error = std::fabs(both[i].value - whole.value[i]);
-        confirmed = confirmed && both[i].error <= tolerance * scale[i];
-        magnitude[i] += left.magnitude[i] + right.magnitude[i] - whole.magnitude[i];
-      }
-      if (!confirmed && !enough) {
-        unconfirmed.insert(unconfirmed.end(), {left, right});
-        continue;
-      }
-      result.panels.push_back(panel);
-      for (std::size_t i = 0; i < count; ++i) {
-        result.integral[i].value += both[i].value;
-        result.integral[i].error += both[i].error;
+      count_in(whole, -1);
+      count_in(halves.left, 1);
+      count_in(halves.right, 1);
+      if (enough || halves.confirms_whole(tolerated)) {
+        result.add(whole.panel, halves.integral);
+      } else {
+        unconfirmed.insert(unconfirmed.end(), {halves.left, halves.right});
       }
     }
     pending = std::move(unconfirmed);
