@@ -27,7 +27,7 @@ struct ElasticSphere {
   double radius;  ///< > 0; sphere.radius
   IsotropicSolid solid;
   /// Its contact patch does not move in it, so that its compliance is the static one; true takes that of a
-  /// patch which moves at the sliding speed, as the seed does. sphere.moving_patch
+  /// patch which moves at the sliding speed, as the seed does. sphere.patch
   bool moving_patch = false;
 };
 

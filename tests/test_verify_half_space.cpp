@@ -104,5 +104,5 @@ TEST_CASE("forms that the seed does not have are refused") {
   refused("ti.compliance speed=0.1 form=printed", "axis = normal: must be in-plane");
   refused("ti.span_ratio speed=0.1 axis=in-plane friction=0.1 form=table", "friction = 0.1: must be 0");
   refused("ti.span_ratio speed=0.1 phi_deg=30 form=printed", "phi_deg = 30: must be 90");
-  refused("ti.span_ratio speed=0.1 moving_patch=false form=table", "moving_patch = false: must be true");
+  refused("ti.span_ratio speed=0.1 patch=fixed form=table", "patch = fixed: must be moving");
 }

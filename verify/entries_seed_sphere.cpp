@@ -22,7 +22,7 @@ using fast::Accuracy;
 using fast::Direction;
 using ref::Exact;
 
-// Arguments: theta_deg, speed, moving_patch, the solid, then the entry's own.
+// Arguments: theta_deg, speed, patch, the solid, then the entry's own.
 
 constexpr std::size_t patch_at = 2, solid_at = 3, own_at = solid_at + 7;
 
@@ -68,12 +68,12 @@ ref::SurfaceAnswer exact_seed_contact(Exacts x) {
   };
 }
 
-/// `moving_patch`: the default.
-Quantity seed_entry(std::string name, std::string definition, std::string source, const char* moving_patch) {
+/// `patch`: the default, fixed or moving.
+Quantity seed_entry(std::string name, std::string definition, std::string source, const char* patch) {
   Quantity entry = contact_entry(std::move(name), std::move(definition), std::move(source), 32);
   entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}},
                      {"speed", ArgumentKind::nonnegative, {}, {}},
-                     {"moving_patch", ArgumentKind::choice, moving_patch, {}, {"false", "true"}}};
+                     {"patch", ArgumentKind::choice, patch, {}, {"fixed", "moving"}}};
   append_transverse_arguments(entry.arguments);
   entry.audit_points = 6;
   return entry;
@@ -103,7 +103,7 @@ using InPlaneForm = double (*)(const ScaledModuli&, Direction line, double cosin
 std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
   return [in_plane](Doubles x) {
     const double phi = x[own_at], friction = x[own_at + 1];
-    if (x[patch_at] == 0) throw BadInput("moving_patch", "false", "must be true: the seed has no other");
+    if (x[patch_at] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
     const ScaledModuli moduli = scaled_moduli_at(x, solid_at);
     if (axis_at(x, solid_at) == data::SymmetryAxis::normal) {
       if (std::fabs(phi) != 90)
@@ -124,7 +124,7 @@ Quantity entry_span_ratio() {
   Quantity entry = seed_entry("ti.span_ratio",
                               "L_phi/L_X: span of a sphere at phi from the motion over that along it, by the "
                               "papers' rule",
-                              "brock2013 (34), (35), (43) corrected", "true");
+                              "brock2013 (34), (35), (43) corrected", "moving");
   entry.arguments.push_back({"phi_deg", ArgumentKind::degrees, "90", {}});
   entry.arguments.push_back({"friction", ArgumentKind::nonnegative, "0", {}});
   draw_seed(entry, [](Random& random) { return Point{draw_angle(random), draw_friction(random)}; });
@@ -148,7 +148,7 @@ Quantity entry_span_ratio() {
 Quantity entry_axis_ratio() {
   Quantity entry =
       seed_entry("ti.axis_ratio", "minor over major axis of the exact frictionless contact of a sphere",
-                 "notes on brock2013 (33)", "false");
+                 "notes on brock2013 (33)", "fixed");
   draw_seed(entry, [](Random&) { return Point{}; });
   entry.by_ref = [](Exacts x, int digits) {
     return ref::elliptic_axis_ratio(exact_seed_contact(x), Exact(1.0), digits);
