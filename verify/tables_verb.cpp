@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "verify/print_json.hpp"
 #include "verify/render_tables.hpp"
 #include "verify/replay_corrected.hpp"
 #include "verify/replay_known.hpp"
@@ -18,7 +19,7 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   if (request.ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
   if (request.json) {
-    fmt::print(out, "{}\n", table_list_json(summaries).dump(2));
+    print_json(table_list_json(summaries), out);
   } else {
     fmt::print(out, "{}", table_list_text(summaries));
   }
@@ -47,7 +48,7 @@ int tables_verb(const TablesRequest& request, std::ostream& out) {
     correct(replays.back());
   }
   if (request.json) {
-    fmt::print(out, "{}\n", tables_json(replays).dump(2));
+    print_json(tables_json(replays), out);
   } else {
     fmt::print(out, "{}", tables_text(replays, request.compact));
   }

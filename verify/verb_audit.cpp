@@ -6,6 +6,7 @@
 
 #include "verify/audit_all.hpp"
 #include "verify/audit_contacts.hpp"
+#include "verify/print_json.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_audit.hpp"
 #include "verify/verb_options.hpp"
@@ -25,7 +26,7 @@ int audit_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     auto json = audit_json(results);
     json["contacts"] = contact_audit_json(contact_audits);
-    fmt::print(out, "{}\n", json.dump(2));
+    print_json(json, out);
   } else {
     if (!results.empty()) fmt::print(out, "{}", audit_text(results, options.accuracy));
     if (selected.has("contact")) fmt::print(out, "\n{}", contact_audit_text(contact_audits));

@@ -6,6 +6,7 @@
 #include "verify/bench_contacts.hpp"
 #include "verify/bench_half_space.hpp"
 #include "verify/bench_rolling.hpp"
+#include "verify/print_json.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_bench.hpp"
 #include "verify/verb_options.hpp"
@@ -32,7 +33,7 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   if (selected.has("rolling")) append(report, bench_rolling(show));
   if (selected.has("half-space")) append(report, bench_half_space(show));
   if (line.json) {
-    fmt::print(out, "{}\n", bench_json(report).dump(2));
+    print_json(bench_json(report), out);
   } else {
     fmt::print(out, "{}{}{}", bench_text(report.rows), notes, ratios_text(report.ratios));
   }

@@ -10,6 +10,7 @@
 
 #include "data/bad_input.hpp"
 #include "verify/catalogue.hpp"
+#include "verify/print_json.hpp"
 #include "verify/stopwatch.hpp"
 #include "verify/ulp.hpp"
 #include "verify/verb_options.hpp"
@@ -171,7 +172,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   const Request request = request_of(line);
   const std::vector<Answer> answers = answers_to(request);
   if (line.json) {
-    fmt::print(out, "{}\n", to_json(request, answers).dump(2));
+    print_json(to_json(request, answers), out);
   } else {
     print_text(request, answers, out);
   }

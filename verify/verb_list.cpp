@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "verify/catalogue.hpp"
+#include "verify/print_json.hpp"
 #include "verify/verbs.hpp"
 
 namespace nipref::verify {
@@ -42,7 +43,7 @@ int list_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     nlohmann::ordered_json json{{"quantities", nlohmann::ordered_json::array()}};
     for (const Quantity& quantity : catalogue()) json["quantities"].push_back(to_json(quantity));
-    fmt::print(out, "{}\n", json.dump(2));
+    print_json(json, out);
     return 0;
   }
   for (const Quantity& quantity : catalogue()) {

@@ -12,6 +12,7 @@
 #include "verify/bench_rolling.hpp"
 #include "verify/catalogue.hpp"
 #include "verify/machine.hpp"
+#include "verify/print_json.hpp"
 #include "verify/progress.hpp"
 #include "verify/render_audit.hpp"
 #include "verify/render_bench.hpp"
@@ -72,7 +73,7 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   return essential;
 }
 
-void print_text(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
+void print_as_text(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
   fmt::print(out, "nipref report\n\nbuilt with {}\nrun on {}\n", build_description(), machine_description());
   fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}",
              audit_text(audits.quantities, {}));
@@ -82,14 +83,14 @@ void print_text(const BenchReport& speed, const Audits& audits, const Tables& ta
   fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables.text);
 }
 
-void print_json(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
+void print_as_json(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
   const nlohmann::ordered_json json{{"build", build_description()},
                                     {"machine", machine_description()},
                                     {"audit", audit_json(audits.quantities)},
                                     {"contact_audit", contact_audit_json(audits.contacts)},
                                     {"bench", bench_json(speed)},
                                     {"tables", nlohmann::ordered_json::parse(tables.text)}};
-  fmt::print(out, "{}\n", json.dump(2));
+  print_json(json, out);
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ int report_verb(const CommandLine& line, std::ostream& out) {
       run_bench();  // before the audit, which would build ref's nodes: their cost is measured
   const Audits audits = run_audits(options);
   const Tables tables = run_tables(line.json);
-  (line.json ? print_json : print_text)(speed, audits, tables, out);
+  (line.json ? print_as_json : print_as_text)(speed, audits, tables, out);
   return std::max(audits.kept() ? 0 : 1, tables.status);
 }
 

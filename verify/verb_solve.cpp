@@ -7,6 +7,7 @@
 #include "data/bad_input.hpp"
 #include "data/scene_file.hpp"
 #include "ref/enclosure.hpp"
+#include "verify/print_json.hpp"
 #include "verify/render_solve.hpp"
 #include "verify/verbs.hpp"
 
@@ -33,7 +34,7 @@ int digits_of(const CommandLine& line) {
 template <class Number>
 void print(const SceneSolution<Number>& solution, bool json, std::ostream& out) {
   if (json) {
-    fmt::print(out, "{}\n", solution_json(solution).dump(2));
+    print_json(solution_json(solution), out);
   } else {
     fmt::print(out, "{}", solution_text(solution));
   }
