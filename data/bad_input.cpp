@@ -1,6 +1,6 @@
-#include "data/bad_input.hpp"
-
 #include <fmt/format.h>
+
+#include <nipref/data/bad_input.hpp>
 
 namespace nipref::data {
 

@@ -1,8 +1,8 @@
-#include "data/closest_name.hpp"
-
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+
+#include <nipref/data/closest_name.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,8 +1,7 @@
-#include "data/elastic_material.hpp"
-
 #include <cmath>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/elastic_material.hpp>
 
 namespace nipref::data {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "data/elastic_material.hpp"
+#include <nipref/data/elastic_material.hpp>
 
 namespace nipref::data {
 

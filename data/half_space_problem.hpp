@@ -2,8 +2,8 @@
 #include <optional>
 #include <variant>
 
-#include "data/half_space_solids.hpp"
-#include "data/profile.hpp"
+#include <nipref/data/half_space_solids.hpp>
+#include <nipref/data/profile.hpp>
 
 namespace nipref::data {
 

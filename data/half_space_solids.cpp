@@ -1,8 +1,7 @@
-#include "data/half_space_solids.hpp"
-
 #include <cmath>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/half_space_solids.hpp>
 
 namespace nipref::data {
 namespace {

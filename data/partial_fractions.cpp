@@ -1,12 +1,11 @@
-#include "data/partial_fractions.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <string>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/partial_fractions.hpp>
 
 namespace nipref::data {
 namespace {

@@ -2,7 +2,7 @@
 #include <string_view>
 #include <vector>
 
-#include "data/viscoelastic_material.hpp"
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::data {
 

@@ -1,5 +1,3 @@
-#include "data/scene.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,9 +7,10 @@
 #include <map>
 #include <set>
 
-#include "data/closest_name.hpp"
-#include "data/scene_half_space.hpp"
-#include "data/scene_material.hpp"
+#include <nipref/data/closest_name.hpp>
+#include <nipref/data/scene.hpp>
+#include <nipref/data/scene_half_space.hpp>
+#include <nipref/data/scene_material.hpp>
 
 namespace nipref::data {
 namespace {

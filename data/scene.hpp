@@ -4,13 +4,13 @@
 #include <variant>
 #include <vector>
 
-#include "data/elastic_nip.hpp"
-#include "data/friction.hpp"
-#include "data/half_space_problem.hpp"
-#include "data/profile.hpp"
-#include "data/scene_origin.hpp"
-#include "data/scene_results.hpp"
-#include "data/viscoelastic_nip.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/friction.hpp>
+#include <nipref/data/half_space_problem.hpp>
+#include <nipref/data/profile.hpp>
+#include <nipref/data/scene_origin.hpp>
+#include <nipref/data/scene_results.hpp>
+#include <nipref/data/viscoelastic_nip.hpp>
 
 namespace nipref::data {
 

@@ -1,12 +1,11 @@
-#include "data/scene_file.hpp"
-
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "data/scene_half_space.hpp"
-#include "data/scene_material.hpp"
-#include "data/scene_table.hpp"
-#include "data/table_index.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene_half_space.hpp>
+#include <nipref/data/scene_material.hpp>
+#include <nipref/data/scene_table.hpp>
+#include <nipref/data/table_index.hpp>
 
 namespace nipref::data {
 namespace {
@@ -133,8 +132,10 @@ decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& o
 Scene load_scene(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
   const SceneTable top = SceneTable::read(file, origin);
-  Scene scene{
-      .title = top.text("title"), .wanted = top.texts("wanted"), .system = read_system(top, origin), .origin = {}};
+  Scene scene{.title = top.text("title"),
+              .wanted = top.texts("wanted"),
+              .system = read_system(top, origin),
+              .origin = {}};
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
   scene.origin = std::move(origin);
   scene.check();

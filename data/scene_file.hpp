@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "data/scene.hpp"
+#include <nipref/data/scene.hpp>
 
 namespace nipref::data {
 

@@ -1,5 +1,3 @@
-#include "data/scene_half_space.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_half_space.hpp>
 
 namespace nipref::data {
 namespace {

@@ -2,9 +2,9 @@
 #include <string>
 #include <string_view>
 
-#include "data/half_space_problem.hpp"
-#include "data/scene_origin.hpp"
-#include "data/scene_table.hpp"
+#include <nipref/data/half_space_problem.hpp>
+#include <nipref/data/scene_origin.hpp>
+#include <nipref/data/scene_table.hpp>
 
 namespace nipref::data {
 

@@ -1,10 +1,9 @@
-#include "data/scene_material.hpp"
-
 #include <functional>
 #include <string>
 #include <string_view>
 
-#include "data/viscoelastic_models.hpp"
+#include <nipref/data/scene_material.hpp>
+#include <nipref/data/viscoelastic_models.hpp>
 
 namespace nipref::data {
 namespace {

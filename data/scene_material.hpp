@@ -1,10 +1,10 @@
 #pragma once
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/scene_origin.hpp"
-#include "data/scene_table.hpp"
-#include "data/viscoelastic_material.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_origin.hpp>
+#include <nipref/data/scene_table.hpp>
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::data {
 

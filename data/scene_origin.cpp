@@ -1,6 +1,6 @@
-#include "data/scene_origin.hpp"
-
 #include <fmt/format.h>
+
+#include <nipref/data/scene_origin.hpp>
 
 namespace nipref::data {
 

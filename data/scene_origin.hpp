@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
 
 namespace nipref::data {
 

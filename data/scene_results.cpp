@@ -1,7 +1,7 @@
-#include "data/scene_results.hpp"
-
 #include <algorithm>
 #include <array>
+
+#include <nipref/data/scene_results.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,4 +1,4 @@
-#include "data/scene_table.hpp"
+#include <nipref/data/scene_table.hpp>
 
 // All of toml++ is compiled here, and no other file sees it.
 #define TOML_HEADER_ONLY 1
@@ -13,7 +13,7 @@
 #include <sstream>
 #include <utility>
 
-#include "data/closest_name.hpp"
+#include <nipref/data/closest_name.hpp>
 
 namespace nipref::data {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "data/scene_origin.hpp"
+#include <nipref/data/scene_origin.hpp>
 
 namespace nipref::data {
 

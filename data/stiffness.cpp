@@ -1,8 +1,7 @@
-#include "data/stiffness.hpp"
-
 #include <cmath>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/stiffness.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <array>
 
-#include "data/half_space_solids.hpp"
+#include <nipref/data/half_space_solids.hpp>
 
 namespace nipref::data {
 

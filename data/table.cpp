@@ -1,11 +1,10 @@
-#include "data/table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "data/bad_input.hpp"
-#include "data/table_header.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table.hpp>
+#include <nipref/data/table_header.hpp>
 
 namespace nipref::data {
 namespace {

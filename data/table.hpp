@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "data/table_errata.hpp"
-#include "data/table_number.hpp"
+#include <nipref/data/table_errata.hpp>
+#include <nipref/data/table_number.hpp>
 
 namespace nipref::data {
 

@@ -1,11 +1,10 @@
-#include "data/table_csv.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <fstream>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table_csv.hpp>
 
 namespace nipref::data {
 namespace {

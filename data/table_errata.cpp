@@ -1,9 +1,9 @@
-#include "data/table_errata.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <set>
 #include <tuple>
+
+#include <nipref/data/table_errata.hpp>
 
 namespace nipref::data {
 namespace {

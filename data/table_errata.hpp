@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "data/table_csv.hpp"
+#include <nipref/data/table_csv.hpp>
 
 namespace nipref::data {
 

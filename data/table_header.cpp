@@ -1,9 +1,9 @@
-#include "data/table_header.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+
+#include <nipref/data/table_header.hpp>
 
 namespace nipref::data {
 namespace {

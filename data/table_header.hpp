@@ -1,6 +1,6 @@
 #pragma once
-#include "data/table.hpp"
-#include "data/table_csv.hpp"
+#include <nipref/data/table.hpp>
+#include <nipref/data/table_csv.hpp>
 
 namespace nipref::data {
 

@@ -1,11 +1,10 @@
-#include "data/table_index.hpp"
-
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
 #include <utility>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table_index.hpp>
 
 namespace nipref::data {
 namespace {

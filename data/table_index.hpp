@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "data/table.hpp"
+#include <nipref/data/table.hpp>
 
 namespace nipref::data {
 

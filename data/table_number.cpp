@@ -1,10 +1,10 @@
-#include "data/table_number.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
 #include <system_error>
+
+#include <nipref/data/table_number.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,5 +1,3 @@
-#include "data/viscoelastic_material.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,10 +1,9 @@
-#include "data/viscoelastic_models.hpp"
-
 #include <cmath>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/partial_fractions.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/partial_fractions.hpp>
+#include <nipref/data/viscoelastic_models.hpp>
 
 namespace nipref::data {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "data/elastic_material.hpp"
-#include "data/viscoelastic_material.hpp"
+#include <nipref/data/elastic_material.hpp>
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::data {
 

@@ -1,8 +1,7 @@
-#include "data/viscoelastic_nip.hpp"
-
 #include <cmath>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/viscoelastic_nip.hpp>
 
 namespace nipref::data {
 

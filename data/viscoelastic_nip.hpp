@@ -1,5 +1,5 @@
 #pragma once
-#include "data/viscoelastic_material.hpp"
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::data {
 

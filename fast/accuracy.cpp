@@ -1,7 +1,6 @@
-#include "fast/accuracy.hpp"
-
-#include "data/bad_input.hpp"
-#include "fast/sheet_tiers.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/sheet_tiers.hpp>
 
 namespace nipref::fast {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fast/estimate.hpp"
+#include <nipref/fast/estimate.hpp>
 
 namespace nipref::fast::internal {
 

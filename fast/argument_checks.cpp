@@ -1,9 +1,8 @@
-#include "fast/argument_checks.hpp"
-
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "fast/sheet_code.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/argument_checks.hpp>
+#include <nipref/fast/sheet_code.hpp>
 
 namespace nipref::fast::internal {
 

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "fast/sheet_domain.hpp"
+#include <nipref/fast/sheet_domain.hpp>
 
 namespace nipref::fast::internal {
 

@@ -1,10 +1,9 @@
-#include "fast/branch_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/branch_points.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,12 +1,11 @@
-#include "fast/contact_converged.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fast/contact_domain.hpp"
-#include "fast/contact_functionals.hpp"
-#include "fast/contact_ladder.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_domain.hpp>
+#include <nipref/fast/contact_functionals.hpp>
+#include <nipref/fast/contact_ladder.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 #include <memory>
 
-#include "data/elastic_nip.hpp"
-#include "data/friction.hpp"
-#include "fast/contact_work.hpp"
-#include "fast/estimate.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/friction.hpp>
+#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/estimate.hpp>
 
 namespace nipref::fast {
 

@@ -1,11 +1,10 @@
-#include "fast/contact_domain.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_domain.hpp>
 
 namespace nipref::fast {
 namespace {

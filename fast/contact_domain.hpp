@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "fast/estimate.hpp"
+#include <nipref/fast/estimate.hpp>
 
 namespace nipref::fast {
 

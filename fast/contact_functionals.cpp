@@ -1,12 +1,11 @@
-#include "fast/contact_functionals.hpp"
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "fast/contact_operator.hpp"
+#include <nipref/fast/contact_functionals.hpp>
+#include <nipref/fast/contact_operator.hpp>
 
 namespace nipref::fast {
 namespace {

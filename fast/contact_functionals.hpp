@@ -1,7 +1,7 @@
 #pragma once
-#include "data/friction.hpp"
-#include "fast/contact_kernels.hpp"
-#include "fast/half_contact.hpp"
+#include <nipref/data/friction.hpp>
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/half_contact.hpp>
 
 namespace nipref::fast {
 

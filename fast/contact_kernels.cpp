@@ -1,9 +1,8 @@
-#include "fast/contact_kernels.hpp"
-
 #include <algorithm>
 
-#include "fast/sheet_kernels.hpp"
-#include "fast/sheet_tiers.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet_tiers.hpp>
 
 namespace nipref::fast {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include "fast/accuracy.hpp"
-#include "fast/contact_work.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/contact_work.hpp>
 
 namespace nipref::fast {
 

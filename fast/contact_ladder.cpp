@@ -1,13 +1,12 @@
-#include "fast/contact_ladder.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "fast/contact_panels.hpp"
-#include "fast/contact_spectral.hpp"
-#include "fast/length_search.hpp"
-#include "fast/sheet_tiers.hpp"
+#include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/contact_panels.hpp>
+#include <nipref/fast/contact_spectral.hpp>
+#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/sheet_tiers.hpp>
 
 namespace nipref::fast {
 namespace {

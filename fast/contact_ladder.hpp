@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "data/friction.hpp"
-#include "fast/contact_kernels.hpp"
-#include "fast/estimate.hpp"
-#include "fast/half_contact.hpp"
+#include <nipref/data/friction.hpp>
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/half_contact.hpp>
 
 namespace nipref::fast {
 

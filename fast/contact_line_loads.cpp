@@ -1,10 +1,9 @@
-#include "fast/contact_line_loads.hpp"
-
 #include <Eigen/LU>
 
-#include "fast/contact_line_loads_displacements.hpp"
-#include "fast/contact_line_loads_search.hpp"
-#include "fast/contact_line_loads_system.hpp"
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_search.hpp>
+#include <nipref/fast/contact_line_loads_system.hpp>
 
 namespace nipref::fast {
 

@@ -2,9 +2,9 @@
 #include <optional>
 #include <vector>
 
-#include "data/elastic_nip.hpp"
-#include "fast/accuracy.hpp"
-#include "fast/contact_work.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/contact_work.hpp>
 
 // The elastic nip with its tractions gathered in line loads: the contact is cut into 2m equal elements, each
 // element's forces act at its centre, and the sheet is held to the cylinder at the ends of the contact and

@@ -1,9 +1,8 @@
-#include "fast/contact_line_loads_diagnostics.hpp"
-
 #include <Eigen/LU>
 #include <cmath>
 
-#include "fast/contact_line_loads_system.hpp"
+#include <nipref/fast/contact_line_loads_diagnostics.hpp>
+#include <nipref/fast/contact_line_loads_system.hpp>
 
 namespace nipref::fast {
 

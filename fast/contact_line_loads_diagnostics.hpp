@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "data/friction.hpp"
-#include "fast/contact_line_loads.hpp"
+#include <nipref/data/friction.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
 
 namespace nipref::fast {
 

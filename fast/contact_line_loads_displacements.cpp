@@ -1,11 +1,10 @@
-#include "fast/contact_line_loads_displacements.hpp"
-
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads_kernels.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast {
 namespace {

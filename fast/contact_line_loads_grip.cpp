@@ -1,13 +1,12 @@
-#include "fast/contact_line_loads_grip.hpp"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads_search.hpp"
-#include "fast/contact_line_loads_system.hpp"
-#include "fast/feasible_set.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/contact_line_loads_search.hpp>
+#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/feasible_set.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,7 +1,6 @@
-#include "fast/contact_line_loads_kernels.hpp"
-
-#include "fast/contact_kernels.hpp"
-#include "fast/plain_series.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/plain_series.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include "fast/contact_line_loads.hpp"
+#include <nipref/fast/contact_line_loads.hpp>
 
 namespace nipref::fast {
 

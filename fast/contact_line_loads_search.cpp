@@ -1,10 +1,9 @@
-#include "fast/contact_line_loads_search.hpp"
-
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_search.hpp>
 
 namespace nipref::fast {
 namespace {

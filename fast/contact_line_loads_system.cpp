@@ -1,12 +1,11 @@
-#include "fast/contact_line_loads_system.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "fast/plain_series.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/plain_series.hpp>
 
 namespace nipref::fast {
 namespace {

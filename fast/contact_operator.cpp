@@ -1,8 +1,8 @@
-#include "fast/contact_operator.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <nipref/fast/contact_operator.hpp>
 
 namespace nipref::fast {
 namespace {

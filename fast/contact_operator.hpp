@@ -2,9 +2,9 @@
 #include <functional>
 #include <vector>
 
-#include "data/friction.hpp"
-#include "fast/contact_kernels.hpp"
-#include "fast/double_exponential.hpp"
+#include <nipref/data/friction.hpp>
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/double_exponential.hpp>
 
 namespace nipref::fast {
 

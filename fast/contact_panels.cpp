@@ -1,5 +1,3 @@
-#include "fast/contact_panels.hpp"
-
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
@@ -7,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "fast/contact_operator.hpp"
+#include <nipref/fast/contact_operator.hpp>
+#include <nipref/fast/contact_panels.hpp>
 
 namespace nipref::fast {
 namespace {

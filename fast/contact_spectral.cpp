@@ -1,10 +1,10 @@
-#include "fast/contact_spectral.hpp"
-
 #include <Eigen/LU>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <vector>
+
+#include <nipref/fast/contact_spectral.hpp>
 
 namespace nipref::fast {
 namespace {

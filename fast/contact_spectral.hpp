@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "fast/contact_kernels.hpp"
-#include "fast/half_contact.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/half_contact.hpp>
 
 namespace nipref::fast {
 

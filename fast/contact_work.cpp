@@ -1,6 +1,6 @@
-#include "fast/contact_work.hpp"
-
 #include <algorithm>
+
+#include <nipref/fast/contact_work.hpp>
 
 namespace nipref::fast {
 

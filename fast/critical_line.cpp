@@ -1,10 +1,10 @@
-#include "fast/critical_line.hpp"
-
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+
+#include <nipref/fast/critical_line.hpp>
 
 namespace nipref::fast::internal {
 namespace {

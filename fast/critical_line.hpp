@@ -1,6 +1,6 @@
 #pragma once
-#include "fast/surface_line.hpp"
-#include "fast/transversely_isotropic_line.hpp"
+#include <nipref/fast/surface_line.hpp>
+#include <nipref/fast/transversely_isotropic_line.hpp>
 
 namespace nipref::fast::internal {
 

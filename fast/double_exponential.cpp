@@ -1,7 +1,7 @@
-#include "fast/double_exponential.hpp"
-
 #include <cmath>
 #include <numbers>
+
+#include <nipref/fast/double_exponential.hpp>
 
 namespace nipref::fast {
 

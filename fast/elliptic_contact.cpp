@@ -1,5 +1,3 @@
-#include "fast/elliptic_contact.hpp"
-
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -7,9 +5,10 @@
 #include <limits>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/adaptive_panels.hpp"
-#include "fast/jacobi_amplitude.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/adaptive_panels.hpp>
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/jacobi_amplitude.hpp>
 
 namespace nipref::fast {
 

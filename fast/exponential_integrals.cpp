@@ -1,9 +1,9 @@
-#include "fast/exponential_integrals.hpp"
-
 #include <array>
 #include <boost/math/special_functions/expint.hpp>
 #include <cmath>
 #include <numbers>
+
+#include <nipref/fast/exponential_integrals.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -1,7 +1,7 @@
-#include "fast/feasible_set.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include <nipref/fast/feasible_set.hpp>
 
 namespace nipref::fast {
 namespace {

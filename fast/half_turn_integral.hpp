@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <numbers>
 
-#include "fast/adaptive_panels.hpp"
-#include "fast/surface_line.hpp"
+#include <nipref/fast/adaptive_panels.hpp>
+#include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {
 

@@ -1,13 +1,12 @@
-#include "fast/hereditary.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
 
-#include "fast/exponential_integrals.hpp"
-#include "fast/hereditary_core.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/fast/exponential_integrals.hpp>
+#include <nipref/fast/hereditary.hpp>
+#include <nipref/fast/hereditary_core.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -1,11 +1,10 @@
-#include "fast/hereditary_core.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "fast/exponential_integrals.hpp"
-#include "fast/hereditary_rules.hpp"
-#include "fast/sheet_code.hpp"
+#include <nipref/fast/exponential_integrals.hpp>
+#include <nipref/fast/hereditary_core.hpp>
+#include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/sheet_code.hpp>
 
 namespace nipref::fast::internal {
 namespace {

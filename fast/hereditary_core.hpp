@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 
-#include "fast/accuracy.hpp"
-#include "fast/hereditary_rules.hpp"
-#include "fast/hereditary_waves.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/hereditary_waves.hpp>
 
 namespace nipref::fast::internal {
 

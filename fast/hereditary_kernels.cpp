@@ -1,10 +1,9 @@
-#include "fast/hereditary_kernels.hpp"
-
 #include <cmath>
 
-#include "data/bad_input.hpp"
-#include "fast/argument_checks.hpp"
-#include "fast/hereditary.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/argument_checks.hpp>
+#include <nipref/fast/hereditary.hpp>
+#include <nipref/fast/hereditary_kernels.hpp>
 
 namespace nipref::fast {
 namespace {

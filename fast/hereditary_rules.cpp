@@ -1,13 +1,12 @@
-#include "fast/hereditary_rules.hpp"
-
 #include <algorithm>
 #include <array>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <span>
 
-#include "fast/sheet_code.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -2,9 +2,9 @@
 #include <array>
 #include <vector>
 
-#include "fast/accuracy.hpp"
-#include "fast/hereditary_waves.hpp"
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::internal {
 

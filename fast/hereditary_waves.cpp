@@ -1,13 +1,12 @@
-#include "fast/hereditary_waves.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
 
-#include "fast/exponential_integrals.hpp"
-#include "fast/sheet_code.hpp"
-#include "fast/sheet_roots.hpp"
+#include <nipref/fast/exponential_integrals.hpp>
+#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet_roots.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <cmath>
 
-#include "data/bad_input.hpp"
-#include "fast/surface_line.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {
 

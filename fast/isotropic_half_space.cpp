@@ -1,13 +1,12 @@
-#include "fast/isotropic_half_space.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/bisection.hpp"
-#include "fast/two_words_algebra.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/bisection.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/two_words_algebra.hpp>
 
 namespace nipref::fast {
 namespace {

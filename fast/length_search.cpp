@@ -1,9 +1,9 @@
-#include "fast/length_search.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+
+#include <nipref/fast/length_search.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,10 +1,9 @@
-#include "fast/memory.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "data/bad_input.hpp"
-#include "fast/two_words.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/memory.hpp>
+#include <nipref/fast/two_words.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,15 +1,14 @@
-#include "fast/moving_load.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/argument_checks.hpp"
-#include "fast/exponential_integrals.hpp"
-#include "fast/hereditary.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/argument_checks.hpp>
+#include <nipref/fast/exponential_integrals.hpp>
+#include <nipref/fast/hereditary.hpp>
+#include <nipref/fast/moving_load.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "data/viscoelastic_material.hpp"
-#include "fast/accuracy.hpp"
-#include "fast/two_words.hpp"
+#include <nipref/data/viscoelastic_material.hpp>
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/two_words.hpp>
 
 namespace nipref::fast {
 

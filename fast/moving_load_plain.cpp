@@ -1,12 +1,11 @@
-#include "fast/moving_load_plain.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/plain_series.hpp"
-#include "fast/sheet_roots.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet_roots.hpp>
 
 namespace nipref::fast {
 namespace {

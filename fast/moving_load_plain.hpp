@@ -2,7 +2,7 @@
 #include <complex>
 #include <vector>
 
-#include "data/viscoelastic_material.hpp"
+#include <nipref/data/viscoelastic_material.hpp>
 
 namespace nipref::fast {
 

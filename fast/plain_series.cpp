@@ -1,14 +1,13 @@
-#include "fast/plain_series.hpp"
-
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/argument_checks.hpp"
-#include "fast/sheet_roots.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/argument_checks.hpp>
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet_roots.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,12 +1,11 @@
-#include "fast/rolling_basis.hpp"
-
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
-#include "fast/rolling_layout.hpp"
+#include <nipref/fast/rolling_basis.hpp>
+#include <nipref/fast/rolling_layout.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,12 +1,11 @@
-#include "fast/rolling_converged.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "fast/contact_domain.hpp"
-#include "fast/rolling_functionals.hpp"
-#include "fast/rolling_ladder.hpp"
+#include <nipref/fast/contact_domain.hpp>
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/rolling_functionals.hpp>
+#include <nipref/fast/rolling_ladder.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "data/viscoelastic_nip.hpp"
-#include "fast/contact_work.hpp"
-#include "fast/estimate.hpp"
+#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/estimate.hpp>
 
 namespace nipref::fast {
 

@@ -1,8 +1,8 @@
-#include "fast/rolling_functionals.hpp"
-
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+
+#include <nipref/fast/rolling_functionals.hpp>
 
 namespace nipref::fast {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include "fast/rolling_pressure.hpp"
+#include <nipref/fast/rolling_pressure.hpp>
 
 namespace nipref::fast {
 

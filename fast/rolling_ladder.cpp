@@ -1,10 +1,9 @@
-#include "fast/rolling_ladder.hpp"
-
 #include <cmath>
 #include <stdexcept>
 
-#include "fast/length_search.hpp"
-#include "fast/rolling_functionals.hpp"
+#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/rolling_functionals.hpp>
+#include <nipref/fast/rolling_ladder.hpp>
 
 namespace nipref::fast {
 namespace {

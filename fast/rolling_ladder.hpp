@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
-#include "fast/contact_kernels.hpp"
-#include "fast/estimate.hpp"
-#include "fast/length_search.hpp"
-#include "fast/rolling_pressure.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/rolling_pressure.hpp>
 
 namespace nipref::fast {
 

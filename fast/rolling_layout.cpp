@@ -1,9 +1,9 @@
-#include "fast/rolling_layout.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include <nipref/fast/rolling_layout.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,15 +1,14 @@
-#include "fast/rolling_line_loads.hpp"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "fast/moving_load.hpp"
-#include "fast/moving_load_plain.hpp"
-#include "fast/plain_series.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
 
 namespace nipref::fast {
 namespace {

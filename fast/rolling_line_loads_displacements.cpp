@@ -1,13 +1,12 @@
-#include "fast/rolling_line_loads_displacements.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "fast/moving_load.hpp"
-#include "fast/moving_load_plain.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/rolling_line_loads_displacements.hpp>
 
 namespace nipref::fast {
 namespace {

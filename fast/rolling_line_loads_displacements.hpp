@@ -1,5 +1,5 @@
 #pragma once
-#include "fast/rolling_line_loads.hpp"
+#include <nipref/fast/rolling_line_loads.hpp>
 
 namespace nipref::fast {
 

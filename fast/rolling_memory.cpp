@@ -1,8 +1,7 @@
-#include "fast/rolling_memory.hpp"
-
 #include <Eigen/LU>
 
-#include "fast/rolling_basis.hpp"
+#include <nipref/fast/rolling_basis.hpp>
+#include <nipref/fast/rolling_memory.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -3,7 +3,7 @@
 #include <complex>
 #include <vector>
 
-#include "fast/rolling_layout.hpp"
+#include <nipref/fast/rolling_layout.hpp>
 
 namespace nipref::fast {
 

@@ -1,5 +1,3 @@
-#include "fast/rolling_operator.hpp"
-
 #include <algorithm>
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
@@ -7,6 +5,8 @@
 #include <map>
 #include <numbers>
 #include <span>
+
+#include <nipref/fast/rolling_operator.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -3,10 +3,10 @@
 #include <map>
 #include <vector>
 
-#include "fast/contact_kernels.hpp"
-#include "fast/double_exponential.hpp"
-#include "fast/rolling_layout.hpp"
-#include "fast/rolling_memory.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/double_exponential.hpp>
+#include <nipref/fast/rolling_layout.hpp>
+#include <nipref/fast/rolling_memory.hpp>
 
 namespace nipref::fast {
 

@@ -1,11 +1,10 @@
-#include "fast/rolling_pressure.hpp"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
-#include "fast/rolling_basis.hpp"
-#include "fast/rolling_operator.hpp"
+#include <nipref/fast/rolling_basis.hpp>
+#include <nipref/fast/rolling_operator.hpp>
+#include <nipref/fast/rolling_pressure.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -2,9 +2,9 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fast/contact_kernels.hpp"
-#include "fast/rolling_layout.hpp"
-#include "fast/rolling_memory.hpp"
+#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/rolling_layout.hpp>
+#include <nipref/fast/rolling_memory.hpp>
 
 namespace nipref::fast {
 

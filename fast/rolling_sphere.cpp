@@ -1,13 +1,12 @@
-#include "fast/rolling_sphere.hpp"
-
 #include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/half_turn_integral.hpp"
-#include "fast/isotropic_half_space.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_turn_integral.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/rolling_sphere.hpp>
 
 namespace nipref::fast {
 

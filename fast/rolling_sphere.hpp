@@ -1,7 +1,7 @@
 #pragma once
-#include "data/half_space_solids.hpp"
-#include "fast/estimate.hpp"
-#include "fast/surface_line.hpp"
+#include <nipref/data/half_space_solids.hpp>
+#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {
 

@@ -1,4 +1,4 @@
-#include "fast/sheet_code.hpp"
+#include <nipref/fast/sheet_code.hpp>
 
 namespace nipref::fast::internal {
 

@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-#include "fast/sheet_domain.hpp"
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/sheet_domain.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::internal {
 

@@ -1,10 +1,9 @@
-#include "fast/sheet_influence.hpp"
-
 #include <cmath>
 #include <numbers>
 
-#include "fast/sheet_code.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet_influence.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "data/elastic_material.hpp"
-#include "fast/accuracy.hpp"
+#include <nipref/data/elastic_material.hpp>
+#include <nipref/fast/accuracy.hpp>
 
 // Displacements of the surface of an elastic sheet of half-thickness b = 1 under a line load of unit
 // intensity: plane strain, N = theta1 + theta2 = 2 (1 - poisson^2)/young. u is normal to the sheet, v along

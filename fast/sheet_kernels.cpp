@@ -1,9 +1,8 @@
-#include "fast/sheet_kernels.hpp"
-
 #include <numbers>
 
-#include "fast/argument_checks.hpp"
-#include "fast/sheet_code.hpp"
+#include <nipref/fast/argument_checks.hpp>
+#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <span>
 
-#include "fast/accuracy.hpp"
-#include "fast/sheet_influence.hpp"  // IWYU pragma: export
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/sheet_influence.hpp>  // IWYU pragma: export
 
 // Kernels of the elastic sheet in double. They come from the residue series alone (roots of sinh 2z + 2z =
 // 0): two words of a tabulated local polynomial up to 12 half-thicknesses, the first residue beyond, the

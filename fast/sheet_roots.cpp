@@ -1,9 +1,8 @@
-#include "fast/sheet_roots.hpp"
-
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet_roots.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,13 +1,12 @@
-#include "fast/sliding_contact.hpp"
-
 #include <array>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "fast/half_turn_integral.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_turn_integral.hpp>
+#include <nipref/fast/sliding_contact.hpp>
 
 namespace nipref::fast {
 

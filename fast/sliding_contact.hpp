@@ -1,7 +1,7 @@
 #pragma once
-#include "fast/estimate.hpp"
-#include "fast/indenter.hpp"
-#include "fast/surface_response.hpp"
+#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/indenter.hpp>
+#include <nipref/fast/surface_response.hpp>
 
 namespace nipref::fast {
 

@@ -1,13 +1,12 @@
-#include "fast/transversely_isotropic_half_space.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/critical_line.hpp"
-#include "fast/transversely_isotropic_line.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/critical_line.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/transversely_isotropic_line.hpp>
 
 namespace nipref::fast {
 namespace {

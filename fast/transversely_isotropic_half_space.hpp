@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "data/half_space_solids.hpp"
-#include "fast/surface_line.hpp"
+#include <nipref/data/half_space_solids.hpp>
+#include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {
 

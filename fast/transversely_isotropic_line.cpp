@@ -1,8 +1,7 @@
-#include "fast/transversely_isotropic_line.hpp"
-
 #include <cmath>
 
-#include "fast/bisection.hpp"
+#include <nipref/fast/bisection.hpp>
+#include <nipref/fast/transversely_isotropic_line.hpp>
 
 // Once more for processors with a fused multiply-add, which the two-word products then do in one instruction.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)

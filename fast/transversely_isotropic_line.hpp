@@ -2,9 +2,9 @@
 #include <optional>
 #include <variant>
 
-#include "data/half_space_solids.hpp"
-#include "fast/surface_line.hpp"
-#include "fast/two_words_algebra.hpp"
+#include <nipref/data/half_space_solids.hpp>
+#include <nipref/fast/surface_line.hpp>
+#include <nipref/fast/two_words_algebra.hpp>
 
 namespace nipref::fast::internal {
 

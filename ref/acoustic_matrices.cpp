@@ -1,6 +1,6 @@
-#include "ref/acoustic_matrices.hpp"
-
 #include <vector>
+
+#include <nipref/ref/acoustic_matrices.hpp>
 
 namespace nipref::ref {
 namespace {

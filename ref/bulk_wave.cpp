@@ -1,10 +1,9 @@
-#include "ref/bulk_wave.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <array>
 
-#include "ref/acoustic_matrices.hpp"
-#include "ref/interval_float.hpp"
+#include <nipref/ref/acoustic_matrices.hpp>
+#include <nipref/ref/bulk_wave.hpp>
+#include <nipref/ref/interval_float.hpp>
 
 namespace nipref::ref {
 namespace {

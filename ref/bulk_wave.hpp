@@ -1,7 +1,7 @@
 #pragma once
-#include "ref/enclosure.hpp"
-#include "ref/exact_stiffness.hpp"
-#include "ref/surface_direction.hpp"
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {
 

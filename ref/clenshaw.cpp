@@ -1,7 +1,7 @@
-#include "ref/clenshaw.hpp"
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <nipref/ref/clenshaw.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <gmpxx.h>
 
-#include "ref/nodes.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/nodes.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 

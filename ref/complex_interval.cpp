@@ -1,4 +1,4 @@
-#include "ref/complex_interval.hpp"
+#include <nipref/ref/complex_interval.hpp>
 
 namespace nipref::ref {
 

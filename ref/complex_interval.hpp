@@ -1,5 +1,5 @@
 #pragma once
-#include "ref/interval.hpp"
+#include <nipref/ref/interval.hpp>
 
 namespace nipref::ref {
 

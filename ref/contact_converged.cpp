@@ -1,5 +1,3 @@
-#include "ref/contact_converged.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,9 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/multiprecision.hpp"
-#include "ref/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/contact_converged.hpp>
+#include <nipref/ref/multiprecision.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "data/elastic_nip.hpp"
-#include "ref/enclosure.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/ref/enclosure.hpp>
 
 namespace nipref::ref {
 

@@ -1,13 +1,12 @@
-#include "ref/contact_line_loads.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/multiprecision.hpp"
-#include "ref/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/multiprecision.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {
 namespace {

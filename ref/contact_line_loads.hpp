@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "data/elastic_nip.hpp"
-#include "ref/enclosure.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/ref/enclosure.hpp>
 
 // The elastic nip with its tractions gathered in line loads, the thesis's discrete systems, in
 // multiprecision: the same equations as fast/contact_line_loads, so that what that loses to its kernels and

@@ -1,11 +1,10 @@
-#include "ref/enclosure.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/enclosure.hpp>
 
 namespace nipref::ref {
 namespace {

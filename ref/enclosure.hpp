@@ -2,8 +2,8 @@
 #include <functional>
 #include <string>
 
-#include "ref/interval.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/interval.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 

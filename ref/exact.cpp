@@ -1,11 +1,10 @@
-#include "ref/exact.hpp"
-
 #include <cmath>
 #include <optional>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/real.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 namespace {

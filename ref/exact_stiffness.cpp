@@ -1,4 +1,4 @@
-#include "ref/exact_stiffness.hpp"
+#include <nipref/ref/exact_stiffness.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "data/stiffness.hpp"
+#include <nipref/data/stiffness.hpp>
 
 namespace nipref::ref {
 

@@ -1,10 +1,9 @@
-#include "ref/fading_memory.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ref/ray_nodes.hpp"
+#include <nipref/ref/fading_memory.hpp>
+#include <nipref/ref/ray_nodes.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,5 +1,3 @@
-#include "ref/half_space_contact.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,8 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/multiprecision.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/ref/multiprecision.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <functional>
 
-#include "ref/enclosure.hpp"
-#include "ref/exact.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 

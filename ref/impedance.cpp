@@ -1,7 +1,6 @@
-#include "ref/impedance.hpp"
-
-#include "ref/barnett_lothe.hpp"
-#include "ref/interval_float.hpp"
+#include <nipref/ref/barnett_lothe.hpp>
+#include <nipref/ref/impedance.hpp>
+#include <nipref/ref/interval_float.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "ref/acoustic_matrices.hpp"
+#include <nipref/ref/acoustic_matrices.hpp>
 
 namespace nipref::ref {
 

@@ -1,6 +1,6 @@
-#include "ref/interval.hpp"
-
 #include <algorithm>
+
+#include <nipref/ref/interval.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <mpfi.h>
 
-#include "ref/exact.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 

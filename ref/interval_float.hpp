@@ -1,7 +1,7 @@
 #pragma once
-#include "ref/barnett_lothe.hpp"
-#include "ref/interval_matrix.hpp"
-#include "ref/multiprecision.hpp"
+#include <nipref/ref/barnett_lothe.hpp>
+#include <nipref/ref/interval_matrix.hpp>
+#include <nipref/ref/multiprecision.hpp>
 
 // Between intervals and floating point. Heavy to compile; for .cpp files of this room only.
 

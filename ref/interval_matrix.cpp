@@ -1,4 +1,4 @@
-#include "ref/interval_matrix.hpp"
+#include <nipref/ref/interval_matrix.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,12 +1,11 @@
-#include "ref/memory.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "ref/memory_intervals.hpp"
-#include "ref/panel_quadrature.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/memory.hpp>
+#include <nipref/ref/memory_intervals.hpp>
+#include <nipref/ref/panel_quadrature.hpp>
 
 namespace nipref::ref {
 namespace {

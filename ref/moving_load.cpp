@@ -1,16 +1,15 @@
-#include "ref/moving_load.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/fading_memory.hpp"
-#include "ref/memory_intervals.hpp"
-#include "ref/sheet_intervals.hpp"
-#include "ref/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/fading_memory.hpp>
+#include <nipref/ref/memory_intervals.hpp>
+#include <nipref/ref/moving_load.hpp>
+#include <nipref/ref/sheet_intervals.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {
 namespace {

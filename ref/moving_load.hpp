@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "data/viscoelastic_material.hpp"
-#include "ref/enclosure.hpp"
-#include "ref/exact.hpp"
+#include <nipref/data/viscoelastic_material.hpp>
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact.hpp>
 
 namespace nipref::ref {
 

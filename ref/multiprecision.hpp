@@ -3,9 +3,9 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include "ref/enclosure.hpp"
-#include "ref/exact.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/real.hpp>
 
 // Linear algebra in multiprecision: Eigen over Boost's MPFR type. Heavy to compile; for .cpp files of this
 // room only.

@@ -1,7 +1,7 @@
 #include <list>
 #include <mutex>
 
-#include "ref/nodes.hpp"
+#include <nipref/ref/nodes.hpp>
 
 namespace nipref::ref {
 namespace {

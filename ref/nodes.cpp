@@ -1,13 +1,12 @@
-#include "ref/nodes.hpp"
-
 #include <gmpxx.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "ref/complex.hpp"
-#include "ref/real.hpp"
+#include <nipref/ref/complex.hpp>
+#include <nipref/ref/nodes.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 namespace {

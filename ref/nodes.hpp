@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "ref/symbols.hpp"
+#include <nipref/ref/symbols.hpp>
 
 namespace nipref::ref {
 

@@ -1,6 +1,6 @@
-#include "ref/panel_quadrature.hpp"
-
 #include <algorithm>
+
+#include <nipref/ref/panel_quadrature.hpp>
 
 namespace nipref::ref {
 namespace {

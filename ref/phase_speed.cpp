@@ -1,14 +1,13 @@
-#include "ref/phase_speed.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
-#include "ref/bracketed_root.hpp"
-#include "ref/impedance.hpp"
-#include "ref/interval_float.hpp"
+#include <nipref/ref/bracketed_root.hpp>
+#include <nipref/ref/impedance.hpp>
+#include <nipref/ref/interval_float.hpp>
+#include <nipref/ref/phase_speed.hpp>
 
 namespace nipref::ref {
 namespace {

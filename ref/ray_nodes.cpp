@@ -1,12 +1,11 @@
-#include "ref/ray_nodes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
 #include <utility>
 
-#include "ref/real.hpp"
+#include <nipref/ref/ray_nodes.hpp>
+#include <nipref/ref/real.hpp>
 
 namespace nipref::ref {
 namespace {

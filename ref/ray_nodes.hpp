@@ -2,8 +2,8 @@
 #include <deque>
 #include <memory>
 
-#include "ref/complex.hpp"
-#include "ref/fading_memory.hpp"
+#include <nipref/ref/complex.hpp>
+#include <nipref/ref/fading_memory.hpp>
 
 namespace nipref::ref {
 

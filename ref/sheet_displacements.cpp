@@ -1,12 +1,11 @@
-#include "ref/sheet_displacements.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/sheet_intervals.hpp"
-#include "ref/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/ref/sheet_intervals.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {
 namespace {

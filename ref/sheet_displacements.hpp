@@ -1,6 +1,6 @@
 #pragma once
-#include "ref/enclosure.hpp"
-#include "ref/exact.hpp"
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact.hpp>
 
 namespace nipref::ref {
 

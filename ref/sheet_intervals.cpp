@@ -1,10 +1,9 @@
-#include "ref/sheet_intervals.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "ref/transform.hpp"
+#include <nipref/ref/sheet_intervals.hpp>
+#include <nipref/ref/transform.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "ref/exact.hpp"
-#include "ref/interval.hpp"
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/interval.hpp>
 
 namespace nipref::ref {
 

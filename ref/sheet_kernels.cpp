@@ -1,10 +1,9 @@
-#include "ref/sheet_kernels.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "data/bad_input.hpp"
-#include "ref/sheet_intervals.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet_intervals.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,14 +1,13 @@
-#include "ref/sheet_roots.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/complex.hpp"
-#include "ref/sheet_intervals.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/complex.hpp>
+#include <nipref/ref/sheet_intervals.hpp>
+#include <nipref/ref/sheet_roots.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "ref/enclosure.hpp"
+#include <nipref/ref/enclosure.hpp>
 
 namespace nipref::ref {
 

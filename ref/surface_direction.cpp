@@ -1,6 +1,5 @@
-#include "ref/surface_direction.hpp"
-
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {
 

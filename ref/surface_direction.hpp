@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include "ref/exact.hpp"
-#include "ref/interval.hpp"
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/interval.hpp>
 
 namespace nipref::ref {
 

@@ -1,5 +1,3 @@
-#include "ref/surface_response.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,8 +5,9 @@
 #include <sstream>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/impedance.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/impedance.hpp>
+#include <nipref/ref/surface_response.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,12 +1,11 @@
-#include "ref/surface_wave.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "ref/interval_float.hpp"
-#include "ref/phase_speed.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/interval_float.hpp>
+#include <nipref/ref/phase_speed.hpp>
+#include <nipref/ref/surface_wave.hpp>
 
 namespace nipref::ref {
 namespace {

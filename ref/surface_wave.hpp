@@ -1,9 +1,9 @@
 #pragma once
 #include <optional>
 
-#include "ref/enclosure.hpp"
-#include "ref/exact_stiffness.hpp"
-#include "ref/surface_direction.hpp"
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {
 

@@ -1,6 +1,6 @@
-#include "ref/symbols.hpp"
-
 #include <array>
+
+#include <nipref/ref/symbols.hpp>
 
 namespace nipref::ref {
 

@@ -1,11 +1,10 @@
-#include "ref/transform.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "ref/clenshaw.hpp"
+#include <nipref/ref/clenshaw.hpp>
+#include <nipref/ref/transform.hpp>
 
 namespace nipref::ref {
 namespace {

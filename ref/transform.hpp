@@ -1,7 +1,7 @@
 #pragma once
-#include "ref/exact.hpp"
-#include "ref/interval.hpp"
-#include "ref/symbols.hpp"
+#include <nipref/ref/exact.hpp>
+#include <nipref/ref/interval.hpp>
+#include <nipref/ref/symbols.hpp>
 
 namespace nipref::ref {
 

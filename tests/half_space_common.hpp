@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include "fast/surface_response.hpp"
+#include <nipref/fast/surface_response.hpp>
 
 namespace nipref::test {
 

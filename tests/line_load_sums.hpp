@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "data/elastic_nip.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/sheet_influence.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/sheet_influence.hpp>
 
 namespace line_load_tests {
 

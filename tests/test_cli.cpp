@@ -5,8 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include <nipref/verify/catalogue.hpp>
+
 #include "run_nipref.hpp"
-#include "verify/catalogue.hpp"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/viscoelastic_models.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/viscoelastic_models.hpp>
 
 using namespace nipref;
 using data::DifferentialOperators;

@@ -1,7 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "data/bad_input.hpp"
-#include "tests/test_fast_common.hpp"
+#include <nipref/data/bad_input.hpp>
+
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 

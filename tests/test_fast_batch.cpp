@@ -1,8 +1,9 @@
 #include <doctest/doctest.h>
 
-#include "data/bad_input.hpp"
-#include "fast/sheet_code.hpp"
-#include "tests/test_fast_common.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet_code.hpp>
+
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

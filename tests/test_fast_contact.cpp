@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 using namespace nipref;
 using fast::LineLoadSolution;

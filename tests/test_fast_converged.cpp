@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_converged.hpp"
-#include "fast/contact_ladder.hpp"
-#include "fast/contact_operator.hpp"
-#include "fast/contact_panels.hpp"
-#include "fast/contact_spectral.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/contact_operator.hpp>
+#include <nipref/fast/contact_panels.hpp>
+#include <nipref/fast/contact_spectral.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

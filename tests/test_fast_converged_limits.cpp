@@ -8,8 +8,8 @@
 #include <memory>
 #include <numbers>
 
-#include "fast/contact_ladder.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 using namespace nipref;
 using data::Friction;

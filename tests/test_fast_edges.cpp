@@ -2,9 +2,10 @@
 
 #include <limits>
 
-#include "data/bad_input.hpp"
-#include "fast/branch_points.hpp"
-#include "tests/test_fast_common.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/branch_points.hpp>
+
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 using nipref::data::BadInput;

@@ -11,9 +11,10 @@
 #include <limits>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/elliptic_contact.hpp"
-#include "fast/jacobi_amplitude.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/jacobi_amplitude.hpp>
+
 #include "half_space_common.hpp"
 
 using namespace nipref;

@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/isotropic_half_space.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
 
 using namespace nipref;
 using data::IsotropicSolid;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads_diagnostics.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "fast/feasible_set.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads_diagnostics.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/feasible_set.hpp>
 
 using namespace nipref;
 using fast::Affine;

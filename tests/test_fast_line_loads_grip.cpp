@@ -3,10 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads_displacements.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "tests/line_load_sums.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+
+#include "line_load_sums.hpp"
 
 using namespace nipref;
 using fast::LineLoadSolution;

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/contact_line_loads_diagnostics.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/contact_line_loads_diagnostics.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 using namespace nipref;
 

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads_displacements.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "fast/plain_series.hpp"
-#include "fast/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
 
 using namespace nipref;
 using fast::ContactWork;

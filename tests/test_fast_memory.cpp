@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "data/bad_input.hpp"
-#include "fast/memory.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/memory.hpp>
 
 using namespace nipref::fast;
 

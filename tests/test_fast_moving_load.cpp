@@ -1,9 +1,10 @@
 #include <doctest/doctest.h>
 
-#include "data/bad_input.hpp"
-#include "fast/hereditary_kernels.hpp"
-#include "fast/moving_load.hpp"
-#include "tests/test_fast_common.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/hereditary_kernels.hpp>
+#include <nipref/fast/moving_load.hpp>
+
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 using namespace nipref::fast;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "tests/test_fast_common.hpp"
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 

@@ -10,11 +10,11 @@
 #include <numbers>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_converged.hpp"
-#include "fast/rolling_converged.hpp"
-#include "fast/rolling_functionals.hpp"
-#include "fast/rolling_pressure.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/rolling_functionals.hpp>
+#include <nipref/fast/rolling_pressure.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

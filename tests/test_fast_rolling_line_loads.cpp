@@ -7,11 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/moving_load.hpp"
-#include "fast/moving_load_plain.hpp"
-#include "fast/rolling_line_loads.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
 
 using namespace nipref;
 using data::ViscoelasticMaterial;

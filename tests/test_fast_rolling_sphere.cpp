@@ -7,8 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "fast/rolling_sphere.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/rolling_sphere.hpp>
+
 #include "half_space_common.hpp"
 
 using namespace nipref;

@@ -1,9 +1,10 @@
 #include <doctest/doctest.h>
 
-#include "data/bad_input.hpp"
-#include "fast/plain_series.hpp"
-#include "fast/sheet_roots.hpp"
-#include "tests/test_fast_common.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet_roots.hpp>
+
+#include "test_fast_common.hpp"
 
 using namespace fast_tests;
 using namespace nipref::fast;

@@ -9,10 +9,11 @@
 #include <numbers>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/half_turn_integral.hpp"
-#include "fast/sliding_contact.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_turn_integral.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+
 #include "half_space_common.hpp"
 
 using namespace nipref;

@@ -31,7 +31,7 @@ std::string read(const fs::path& file) {
 
 /// Rooms whose headers a file includes.
 std::set<std::string> rooms_included(const fs::path& file) {
-  static const std::regex include(R"re(#\s*include\s*["<](?:\.\./)*(data|ref|fast|verify)/)re");
+  static const std::regex include(R"re(#\s*include\s*<nipref/(data|ref|fast|verify)/)re");
   const std::string text = read(file);
   std::set<std::string> rooms;
   for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)

@@ -7,14 +7,14 @@
 #include <cstdlib>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "fast/sheet_kernels.hpp"
-#include "ref/contact_converged.hpp"
-#include "ref/contact_line_loads.hpp"
-#include "ref/sheet_displacements.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/ref/contact_converged.hpp>
+#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/sheet_displacements.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/sheet_displacements.hpp"
-#include "ref/sheet_kernels.hpp"
-#include "ref/sheet_roots.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/ref/sheet_roots.hpp>
 
 using namespace nipref::ref;
 using nipref::data::BadInput;

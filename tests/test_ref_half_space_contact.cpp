@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "data/bad_input.hpp"
-#include "ref/half_space_contact.hpp"
-#include "ref/multiprecision.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/ref/multiprecision.hpp>
 
 using namespace nipref;
 using ref::Exact;

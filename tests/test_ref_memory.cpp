@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/memory.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/memory.hpp>
 
 // The thesis's closed forms (AII.6, AII.9, AII.13, AII.18), in so many digits that what cancels in them does
 // not matter, against the quadrature of the reference path.

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "ref/moving_load.hpp"
-#include "ref/sheet_displacements.hpp"
-#include "ref/sheet_kernels.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/moving_load.hpp>
+#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
 
 // The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the hereditary
 // integral itself, by quadrature over the elastic kernels in real space, and what is known of its limits.

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "ref/nodes.hpp"
-#include "ref/transform.hpp"
+#include <nipref/ref/nodes.hpp>
+#include <nipref/ref/transform.hpp>
 
 using namespace nipref::ref;
 
@@ -23,9 +23,12 @@ double worst_node_error(const Nodes& coarse, const Nodes& fine) {
     for (const auto part : {&NodeBlock::real, &NodeBlock::imag}) {
       if ((coarse.blocks[b].*part).empty()) continue;
       for (std::size_t k = 0; k < coarse.blocks[b].size(); ++k) {
-        const mpz_class rough = node(coarse.blocks[b].*part, coarse.blocks[b].limbs, k) << static_cast<unsigned>(extra);
+        const mpz_class rough = node(coarse.blocks[b].*part, coarse.blocks[b].limbs, k)
+                                << static_cast<unsigned>(extra);
         const mpz_class exact = node(fine.blocks[b].*part, fine.blocks[b].limbs, k);
-        worst = std::max(worst, mpq_class(mpz_class(abs(rough - exact)), mpz_class(1) << static_cast<unsigned>(extra)).get_d());
+        worst = std::max(
+            worst,
+            mpq_class(mpz_class(abs(rough - exact)), mpz_class(1) << static_cast<unsigned>(extra)).get_d());
       }
     }
   }
@@ -69,7 +72,8 @@ TEST_CASE("the nodes left out are as small as promised") {
     mpz_class left_out(0);
     for (const NodeBlock& block : fine.blocks) {
       for (std::size_t k = 0; k < block.size(); ++k) {
-        if (block.first + static_cast<long>(k) > coarse.last) left_out += abs(node(block.real, block.limbs, k));
+        if (block.first + static_cast<long>(k) > coarse.last)
+          left_out += abs(node(block.real, block.limbs, k));
       }
     }
     const double units = mpq_class(left_out, mpz_class(1) << 192U).get_d();

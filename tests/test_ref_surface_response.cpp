@@ -7,11 +7,12 @@
 #include <random>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "ref/barnett_lothe.hpp"
-#include "ref/impedance.hpp"
-#include "ref/surface_response.hpp"
-#include "ref/surface_wave.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/barnett_lothe.hpp>
+#include <nipref/ref/impedance.hpp>
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/ref/surface_wave.hpp>
+
 #include "stroh.hpp"
 
 using namespace nipref;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ref/interval.hpp"
-#include "ref/symbols.hpp"
+#include <nipref/ref/interval.hpp>
+#include <nipref/ref/symbols.hpp>
 
 // Proves the constants of ref/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //

@@ -7,10 +7,11 @@
 #include <sstream>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/scene_file.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_file.hpp>
+#include <nipref/verify/solve.hpp>
+
 #include "scratch_file.hpp"
-#include "verify/solve.hpp"
 
 using namespace nipref;
 namespace fs = std::filesystem;

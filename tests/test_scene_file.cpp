@@ -5,8 +5,9 @@
 #include <string>
 #include <variant>
 
-#include "data/bad_input.hpp"
-#include "data/scene_file.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_file.hpp>
+
 #include "scratch_file.hpp"
 
 using namespace nipref;
@@ -103,8 +104,8 @@ constexpr Refusal refusals[] = {
      ":19: method.leading_elements = 99999999999: ", "whole number"},
     {"points = 4", "positions = [0.0, \"x\"]", ":22: profile.positions[1] = 'x': ", "list of numbers"},
     // impossible values
-    {"\"contact_length\"", "\"contact_lenght\"",
-     ":2: wanted[0] = contact_lenght: ", "did you mean contact_length? must be out of contact_length, leading_length"},
+    {"\"contact_length\"", "\"contact_lenght\"", ":2: wanted[0] = contact_lenght: ",
+     "did you mean contact_length? must be out of contact_length, leading_length"},
     {"\"contact_length\"", "\"pressure\"", ":2: wanted[1] = pressure: ", "must be wanted once"},
     {"[\"contact_length\", \"pressure\"]", "[]", ":2: wanted = []: ", "contact_length"},
     {"accuracy = 1e-8", "accuracy = 0", ":3: accuracy = 0: ", "must be from 1e-13 to 0.1"},

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "data/scene_file.hpp"
+#include <nipref/data/scene_file.hpp>
+#include <nipref/verify/solve.hpp>
+
 #include "refused_scene.hpp"
 #include "scratch_file.hpp"
-#include "verify/solve.hpp"
 
 using namespace nipref;
 

@@ -7,12 +7,13 @@
 #include <sstream>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/scene_file.hpp"
-#include "fast/rolling_converged.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_file.hpp>
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/verify/solve.hpp>
+
 #include "refused_scene.hpp"
 #include "scratch_file.hpp"
-#include "verify/solve.hpp"
 
 using namespace nipref;
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "data/scene_file.hpp"
-#include "fast/contact_converged.hpp"
-#include "verify/solve.hpp"
+#include <nipref/data/scene_file.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/verify/solve.hpp>
 
 using namespace nipref;
 using fast::Estimate;

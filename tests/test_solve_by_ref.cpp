@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "data/scene.hpp"
-#include "verify/solve.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene.hpp>
+#include <nipref/verify/solve.hpp>
 
 using namespace nipref;
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "data/scene.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/contact_line_loads_displacements.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "verify/solve.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/verify/solve.hpp>
 
 using namespace nipref;
 using fast::Estimate;

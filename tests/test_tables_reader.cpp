@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "data/bad_input.hpp"
-#include "data/table.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table.hpp>
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <stdexcept>
 
-#include "verify/audit.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/parallel.hpp"
+#include <nipref/verify/audit.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/parallel.hpp>
 
 using namespace nipref;
 using verify::AuditResult;

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "data/bad_input.hpp"
-#include "verify/bench.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/peers_double.hpp"
-#include "verify/peers_multiprecision.hpp"
-#include "verify/render_bench.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/bench.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/peers_double.hpp>
+#include <nipref/verify/peers_multiprecision.hpp>
+#include <nipref/verify/render_bench.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 using namespace nipref;
 

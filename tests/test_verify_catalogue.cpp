@@ -4,14 +4,14 @@
 #include <cmath>
 #include <set>
 
-#include "data/bad_input.hpp"
-#include "verify/arguments.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/deviation.hpp"
-#include "verify/entries.hpp"
-#include "verify/random.hpp"
-#include "verify/sampling.hpp"
-#include "verify/zeros.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/arguments.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/random.hpp>
+#include <nipref/verify/sampling.hpp>
+#include <nipref/verify/zeros.hpp>
 
 using namespace nipref;
 using verify::Point;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "verify/audit_contacts.hpp"
-#include "verify/bench_contacts.hpp"
+#include <nipref/verify/audit_contacts.hpp>
+#include <nipref/verify/bench_contacts.hpp>
 
 using namespace nipref;
 

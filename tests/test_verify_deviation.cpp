@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "verify/deviation.hpp"
+#include <nipref/verify/deviation.hpp>
 
 namespace {
 

@@ -3,10 +3,11 @@
 
 #include <string>
 
+#include <nipref/verify/audit.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/memory_sampling.hpp>
+
 #include "run_nipref.hpp"
-#include "verify/audit.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/memory_sampling.hpp"
 
 using namespace nipref;
 

@@ -4,17 +4,18 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "data/bad_input.hpp"
-#include "data/table_index.hpp"
-#include "fast/contact_converged.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table_index.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/verify/render_tables.hpp>
+#include <nipref/verify/replay.hpp>
+#include <nipref/verify/replay_corrected.hpp>
+#include <nipref/verify/replay_known.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/tables_verb.hpp>
+
 #include "replayed.hpp"
-#include "verify/render_tables.hpp"
-#include "verify/replay.hpp"
-#include "verify/replay_corrected.hpp"
-#include "verify/replay_known.hpp"
-#include "verify/replay_line_loads.hpp"
-#include "verify/replay_rolling.hpp"
-#include "verify/tables_verb.hpp"
 
 using namespace nipref;
 using verify::Verdict;

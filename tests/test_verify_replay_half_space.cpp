@@ -7,15 +7,16 @@
 #include <sstream>
 #include <string>
 
-#include "data/table_index.hpp"
-#include "fast/isotropic_half_space.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/verify/printed_half_space.hpp>
+#include <nipref/verify/render_tables.hpp>
+#include <nipref/verify/replay_half_space.hpp>
+#include <nipref/verify/replay_half_space_cell.hpp>
+#include <nipref/verify/replay_known.hpp>
+#include <nipref/verify/tables_verb.hpp>
+
 #include "replayed.hpp"
-#include "verify/printed_half_space.hpp"
-#include "verify/render_tables.hpp"
-#include "verify/replay_half_space.hpp"
-#include "verify/replay_half_space_cell.hpp"
-#include "verify/replay_known.hpp"
-#include "verify/tables_verb.hpp"
 
 using namespace nipref;
 using doctest::Approx;

@@ -6,14 +6,15 @@
 #include <string>
 #include <string_view>
 
-#include "data/table_index.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/rolling_converged.hpp"
-#include "fast/rolling_line_loads.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/verify/replay_corrected.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/replay_rolling_row.hpp>
+
 #include "replayed.hpp"
-#include "verify/replay_corrected.hpp"
-#include "verify/replay_rolling.hpp"
-#include "verify/replay_rolling_row.hpp"
 
 using namespace nipref;
 using verify::Replay;

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "data/bad_input.hpp"
-#include "verify/ulp.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/ulp.hpp>
 
 using nipref::verify::ulp_of;
 

@@ -1,5 +1,3 @@
-#include "verify/arguments.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/arguments.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,15 +1,14 @@
-#include "verify/audit.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "verify/deviation.hpp"
-#include "verify/parallel.hpp"
-#include "verify/sampling.hpp"
-#include "verify/ulp.hpp"
-#include "verify/zeros.hpp"
+#include <nipref/verify/audit.hpp>
+#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/parallel.hpp>
+#include <nipref/verify/sampling.hpp>
+#include <nipref/verify/ulp.hpp>
+#include <nipref/verify/zeros.hpp>
 
 namespace nipref::verify {
 namespace {

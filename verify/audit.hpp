@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "fast/accuracy.hpp"
-#include "verify/quantity.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

@@ -1,8 +1,7 @@
-#include "verify/audit_all.hpp"
-
 #include <fmt/format.h>
 
-#include "verify/progress.hpp"
+#include <nipref/verify/audit_all.hpp>
+#include <nipref/verify/progress.hpp>
 
 namespace nipref::verify {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "verify/audit.hpp"
+#include <nipref/verify/audit.hpp>
 
 namespace nipref::verify {
 

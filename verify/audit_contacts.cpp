@@ -1,5 +1,3 @@
-#include "verify/audit_contacts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +6,13 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads_diagnostics.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "fast/sheet_kernels.hpp"
-#include "ref/contact_converged.hpp"
-#include "ref/contact_line_loads.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads_diagnostics.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/ref/contact_converged.hpp>
+#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/verify/audit_contacts.hpp>
 
 namespace nipref::verify {
 namespace {

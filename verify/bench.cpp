@@ -1,10 +1,10 @@
-#include "verify/bench.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+
+#include <nipref/verify/bench.hpp>
 
 namespace nipref::verify {
 namespace {

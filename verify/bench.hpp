@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/quantity.hpp"
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

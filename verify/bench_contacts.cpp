@@ -1,5 +1,3 @@
-#include "verify/bench_contacts.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,13 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "data/table_index.hpp"
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "ref/contact_converged.hpp"
-#include "verify/replay_line_loads.hpp"
-#include "verify/stopwatch.hpp"
-#include "verify/ulp.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/ref/contact_converged.hpp>
+#include <nipref/verify/bench_contacts.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/stopwatch.hpp>
+#include <nipref/verify/ulp.hpp>
 
 namespace nipref::verify {
 namespace {

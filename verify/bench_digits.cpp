@@ -5,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 
-#include "verify/bench.hpp"
-#include "verify/peers_multiprecision.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/verify/bench.hpp>
+#include <nipref/verify/peers_multiprecision.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

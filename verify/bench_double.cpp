@@ -4,10 +4,10 @@
 #include <array>
 #include <cmath>
 
-#include "verify/bench.hpp"
-#include "verify/deviation.hpp"
-#include "verify/random.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/verify/bench.hpp>
+#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/random.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

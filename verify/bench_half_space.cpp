@@ -1,5 +1,3 @@
-#include "verify/bench_half_space.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -8,14 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "fast/elliptic_contact.hpp"
-#include "fast/isotropic_half_space.hpp"
-#include "fast/sliding_contact.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/deviation.hpp"
-#include "verify/half_space_arguments.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/verify/bench_half_space.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,5 +1,3 @@
-#include "verify/bench_rolling.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,18 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "data/table_index.hpp"
-#include "fast/moving_load.hpp"
-#include "fast/moving_load_plain.hpp"
-#include "fast/rolling_converged.hpp"
-#include "fast/rolling_line_loads.hpp"
-#include "ref/moving_load.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/memory_sampling.hpp"
-#include "verify/replay_rolling.hpp"
-#include "verify/replay_rolling_row.hpp"
-#include "verify/stopwatch.hpp"
-#include "verify/ulp.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/ref/moving_load.hpp>
+#include <nipref/verify/bench_rolling.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/memory_sampling.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/replay_rolling_row.hpp>
+#include <nipref/verify/stopwatch.hpp>
+#include <nipref/verify/ulp.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include "verify/bench.hpp"
+#include <nipref/verify/bench.hpp>
 
 namespace nipref::verify {
 

@@ -1,13 +1,12 @@
-#include "verify/catalogue.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 
-#include "data/bad_input.hpp"
-#include "verify/entries.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/entries.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -15,8 +14,8 @@ namespace {
 std::vector<Quantity> gather() {
   std::vector<Quantity> all;
   for (auto group : {root_entries(), kernel_entries(), displacement_entries(), memory_entries(),
-                     moving_load_entries(), half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
-                     elliptic_contact_entries(), seed_sphere_entries()}) {
+                     moving_load_entries(), half_space_entries(), transverse_half_space_entries(),
+                     half_space_contact_entries(), elliptic_contact_entries(), seed_sphere_entries()}) {
     std::move(group.begin(), group.end(), std::back_inserter(all));
   }
   return all;

@@ -2,7 +2,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verify/quantity.hpp"
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

@@ -1,8 +1,8 @@
-#include "verify/collect_results.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <variant>
+
+#include <nipref/verify/collect_results.hpp>
 
 namespace nipref::verify {
 namespace {

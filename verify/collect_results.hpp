@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "verify/solve.hpp"
-#include "verify/solved_contact.hpp"
+#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {
 

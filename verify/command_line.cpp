@@ -1,5 +1,3 @@
-#include "verify/command_line.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -7,7 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/command_line.hpp>
 
 namespace nipref::verify {
 namespace {

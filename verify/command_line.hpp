@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/arguments.hpp"
+#include <nipref/verify/arguments.hpp>
 
 namespace nipref::verify {
 

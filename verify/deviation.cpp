@@ -1,10 +1,9 @@
-#include "verify/deviation.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "verify/ulp.hpp"
+#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/ulp.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -3,10 +3,10 @@
 #include <limits>
 #include <numbers>
 
-#include "fast/sheet_kernels.hpp"
-#include "ref/sheet_displacements.hpp"
-#include "verify/entries.hpp"
-#include "verify/envelopes.hpp"
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/envelopes.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <utility>
 
-#include "fast/elliptic_contact.hpp"
-#include "ref/half_space_contact.hpp"
-#include "verify/entries.hpp"
-#include "verify/half_space_contact_entries.hpp"
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/half_space_contact_entries.hpp>
 
 namespace nipref::verify {
 namespace {

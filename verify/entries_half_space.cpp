@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "fast/isotropic_half_space.hpp"
-#include "ref/surface_response.hpp"
-#include "ref/surface_wave.hpp"
-#include "verify/entries.hpp"
-#include "verify/half_space_entries.hpp"
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/ref/surface_wave.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/half_space_entries.hpp>
 
 namespace nipref::verify {
 namespace {

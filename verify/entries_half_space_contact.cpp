@@ -1,12 +1,12 @@
 // Contacts on isotropic half-spaces by the papers' rule.
 #include <utility>
 
-#include "fast/rolling_sphere.hpp"
-#include "fast/sliding_contact.hpp"
-#include "ref/half_space_contact.hpp"
-#include "verify/entries.hpp"
-#include "verify/half_space_contact_entries.hpp"
-#include "verify/printed_half_space.hpp"
+#include <nipref/fast/rolling_sphere.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/half_space_contact_entries.hpp>
+#include <nipref/verify/printed_half_space.hpp>
 
 namespace nipref::verify {
 namespace {

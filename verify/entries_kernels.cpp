@@ -1,9 +1,9 @@
-#include "fast/sheet_kernels.hpp"
-#include "ref/sheet_kernels.hpp"
-#include "verify/entries.hpp"
-#include "verify/envelopes.hpp"
-#include "verify/peers_double.hpp"
-#include "verify/peers_multiprecision.hpp"
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/envelopes.hpp>
+#include <nipref/verify/peers_double.hpp>
+#include <nipref/verify/peers_multiprecision.hpp>
 
 namespace nipref::verify {
 namespace {

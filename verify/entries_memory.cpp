@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fast/memory.hpp"
-#include "fast/sheet_roots.hpp"
-#include "ref/memory.hpp"
-#include "verify/entries.hpp"
-#include "verify/memory_sampling.hpp"
+#include <nipref/fast/memory.hpp>
+#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/ref/memory.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/memory_sampling.hpp>
 
 namespace nipref::verify {
 namespace {

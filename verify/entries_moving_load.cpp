@@ -4,12 +4,12 @@
 #include <numbers>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "fast/moving_load.hpp"
-#include "ref/moving_load.hpp"
-#include "verify/entries.hpp"
-#include "verify/envelopes.hpp"
-#include "verify/memory_sampling.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/moving_load.hpp>
+#include <nipref/ref/moving_load.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/envelopes.hpp>
+#include <nipref/verify/memory_sampling.hpp>
 
 namespace nipref::verify {
 namespace {

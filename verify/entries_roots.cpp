@@ -1,9 +1,9 @@
 #include <complex>
 
-#include "data/bad_input.hpp"
-#include "fast/sheet_roots.hpp"
-#include "ref/sheet_roots.hpp"
-#include "verify/entries.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/ref/sheet_roots.hpp>
+#include <nipref/verify/entries.hpp>
 
 namespace nipref::verify {
 namespace {

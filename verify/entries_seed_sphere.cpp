@@ -4,15 +4,15 @@
 #include <memory>
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "fast/elliptic_contact.hpp"
-#include "fast/isotropic_half_space.hpp"
-#include "fast/sliding_contact.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "ref/half_space_contact.hpp"
-#include "ref/surface_response.hpp"
-#include "verify/entries.hpp"
-#include "verify/half_space_contact_entries.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/half_space_contact_entries.hpp>
 
 namespace nipref::verify {
 namespace {

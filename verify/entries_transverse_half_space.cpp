@@ -3,13 +3,13 @@
 #include <cmath>
 #include <utility>
 
-#include "data/bad_input.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "ref/bulk_wave.hpp"
-#include "ref/surface_response.hpp"
-#include "ref/surface_wave.hpp"
-#include "verify/entries.hpp"
-#include "verify/half_space_entries.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/ref/bulk_wave.hpp>
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/ref/surface_wave.hpp>
+#include <nipref/verify/entries.hpp>
+#include <nipref/verify/half_space_entries.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fast/branch_points.hpp"
-#include "verify/entries.hpp"
+#include <nipref/fast/branch_points.hpp>
+#include <nipref/verify/entries.hpp>
 
 namespace nipref::verify {
 namespace {

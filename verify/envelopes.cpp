@@ -1,9 +1,9 @@
-#include "verify/envelopes.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+
+#include <nipref/verify/envelopes.hpp>
 
 namespace nipref::verify {
 namespace {

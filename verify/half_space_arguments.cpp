@@ -1,11 +1,10 @@
-#include "verify/half_space_arguments.hpp"
-
 #include <cmath>
 #include <numbers>
 
-#include "fast/isotropic_half_space.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "ref/surface_response.hpp"
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
 
 namespace nipref::verify {
 namespace {

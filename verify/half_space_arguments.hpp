@@ -2,13 +2,13 @@
 #include <span>
 #include <vector>
 
-#include "data/half_space_solids.hpp"
-#include "fast/surface_line.hpp"
-#include "fast/surface_response.hpp"
-#include "ref/exact_stiffness.hpp"
-#include "ref/half_space_contact.hpp"
-#include "verify/printed_half_space.hpp"
-#include "verify/quantity.hpp"
+#include <nipref/data/half_space_solids.hpp>
+#include <nipref/fast/surface_line.hpp>
+#include <nipref/fast/surface_response.hpp>
+#include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/verify/printed_half_space.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

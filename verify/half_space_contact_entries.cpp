@@ -1,9 +1,8 @@
-#include "verify/half_space_contact_entries.hpp"
-
 #include <algorithm>
 #include <utility>
 
-#include "fast/isotropic_half_space.hpp"
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/verify/half_space_contact_entries.hpp>
 
 namespace nipref::verify {
 

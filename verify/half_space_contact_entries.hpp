@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
-#include "verify/half_space_arguments.hpp"
-#include "verify/quantity.hpp"
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

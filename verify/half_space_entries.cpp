@@ -1,8 +1,7 @@
-#include "verify/half_space_entries.hpp"
-
 #include <utility>
 
-#include "ref/surface_response.hpp"
+#include <nipref/ref/surface_response.hpp>
+#include <nipref/verify/half_space_entries.hpp>
 
 namespace nipref::verify {
 

@@ -1,9 +1,9 @@
 #pragma once
 #include <string>
 
-#include "ref/surface_direction.hpp"
-#include "verify/half_space_arguments.hpp"
-#include "verify/quantity.hpp"
+#include <nipref/ref/surface_direction.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

@@ -1,5 +1,3 @@
-#include "verify/half_space_response.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +6,10 @@
 #include <string_view>
 #include <variant>
 
-#include "fast/isotropic_half_space.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "verify/half_space_arguments.hpp"
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/half_space_response.hpp>
 
 namespace nipref::verify {
 namespace {

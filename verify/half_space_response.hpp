@@ -2,8 +2,8 @@
 #include <cstdint>
 #include <memory>
 
-#include "data/scene.hpp"
-#include "fast/surface_response.hpp"
+#include <nipref/data/scene.hpp>
+#include <nipref/fast/surface_response.hpp>
 
 namespace nipref::verify {
 

@@ -1,11 +1,10 @@
-#include "verify/machine.hpp"
-
 #include <fmt/format.h>
 
 #include <fstream>
 #include <thread>
 
-#include "fast/sheet_code.hpp"
+#include <nipref/fast/sheet_code.hpp>
+#include <nipref/verify/machine.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,9 +4,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "data/bad_input.hpp"
-#include "verify/tables_verb.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/tables_verb.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace {
 

@@ -1,7 +1,7 @@
-#include "verify/memory_sampling.hpp"
-
 #include <cmath>
 #include <limits>
+
+#include <nipref/verify/memory_sampling.hpp>
 
 namespace nipref::verify {
 

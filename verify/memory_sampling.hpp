@@ -1,5 +1,5 @@
 #pragma once
-#include "verify/random.hpp"
+#include <nipref/verify/random.hpp>
 
 namespace nipref::verify {
 

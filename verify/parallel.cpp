@@ -1,5 +1,3 @@
-#include "verify/parallel.hpp"
-
 #include <mpfr.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include <nipref/verify/parallel.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,5 +1,3 @@
-#include "verify/peers_double.hpp"
-
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
@@ -9,7 +7,8 @@
 #include <memory>
 #include <numbers>
 
-#include "fast/plain_series.hpp"
+#include <nipref/fast/plain_series.hpp>
+#include <nipref/verify/peers_double.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,5 +1,3 @@
-#include "verify/peers_multiprecision.hpp"
-
 #include <array>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/exp_sinh.hpp>
@@ -7,8 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "data/bad_input.hpp"
-#include "ref/real.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/real.hpp>
+#include <nipref/verify/peers_multiprecision.hpp>
 
 namespace nipref::verify {
 namespace {

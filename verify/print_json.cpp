@@ -1,6 +1,6 @@
-#include "verify/print_json.hpp"
-
 #include <nlohmann/json.hpp>
+
+#include <nipref/verify/print_json.hpp>
 
 namespace nipref::verify {
 

@@ -1,7 +1,7 @@
-#include "verify/printed_half_space.hpp"
-
 #include <cmath>
 #include <numbers>
+
+#include <nipref/verify/printed_half_space.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include "fast/surface_line.hpp"
+#include <nipref/fast/surface_line.hpp>
 
 namespace nipref::verify {
 

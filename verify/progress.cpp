@@ -1,7 +1,7 @@
-#include "verify/progress.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include <nipref/verify/progress.hpp>
 
 namespace nipref::verify {
 

@@ -1,11 +1,10 @@
-#include "verify/quantity.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <limits>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/accuracy.hpp"
-#include "ref/enclosure.hpp"
-#include "ref/exact.hpp"
-#include "verify/random.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/exact.hpp>
+#include <nipref/verify/random.hpp>
 
 namespace nipref::verify {
 

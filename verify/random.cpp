@@ -1,6 +1,6 @@
-#include "verify/random.hpp"
-
 #include <cmath>
+
+#include <nipref/verify/random.hpp>
 
 namespace nipref::verify {
 namespace {

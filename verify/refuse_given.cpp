@@ -1,9 +1,9 @@
-#include "verify/refuse_given.hpp"
-
 #include <fmt/format.h>
 
 #include <string_view>
 #include <variant>
+
+#include <nipref/verify/refuse_given.hpp>
 
 namespace nipref::verify {
 namespace {

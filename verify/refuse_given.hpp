@@ -1,6 +1,6 @@
 #pragma once
-#include "data/bad_input.hpp"
-#include "data/scene.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene.hpp>
 
 namespace nipref::verify {
 

@@ -1,9 +1,9 @@
-#include "verify/render_audit.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+
+#include <nipref/verify/render_audit.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/audit.hpp"
+#include <nipref/verify/audit.hpp>
 
 namespace nipref::verify {
 

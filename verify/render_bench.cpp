@@ -1,9 +1,9 @@
-#include "verify/render_bench.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include <nipref/verify/render_bench.hpp>
 
 namespace nipref::verify {
 namespace {

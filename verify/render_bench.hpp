@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/bench.hpp"
+#include <nipref/verify/bench.hpp>
 
 namespace nipref::verify {
 

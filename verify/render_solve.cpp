@@ -1,10 +1,10 @@
-#include "verify/render_solve.hpp"
-
 #include <fmt/format.h>
 
 #include <cstddef>
 #include <iterator>
 #include <nlohmann/json.hpp>
+
+#include <nipref/verify/render_solve.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,7 +2,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "verify/solve.hpp"
+#include <nipref/verify/solve.hpp>
 
 namespace nipref::verify {
 

@@ -1,11 +1,11 @@
-#include "verify/render_tables.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+
+#include <nipref/verify/render_tables.hpp>
 
 namespace nipref::verify {
 namespace {

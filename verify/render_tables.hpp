@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "data/table_index.hpp"
-#include "verify/replay.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

@@ -1,11 +1,10 @@
-#include "verify/replay.hpp"
-
 #include <algorithm>
 
-#include "data/table_index.hpp"
-#include "verify/replay_half_space.hpp"
-#include "verify/replay_line_loads.hpp"
-#include "verify/replay_rolling.hpp"
+#include <nipref/data/table_index.hpp>
+#include <nipref/verify/replay.hpp>
+#include <nipref/verify/replay_half_space.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/replay_rolling.hpp>
 
 namespace nipref::verify {
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }

@@ -1,5 +1,3 @@
-#include "verify/replay_attempts.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +6,8 @@
 #include <numeric>
 #include <vector>
 
-#include "fast/contact_line_loads_grip.hpp"
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/verify/replay_attempts.hpp>
 
 namespace nipref::verify {
 namespace {

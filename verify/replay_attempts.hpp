@@ -1,6 +1,6 @@
 #pragma once
-#include "data/table.hpp"
-#include "verify/replay_row.hpp"
+#include <nipref/data/table.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 

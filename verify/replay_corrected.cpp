@@ -1,15 +1,14 @@
-#include "verify/replay_corrected.hpp"
-
 #include <algorithm>
 #include <cmath>
 
-#include "fast/contact_converged.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "verify/replay_half_space.hpp"
-#include "verify/replay_line_loads.hpp"
-#include "verify/replay_rolling.hpp"
-#include "verify/replay_rolling_corrected.hpp"
-#include "verify/replay_row.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/verify/replay_corrected.hpp>
+#include <nipref/verify/replay_half_space.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/replay_rolling_corrected.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,8 +2,8 @@
 #include <initializer_list>
 #include <vector>
 
-#include "verify/replay.hpp"
-#include "verify/replay_row.hpp"
+#include <nipref/verify/replay.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 

@@ -1,10 +1,9 @@
-#include "verify/replay_half_space.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "verify/replay_half_space_rows.hpp"
+#include <nipref/verify/replay_half_space.hpp>
+#include <nipref/verify/replay_half_space_rows.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,7 +2,7 @@
 #include <span>
 #include <string_view>
 
-#include "verify/replay.hpp"
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

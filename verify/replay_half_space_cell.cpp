@@ -1,12 +1,11 @@
-#include "verify/replay_half_space_cell.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "verify/replay_attempts.hpp"
+#include <nipref/verify/replay_attempts.hpp>
+#include <nipref/verify/replay_half_space_cell.hpp>
 
 namespace nipref::verify {
 namespace {

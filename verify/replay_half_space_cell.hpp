@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/replay.hpp"
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

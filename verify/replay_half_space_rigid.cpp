@@ -1,12 +1,12 @@
 // Tables 1 and 2 of brock2012: rigid bodies on an isotropic half-space.
 #include <fmt/format.h>
 
-#include "fast/elliptic_contact.hpp"
-#include "fast/rolling_sphere.hpp"
-#include "fast/sliding_contact.hpp"
-#include "verify/half_space_arguments.hpp"
-#include "verify/printed_half_space.hpp"
-#include "verify/replay_half_space_rows.hpp"
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/rolling_sphere.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/printed_half_space.hpp>
+#include <nipref/verify/replay_half_space_rows.hpp>
 
 namespace nipref::verify {
 namespace {

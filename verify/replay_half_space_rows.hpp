@@ -1,8 +1,8 @@
 #pragma once
 #include <vector>
 
-#include "data/table.hpp"
-#include "verify/replay_half_space_cell.hpp"
+#include <nipref/data/table.hpp>
+#include <nipref/verify/replay_half_space_cell.hpp>
 
 namespace nipref::verify {
 

@@ -5,13 +5,13 @@
 #include <map>
 #include <memory>
 
-#include "fast/elliptic_contact.hpp"
-#include "fast/isotropic_half_space.hpp"
-#include "fast/sliding_contact.hpp"
-#include "fast/transversely_isotropic_half_space.hpp"
-#include "verify/half_space_arguments.hpp"
-#include "verify/printed_half_space.hpp"
-#include "verify/replay_half_space_rows.hpp"
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/printed_half_space.hpp>
+#include <nipref/verify/replay_half_space_rows.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,7 +1,7 @@
-#include "verify/replay_known.hpp"
-
 #include <algorithm>
 #include <vector>
+
+#include <nipref/verify/replay_known.hpp>
 
 namespace nipref::verify {
 namespace {

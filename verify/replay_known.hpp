@@ -1,5 +1,5 @@
 #pragma once
-#include "verify/replay.hpp"
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

@@ -1,13 +1,12 @@
-#include "verify/replay_line_loads.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "data/bad_input.hpp"
-#include "verify/replay_attempts.hpp"
-#include "verify/replay_row.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/replay_attempts.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 namespace {

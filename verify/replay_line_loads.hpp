@@ -2,9 +2,9 @@
 #include <span>
 #include <string>
 
-#include "data/elastic_nip.hpp"
-#include "data/friction.hpp"
-#include "verify/replay.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/friction.hpp>
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

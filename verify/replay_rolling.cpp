@@ -1,15 +1,14 @@
-#include "verify/replay_rolling.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 
-#include "data/bad_input.hpp"
-#include "verify/parallel.hpp"
-#include "verify/replay_attempts.hpp"
-#include "verify/replay_line_loads.hpp"
-#include "verify/replay_rolling_row.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/parallel.hpp>
+#include <nipref/verify/replay_attempts.hpp>
+#include <nipref/verify/replay_line_loads.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/replay_rolling_row.hpp>
 
 namespace nipref::verify {
 namespace {

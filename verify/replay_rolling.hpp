@@ -2,9 +2,9 @@
 #include <span>
 #include <string_view>
 
-#include "data/viscoelastic_nip.hpp"
-#include "fast/rolling_line_loads.hpp"
-#include "verify/replay.hpp"
+#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {
 

@@ -1,12 +1,11 @@
-#include "verify/replay_rolling_corrected.hpp"
-
 #include <vector>
 
-#include "fast/rolling_converged.hpp"
-#include "verify/parallel.hpp"
-#include "verify/replay_corrected.hpp"
-#include "verify/replay_rolling.hpp"
-#include "verify/replay_rolling_row.hpp"
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/verify/parallel.hpp>
+#include <nipref/verify/replay_corrected.hpp>
+#include <nipref/verify/replay_rolling.hpp>
+#include <nipref/verify/replay_rolling_corrected.hpp>
+#include <nipref/verify/replay_rolling_row.hpp>
 
 namespace nipref::verify {
 namespace {

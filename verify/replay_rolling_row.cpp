@@ -1,9 +1,9 @@
-#include "verify/replay_rolling_row.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
+
+#include <nipref/verify/replay_rolling_row.hpp>
 
 namespace nipref::verify {
 namespace {

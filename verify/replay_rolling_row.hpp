@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "data/table.hpp"
-#include "data/viscoelastic_nip.hpp"
-#include "fast/rolling_line_loads.hpp"
-#include "verify/replay_row.hpp"
+#include <nipref/data/table.hpp>
+#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 

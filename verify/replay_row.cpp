@@ -1,9 +1,8 @@
-#include "verify/replay_row.hpp"
-
 #include <algorithm>
 #include <numeric>
 
-#include "fast/contact_line_loads_grip.hpp"
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "data/elastic_nip.hpp"
-#include "data/table_number.hpp"
-#include "fast/contact_line_loads.hpp"
+#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/table_number.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
 
 namespace nipref::verify {
 

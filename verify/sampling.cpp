@@ -1,8 +1,8 @@
-#include "verify/sampling.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <nipref/verify/sampling.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "verify/quantity.hpp"
-#include "verify/random.hpp"
+#include <nipref/verify/quantity.hpp>
+#include <nipref/verify/random.hpp>
 
 namespace nipref::verify {
 

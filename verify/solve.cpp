@@ -1,12 +1,11 @@
-#include "verify/solve.hpp"
-
 #include <variant>
 
-#include "verify/collect_results.hpp"
-#include "verify/refuse_given.hpp"
-#include "verify/solve_half_space.hpp"
-#include "verify/solve_methods.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/verify/collect_results.hpp>
+#include <nipref/verify/refuse_given.hpp>
+#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve_half_space.hpp>
+#include <nipref/verify/solve_methods.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "data/scene.hpp"
-#include "fast/contact_work.hpp"
-#include "fast/estimate.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene.hpp>
+#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/estimate.hpp>
 
 namespace nipref::verify {
 

@@ -5,11 +5,11 @@
 #include <string>
 #include <variant>
 
-#include "verify/collect_results.hpp"
-#include "verify/refuse_given.hpp"
-#include "verify/solve.hpp"
-#include "verify/solve_ref_methods.hpp"
-#include "verify/stopwatch.hpp"
+#include <nipref/verify/collect_results.hpp>
+#include <nipref/verify/refuse_given.hpp>
+#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve_ref_methods.hpp>
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

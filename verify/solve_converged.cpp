@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
-#include "fast/contact_converged.hpp"
-#include "verify/solve_methods.hpp"
-#include "verify/solve_symmetry.hpp"
+#include <nipref/fast/contact_converged.hpp>
+#include <nipref/verify/solve_methods.hpp>
+#include <nipref/verify/solve_symmetry.hpp>
 
 namespace nipref::verify {
 namespace {

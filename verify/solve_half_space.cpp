@@ -1,17 +1,16 @@
-#include "verify/solve_half_space.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <string_view>
 #include <utility>
 #include <variant>
 
-#include "fast/elliptic_contact.hpp"
-#include "fast/isotropic_half_space.hpp"
-#include "fast/rolling_sphere.hpp"
-#include "fast/sliding_contact.hpp"
-#include "verify/half_space_arguments.hpp"
-#include "verify/half_space_response.hpp"
+#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/rolling_sphere.hpp>
+#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/verify/half_space_arguments.hpp>
+#include <nipref/verify/half_space_response.hpp>
+#include <nipref/verify/solve_half_space.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 #include <memory>
 
-#include "data/scene.hpp"
-#include "fast/estimate.hpp"
-#include "verify/solved_contact.hpp"
+#include <nipref/data/scene.hpp>
+#include <nipref/fast/estimate.hpp>
+#include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {
 

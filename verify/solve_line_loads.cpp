@@ -5,12 +5,12 @@
 #include <utility>
 #include <variant>
 
-#include "data/bad_input.hpp"
-#include "fast/contact_line_loads.hpp"
-#include "fast/contact_line_loads_displacements.hpp"
-#include "fast/contact_line_loads_grip.hpp"
-#include "verify/solve_methods.hpp"
-#include "verify/solve_symmetry.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/contact_line_loads_displacements.hpp>
+#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/verify/solve_methods.hpp>
+#include <nipref/verify/solve_symmetry.hpp>
 
 namespace nipref::verify {
 namespace {

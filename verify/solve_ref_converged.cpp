@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include "ref/contact_converged.hpp"
-#include "verify/solve_ref_methods.hpp"
+#include <nipref/ref/contact_converged.hpp>
+#include <nipref/verify/solve_ref_methods.hpp>
 
 namespace nipref::verify {
 namespace {

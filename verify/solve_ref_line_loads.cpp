@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "ref/contact_line_loads.hpp"
-#include "verify/solve_ref_methods.hpp"
+#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/verify/solve_ref_methods.hpp>
 
 namespace nipref::verify {
 namespace {

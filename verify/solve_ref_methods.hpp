@@ -3,10 +3,10 @@
 #include <string_view>
 #include <vector>
 
-#include "data/scene.hpp"
-#include "ref/enclosure.hpp"
-#include "verify/solve.hpp"
-#include "verify/solved_contact.hpp"
+#include <nipref/data/scene.hpp>
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {
 

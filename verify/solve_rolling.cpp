@@ -4,8 +4,8 @@
 #include <utility>
 #include <variant>
 
-#include "fast/rolling_converged.hpp"
-#include "verify/solve_methods.hpp"
+#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/verify/solve_methods.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 #include <variant>
 
-#include "fast/rolling_line_loads.hpp"
-#include "fast/rolling_line_loads_displacements.hpp"
-#include "verify/solve_methods.hpp"
+#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/rolling_line_loads_displacements.hpp>
+#include <nipref/verify/solve_methods.hpp>
 
 namespace nipref::verify {
 namespace {

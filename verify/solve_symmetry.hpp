@@ -2,8 +2,8 @@
 #include <optional>
 #include <string_view>
 
-#include "fast/estimate.hpp"
-#include "verify/solved_contact.hpp"
+#include <nipref/fast/estimate.hpp>
+#include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {
 

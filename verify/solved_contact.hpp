@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include "fast/contact_work.hpp"
+#include <nipref/fast/contact_work.hpp>
 
 namespace nipref::verify {
 

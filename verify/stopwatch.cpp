@@ -1,7 +1,7 @@
-#include "verify/stopwatch.hpp"
-
 #include <algorithm>
 #include <chrono>
+
+#include <nipref/verify/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,15 +1,14 @@
-#include "verify/tables_verb.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "verify/print_json.hpp"
-#include "verify/render_tables.hpp"
-#include "verify/replay_corrected.hpp"
-#include "verify/replay_known.hpp"
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/render_tables.hpp>
+#include <nipref/verify/replay_corrected.hpp>
+#include <nipref/verify/replay_known.hpp>
+#include <nipref/verify/tables_verb.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,10 +1,9 @@
-#include "verify/ulp.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "data/bad_input.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/ulp.hpp>
 
 namespace nipref::verify {
 

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "verify/audit_all.hpp"
-#include "verify/audit_contacts.hpp"
-#include "verify/print_json.hpp"
-#include "verify/progress.hpp"
-#include "verify/render_audit.hpp"
-#include "verify/verb_options.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/verify/audit_all.hpp>
+#include <nipref/verify/audit_contacts.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/progress.hpp>
+#include <nipref/verify/render_audit.hpp>
+#include <nipref/verify/verb_options.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 

@@ -3,14 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verify/bench_contacts.hpp"
-#include "verify/bench_half_space.hpp"
-#include "verify/bench_rolling.hpp"
-#include "verify/print_json.hpp"
-#include "verify/progress.hpp"
-#include "verify/render_bench.hpp"
-#include "verify/verb_options.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/verify/bench_contacts.hpp>
+#include <nipref/verify/bench_half_space.hpp>
+#include <nipref/verify/bench_rolling.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/progress.hpp>
+#include <nipref/verify/render_bench.hpp>
+#include <nipref/verify/verb_options.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "data/bad_input.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/print_json.hpp"
-#include "verify/stopwatch.hpp"
-#include "verify/ulp.hpp"
-#include "verify/verb_options.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/stopwatch.hpp>
+#include <nipref/verify/ulp.hpp>
+#include <nipref/verify/verb_options.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 namespace {

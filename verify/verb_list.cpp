@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "verify/catalogue.hpp"
-#include "verify/print_json.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -1,10 +1,9 @@
-#include "verify/verb_options.hpp"
-
 #include <algorithm>
 #include <vector>
 
-#include "data/bad_input.hpp"
-#include "verify/catalogue.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/verb_options.hpp>
 
 namespace nipref::verify {
 

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "fast/accuracy.hpp"
-#include "verify/command_line.hpp"
-#include "verify/quantity.hpp"
+#include <nipref/fast/accuracy.hpp>
+#include <nipref/verify/command_line.hpp>
+#include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {
 

@@ -5,20 +5,20 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "verify/audit_all.hpp"
-#include "verify/audit_contacts.hpp"
-#include "verify/bench_contacts.hpp"
-#include "verify/bench_half_space.hpp"
-#include "verify/bench_rolling.hpp"
-#include "verify/catalogue.hpp"
-#include "verify/machine.hpp"
-#include "verify/print_json.hpp"
-#include "verify/progress.hpp"
-#include "verify/render_audit.hpp"
-#include "verify/render_bench.hpp"
-#include "verify/tables_verb.hpp"
-#include "verify/verb_options.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/verify/audit_all.hpp>
+#include <nipref/verify/audit_contacts.hpp>
+#include <nipref/verify/bench_contacts.hpp>
+#include <nipref/verify/bench_half_space.hpp>
+#include <nipref/verify/bench_rolling.hpp>
+#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/machine.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/progress.hpp>
+#include <nipref/verify/render_audit.hpp>
+#include <nipref/verify/render_bench.hpp>
+#include <nipref/verify/tables_verb.hpp>
+#include <nipref/verify/verb_options.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 namespace {

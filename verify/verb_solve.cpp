@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "data/bad_input.hpp"
-#include "data/scene_file.hpp"
-#include "ref/enclosure.hpp"
-#include "verify/print_json.hpp"
-#include "verify/render_solve.hpp"
-#include "verify/verbs.hpp"
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene_file.hpp>
+#include <nipref/ref/enclosure.hpp>
+#include <nipref/verify/print_json.hpp>
+#include <nipref/verify/render_solve.hpp>
+#include <nipref/verify/verbs.hpp>
 
 namespace nipref::verify {
 namespace {

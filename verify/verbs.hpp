@@ -1,7 +1,7 @@
 #pragma once
 #include <ostream>
 
-#include "verify/command_line.hpp"
+#include <nipref/verify/command_line.hpp>
 
 namespace nipref::verify {
 

@@ -1,8 +1,7 @@
-#include "verify/zeros.hpp"
-
 #include <cmath>
 
-#include "verify/sampling.hpp"
+#include <nipref/verify/sampling.hpp>
+#include <nipref/verify/zeros.hpp>
 
 namespace nipref::verify {
 namespace {

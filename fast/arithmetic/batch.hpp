@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fast/arithmetic/sort.hpp"
+#include <nipref/fast/arithmetic/sort.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fast/arithmetic/near_zero.hpp"
+#include <nipref/fast/arithmetic/near_zero.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

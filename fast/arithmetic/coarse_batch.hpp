@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fast/arithmetic/batch.hpp"
-#include "fast/arithmetic/coarse_wide.hpp"
+#include <nipref/fast/arithmetic/batch.hpp>
+#include <nipref/fast/arithmetic/coarse_wide.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "fast/arithmetic/coarse.hpp"
-#include "fast/arithmetic/near_zero.hpp"
-#include "fast/arithmetic/near_zero_wide.hpp"
-#include "fast/arithmetic/piece.hpp"
-#include "fast/arithmetic/piece_wide.hpp"
-#include "fast/arithmetic/residue_tail.hpp"
+#include <nipref/fast/arithmetic/coarse.hpp>
+#include <nipref/fast/arithmetic/near_zero.hpp>
+#include <nipref/fast/arithmetic/near_zero_wide.hpp>
+#include <nipref/fast/arithmetic/piece.hpp>
+#include <nipref/fast/arithmetic/piece_wide.hpp>
+#include <nipref/fast/arithmetic/residue_tail.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

@@ -1,5 +1,6 @@
 #pragma once
-#include "fast/arithmetic/floating.hpp"
+#include <nipref/fast/arithmetic/floating.hpp>
+#include <nipref/fast/sheet_code.hpp>
 
 // What the memory of a kernel needs at all nodes of a Gauss rule at once.
 

@@ -7,7 +7,7 @@
 
 #include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
 
-#include "fast/arithmetic/near_zero.hpp"
+#include <nipref/fast/arithmetic/near_zero.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

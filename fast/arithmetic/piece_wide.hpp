@@ -4,8 +4,8 @@
 
 #ifdef __AVX512F__
 
-#include "fast/arithmetic/near_zero_wide.hpp"
-#include "fast/arithmetic/rows_wide.hpp"
+#include <nipref/fast/arithmetic/near_zero_wide.hpp>
+#include <nipref/fast/arithmetic/rows_wide.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

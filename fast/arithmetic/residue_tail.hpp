@@ -1,7 +1,7 @@
 #pragma once
 
-#include "fast/arithmetic/floating.hpp"
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/arithmetic/floating.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

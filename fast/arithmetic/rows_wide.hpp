@@ -7,7 +7,7 @@
 
 #include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
 
-#include "fast/arithmetic/floating.hpp"
+#include <nipref/fast/arithmetic/floating.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

@@ -1,9 +1,8 @@
 // Compiled once for each instruction set; NIPREF_ISA is its name in SheetCode.
 
-#include "fast/sheet_code.hpp"
-
-#include "fast/arithmetic/coarse_batch.hpp"
-#include "fast/arithmetic/fading.hpp"
+#include <nipref/fast/arithmetic/coarse_batch.hpp>
+#include <nipref/fast/arithmetic/fading.hpp>
+#include <nipref/fast/sheet_code.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 namespace {

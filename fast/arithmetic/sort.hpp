@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fast/arithmetic/component.hpp"
+#include <nipref/fast/arithmetic/component.hpp>
 
 #ifdef __AVX512F__
 #include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp

@@ -1,10 +1,9 @@
-#include "fast/generator/component_series.hpp"
-
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
-#include "fast/generator/series.hpp"
+#include <nipref/fast/generator/component_series.hpp>
+#include <nipref/fast/generator/series.hpp>
 
 namespace nipref::fast::generator {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-#include "fast/generator/number.hpp"
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/generator/number.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::generator {
 

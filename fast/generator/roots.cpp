@@ -1,7 +1,7 @@
-#include "fast/generator/roots.hpp"
-
 #include <boost/math/constants/constants.hpp>
 #include <stdexcept>
+
+#include <nipref/fast/generator/roots.hpp>
 
 namespace nipref::fast::generator {
 namespace {

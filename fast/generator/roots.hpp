@@ -1,5 +1,5 @@
 #pragma once
-#include "fast/generator/number.hpp"
+#include <nipref/fast/generator/number.hpp>
 
 namespace nipref::fast::generator {
 

@@ -1,6 +1,6 @@
-#include "fast/generator/series.hpp"
-
 #include <boost/math/constants/constants.hpp>
+
+#include <nipref/fast/generator/series.hpp>
 
 namespace nipref::fast::generator {
 

@@ -1,10 +1,9 @@
-#include "fast/generator/tabulate.hpp"
-
 #include <boost/math/constants/constants.hpp>
 #include <span>
 
-#include "fast/generator/component_series.hpp"
-#include "fast/generator/series.hpp"
+#include <nipref/fast/generator/component_series.hpp>
+#include <nipref/fast/generator/series.hpp>
+#include <nipref/fast/generator/tabulate.hpp>
 
 namespace nipref::fast::generator {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include "fast/generator/number.hpp"
-#include "fast/sheet_tables.hpp"
+#include <nipref/fast/generator/number.hpp>
+#include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::generator {
 

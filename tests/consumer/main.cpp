@@ -1,10 +1,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "data/scene_file.hpp"
-#include "fast/sheet_kernels.hpp"
-#include "ref/sheet_kernels.hpp"
-#include "verify/solve.hpp"
+#include <nipref/data/scene_file.hpp>
+#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/verify/solve.hpp>
 
 int main() {
   using namespace nipref;
