@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/elastic_nip.hpp>
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_work.hpp>
 #include <nipref/fast/estimate.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/half_contact.hpp>
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <memory>
 
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/estimate.hpp>
 #include <nipref/fast/half_contact.hpp>

@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/contact_work.hpp>
 

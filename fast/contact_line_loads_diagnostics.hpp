@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 
 namespace nipref::fast {

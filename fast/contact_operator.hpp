@@ -2,7 +2,7 @@
 #include <functional>
 #include <vector>
 
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/double_exponential.hpp>
 

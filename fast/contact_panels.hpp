@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/half_contact.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/viscoelastic_material.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/two_words.hpp>
 

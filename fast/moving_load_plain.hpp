@@ -2,7 +2,7 @@
 #include <complex>
 #include <vector>
 
-#include <nipref/data/viscoelastic_material.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 
 namespace nipref::fast {
 

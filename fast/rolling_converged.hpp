@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/contact_work.hpp>
 #include <nipref/fast/estimate.hpp>
 

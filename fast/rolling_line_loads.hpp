@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
 
 namespace nipref::fast {
 

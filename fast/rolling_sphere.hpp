@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/half_space_solids.hpp>
+#include <nipref/data/material/solids.hpp>
 #include <nipref/fast/estimate.hpp>
 #include <nipref/fast/surface_line.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include <nipref/data/elastic_material.hpp>
+#include <nipref/data/material/elastic.hpp>
 #include <nipref/fast/accuracy.hpp>
 
 // Displacements of the surface of an elastic sheet of half-thickness b = 1 under a line load of unit

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/half_space_solids.hpp>
+#include <nipref/data/material/solids.hpp>
 #include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {

@@ -2,7 +2,7 @@
 #include <optional>
 #include <variant>
 
-#include <nipref/data/half_space_solids.hpp>
+#include <nipref/data/material/solids.hpp>
 #include <nipref/fast/surface_line.hpp>
 #include <nipref/fast/two_words_algebra.hpp>
 

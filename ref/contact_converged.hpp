@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/ref/enclosure.hpp>
 
 namespace nipref::ref {

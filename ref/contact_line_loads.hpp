@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/ref/enclosure.hpp>
 
 // The elastic nip with its tractions gathered in line loads, the thesis's discrete systems, in

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include <nipref/data/stiffness.hpp>
+#include <nipref/data/material/stiffness.hpp>
 
 namespace nipref::ref {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/viscoelastic_material.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/ref/enclosure.hpp>
 #include <nipref/ref/exact.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/elastic_nip.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/fast/sheet_influence.hpp>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/viscoelastic_models.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
 
 using namespace nipref;
 using data::DifferentialOperators;

@@ -6,7 +6,7 @@
 #include <variant>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 
 #include "scratch_file.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve.hpp>
 
 #include "refused_scene.hpp"

@@ -8,7 +8,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/verify/solve.hpp>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/verify/solve.hpp>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve.hpp>
 
 using namespace nipref;

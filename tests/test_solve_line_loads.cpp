@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/fast/contact_line_loads_displacements.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>

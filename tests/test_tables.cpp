@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 
 // What the tables hold as a whole: none is missing, none has lost a row, and the errata fit them.
 

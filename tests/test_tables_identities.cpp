@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 
 // The redundancy of the thesis's tables, identity by identity: each is an equation between the cells of a
 // row, and the rounding intervals of the cells have to admit it.

@@ -7,7 +7,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/table.hpp>
+#include <nipref/data/table/table.hpp>
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
 

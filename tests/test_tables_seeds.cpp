@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 
 // The cells are the seed's own text: each is looked for between the words that stand before and after its
 // table.

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/verify/render_tables.hpp>
 #include <nipref/verify/replay.hpp>

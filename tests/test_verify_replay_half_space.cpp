@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/fast/isotropic_half_space.hpp>
 #include <nipref/verify/printed_half_space.hpp>
 #include <nipref/verify/render_tables.hpp>

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>

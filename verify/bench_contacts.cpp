@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/ref/contact_converged.hpp>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/fast/moving_load.hpp>
 #include <nipref/fast/moving_load_plain.hpp>
 #include <nipref/fast/rolling_converged.hpp>

@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include <nipref/data/half_space_solids.hpp>
+#include <nipref/data/material/solids.hpp>
 #include <nipref/fast/surface_line.hpp>
 #include <nipref/fast/surface_response.hpp>
 #include <nipref/ref/exact_stiffness.hpp>

@@ -2,7 +2,7 @@
 #include <cstdint>
 #include <memory>
 
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/surface_response.hpp>
 
 namespace nipref::verify {

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 
 namespace nipref::verify {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {

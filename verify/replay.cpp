@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/data/table_index.hpp>
+#include <nipref/data/table/index.hpp>
 #include <nipref/verify/replay.hpp>
 #include <nipref/verify/replay_half_space.hpp>
 #include <nipref/verify/replay_line_loads.hpp>

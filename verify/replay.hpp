@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/data/table.hpp>
+#include <nipref/data/table/table.hpp>
 
 namespace nipref::verify {
 

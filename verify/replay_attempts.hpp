@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/data/table.hpp>
+#include <nipref/data/table/table.hpp>
 #include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {

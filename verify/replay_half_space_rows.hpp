@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/table.hpp>
+#include <nipref/data/table/table.hpp>
 #include <nipref/verify/replay_half_space_cell.hpp>
 
 namespace nipref::verify {

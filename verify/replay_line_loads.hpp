@@ -2,8 +2,8 @@
 #include <span>
 #include <string>
 
-#include <nipref/data/elastic_nip.hpp>
-#include <nipref/data/friction.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/friction.hpp>
 #include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {

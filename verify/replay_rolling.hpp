@@ -2,7 +2,7 @@
 #include <span>
 #include <string_view>
 
-#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
 #include <nipref/verify/replay.hpp>
 

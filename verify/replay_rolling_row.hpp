@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/data/table.hpp>
-#include <nipref/data/viscoelastic_nip.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/table/table.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
 #include <nipref/verify/replay_row.hpp>
 

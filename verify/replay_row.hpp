@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/elastic_nip.hpp>
-#include <nipref/data/table_number.hpp>
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/table/printed_number.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 
 namespace nipref::verify {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/contact_work.hpp>
 #include <nipref/fast/estimate.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/estimate.hpp>
 #include <nipref/verify/solved_contact.hpp>
 

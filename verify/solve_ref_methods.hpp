@@ -3,7 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/data/scene.hpp>
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/ref/enclosure.hpp>
 #include <nipref/verify/solve.hpp>
 #include <nipref/verify/solved_contact.hpp>

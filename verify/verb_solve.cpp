@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/ref/enclosure.hpp>
 #include <nipref/verify/print_json.hpp>
 #include <nipref/verify/render_solve.hpp>

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <nipref/data/scene_file.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/sheet_kernels.hpp>
 #include <nipref/ref/sheet_kernels.hpp>
 #include <nipref/verify/solve.hpp>

@@ -1,0 +1,23 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include <nipref/data/material/viscoelastic.hpp>
+
+namespace nipref::data {
+
+/// Real coefficients, that of p^0 first; the last one is not 0.
+using Polynomial = std::vector<double>;
+
+[[nodiscard]] Polynomial product(const Polynomial& a, const Polynomial& b);
+[[nodiscard]] Polynomial sum(const Polynomial& a, const Polynomial& b);
+
+/// The function of time whose transform is the product of `factors` over `denominator`. What both share (to
+/// 1e-12) is cancelled; as factors, so that a root of two of them is not parted by rounding. BadInput, naming
+/// `name`, unless both have the same degree (a lower one of the numerator: nothing gives way at once; a
+/// higher one: it gives way without bound) and the denominator's roots that remain are simple (to 1e-6).
+/// Relative accuracy some 1e-15 over the relative distance of the roots.
+[[nodiscard]] MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
+                                                 const Polynomial& denominator, std::string_view name);
+
+}  // namespace nipref::data

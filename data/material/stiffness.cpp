@@ -1,0 +1,62 @@
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/stiffness.hpp>
+
+namespace nipref::data {
+namespace {
+
+/// By Cholesky's factor of the matrix with unit diagonal, so that units do not matter.
+bool is_positive_definite(const Stiffness::Voigt& matrix) {
+  Stiffness::Voigt factor{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!(matrix[i][i] > 0)) return false;
+    for (std::size_t k = 0; k <= i; ++k) {
+      double rest = matrix[i][k] / std::sqrt(matrix[i][i]) / std::sqrt(matrix[k][k]);
+      for (std::size_t j = 0; j < k; ++j) rest -= factor[i][j] * factor[k][j];
+      if (i == k && !(rest > 0)) return false;
+      factor[i][k] = i == k ? std::sqrt(rest) : rest / factor[k][k];
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+void Stiffness::check() const {
+  if (!(std::isfinite(density) && density > 0)) throw BadInput("density", density, "must be finite and > 0");
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (!std::isfinite(voigt[i][k])) throw BadInput("stiffness", voigt[i][k], "must be finite");
+      if (voigt[i][k] != voigt[k][i]) throw BadInput("stiffness", voigt[i][k], "must be a symmetric matrix");
+    }
+  }
+  if (!is_positive_definite(voigt)) {
+    throw BadInput("stiffness", voigt[0][0], "must be a positive definite matrix (this is its C11)");
+  }
+}
+
+Stiffness Stiffness::of(const IsotropicSolid& solid) {
+  solid.check();
+  const double lame = 2 * solid.shear * solid.poisson / (1 - 2 * solid.poisson);
+  return of({lame + 2 * solid.shear, lame + 2 * solid.shear, lame, solid.shear, solid.shear, solid.density},
+            SymmetryAxis::normal);
+}
+
+Stiffness Stiffness::of(const TransverselyIsotropicSolid& solid, SymmetryAxis axis) {
+  solid.check();
+  const double c12 = solid.c11 - 2 * solid.c66;
+  const std::size_t along = axis == SymmetryAxis::normal ? 2 : 1;
+  Stiffness result{{}, solid.density};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      result.voigt[i][k] = i == k ? (with_axis ? solid.c33 : solid.c11) : (with_axis ? solid.c13 : c12);
+    }
+    // Shear in the plane across direction i.
+    result.voigt[i + 3][i + 3] = i == along ? solid.c66 : solid.c44;
+  }
+  return result;
+}
+
+}  // namespace nipref::data

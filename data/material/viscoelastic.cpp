@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
+
+namespace nipref::data {
+namespace {
+
+using Complex = std::complex<double>;
+
+void check_term(const RelaxationTerm& term, const std::string& name) {
+  if (!(std::isfinite(term.amplitude.real()) && std::isfinite(term.amplitude.imag())))
+    throw BadInput(name + " amplitude", term.amplitude.real(), "must be finite");
+  if (!(std::isfinite(term.rate.imag()) && std::isfinite(term.rate.real()) && term.rate.real() > 0))
+    throw BadInput(name + " rate", term.rate.real(),
+                   "must be finite, its real part > 0: what is gone must be forgotten");
+}
+
+void check_conjugates(const MaterialFunction& function, const std::string& name) {
+  for (const RelaxationTerm& term : function.terms) {
+    const bool paired = std::ranges::any_of(function.terms, [&](const RelaxationTerm& other) {
+      return other.rate == std::conj(term.rate) && other.amplitude == std::conj(term.amplitude);
+    });
+    if (!paired) throw BadInput(name + " rate", term.rate.imag(), "must come with its complex conjugate");
+  }
+}
+
+void check_function(const MaterialFunction& function, const std::string& name) {
+  if (!(std::isfinite(function.instantaneous) && function.instantaneous > 0))
+    throw BadInput(name + " instantaneous", function.instantaneous, "must be finite and > 0");
+  for (std::size_t i = 0; i < function.terms.size(); ++i) {
+    check_term(function.terms[i], name);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (function.terms[i].rate == function.terms[j].rate)
+        throw BadInput(name + " rate", function.terms[i].rate.real(), "must not occur twice");
+    }
+  }
+  check_conjugates(function, name);
+  if (!(function.long_time() > 0))
+    throw BadInput(name + " long-time compliance", function.long_time(), "must be > 0");
+}
+
+std::string gains_energy(double frequency) {
+  return fmt::format("must be >= 0 at every frequency: this one gains energy at {:.3g} rad per unit of time",
+                     frequency);
+}
+
+/// Energy is lost, not gained, in a cycle of this frequency: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K =
+/// 3/theta2 - 1/theta1. Both to rounding: where a modulus does not relax its loss is 0.
+void check_loss(const ViscoelasticMaterial& material, double frequency) {
+  const Complex p(0, frequency);
+  const Complex shear = material.theta1.transform(p);
+  const Complex plane = material.theta2.transform(p);
+  constexpr double rounding = 1e-12;
+  if (shear.imag() > rounding * std::abs(shear)) {
+    throw BadInput("material shear loss", -shear.imag(), gains_energy(frequency));
+  }
+  const Complex dilatation = 3.0 / plane - 1.0 / shear;
+  if (dilatation.imag() < -rounding * (std::abs(3.0 / plane) + std::abs(1.0 / shear))) {
+    throw BadInput("material dilatation loss", dilatation.imag(), gains_energy(frequency));
+  }
+}
+
+/// Where a loss that is negative anywhere shows: dense against the width of a real rate's peak, far beyond
+/// both ends, and about the resonance of each complex rate in steps of its own width.
+std::vector<double> telling_frequencies(const ViscoelasticMaterial& material) {
+  std::vector<double> frequencies;
+  double least = INFINITY, greatest = 0;
+  for (const MaterialFunction* function : {&material.theta1, &material.theta2}) {
+    for (const RelaxationTerm& term : function->terms) {
+      least = std::min(least, std::abs(term.rate));
+      greatest = std::max(greatest, std::abs(term.rate));
+      const double resonance = std::fabs(term.rate.imag());
+      for (double widths = 1e-2; resonance > 0 && widths < 1e4; widths *= 1.1) {
+        const double off = widths * term.rate.real();
+        frequencies.push_back(resonance + off);
+        if (off < resonance) frequencies.push_back(resonance - off);
+      }
+    }
+  }
+  for (double frequency = least / 1e3; frequency <= greatest * 1e3; frequency *= 1.02)
+    frequencies.push_back(frequency);
+  return frequencies;
+}
+
+}  // namespace
+
+Complex MaterialFunction::transform(Complex p) const {
+  Complex sum = instantaneous;
+  for (const RelaxationTerm& term : terms) sum += term.amplitude / (p + term.rate);
+  return sum;
+}
+
+void ViscoelasticMaterial::check() const {
+  check_function(theta1, "theta1");
+  check_function(theta2, "theta2");
+  for (const double frequency : telling_frequencies(*this)) check_loss(*this, frequency);
+}
+
+MaterialFunction ViscoelasticMaterial::normal_compliance() const {
+  MaterialFunction sum{theta1.instantaneous + theta2.instantaneous, theta1.terms};
+  for (const RelaxationTerm& term : theta2.terms) {
+    const auto same = std::ranges::find(sum.terms, term.rate, &RelaxationTerm::rate);
+    if (same == sum.terms.end()) {
+      sum.terms.push_back(term);
+    } else {
+      same->amplitude += term.amplitude;
+    }
+  }
+  return sum;
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,107 @@
+#include <cmath>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/internal/partial_fractions.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
+
+namespace nipref::data {
+namespace {
+
+void check_positive(const char* name, double value) {
+  if (!(std::isfinite(value) && value > 0)) throw BadInput(name, value, "must be finite and > 0");
+}
+
+ViscoelasticMaterial checked(ViscoelasticMaterial material) {
+  material.check();
+  return material;
+}
+
+void check_moduli(double bulk, double shear, double relaxation_time) {
+  check_positive("bulk", bulk);
+  check_positive("shear", shear);
+  check_positive("relaxation_time", relaxation_time);
+}
+
+/// instantaneous (delta(t) + e^(-rate t)/relaxation_time)
+MaterialFunction doubling(double instantaneous, double relaxation_time, double rate) {
+  return {instantaneous, {{instantaneous / relaxation_time, rate}}};
+}
+
+MaterialFunction prony_function(const PronyList& list, const std::string& name) {
+  if (list.amplitudes.empty())
+    throw BadInput(name + "_amplitudes", "[]", "must hold at least one: without it the material is elastic");
+  if (list.rates.size() != list.amplitudes.size()) {
+    throw BadInput(name + "_rates", std::to_string(list.rates.size()) + " of them",
+                   "must be as many as amplitudes, " + std::to_string(list.amplitudes.size()));
+  }
+  MaterialFunction function{list.instantaneous, {}};
+  for (std::size_t i = 0; i < list.rates.size(); ++i)
+    function.terms.push_back({list.amplitudes[i], list.rates[i]});
+  return function;
+}
+
+/// Without the zeros at its end.
+Polynomial polynomial(Polynomial coefficients, const char* name) {
+  for (const double c : coefficients) {
+    if (!std::isfinite(c)) throw BadInput(name, c, "must have finite coefficients");
+  }
+  while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
+  if (coefficients.empty()) throw BadInput(name, "0", "must have a coefficient that is not 0");
+  return coefficients;
+}
+
+}  // namespace
+
+ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
+  material.check();
+  // An incompressible one has theta2 = 0, which no viscoelastic material has.
+  return checked({{material.theta1(), {}}, {material.theta2(), {}}});
+}
+
+ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
+  check_positive("shear_1", s.shear_1);
+  check_positive("shear_2", s.shear_2);
+  check_positive("bulk_1", s.bulk_1);
+  check_positive("bulk_2", s.bulk_2);
+  check_positive("shear_viscosity", s.shear_viscosity);
+  check_positive("bulk_viscosity", s.bulk_viscosity);
+  const Polynomial p{s.shear_1 + s.shear_2, s.shear_viscosity};
+  const Polynomial q{s.shear_1 * s.shear_2, s.shear_1 * s.shear_viscosity};
+  const Polynomial p_dilatation{s.bulk_1 + s.bulk_2, s.bulk_viscosity};
+  const Polynomial q_dilatation{s.bulk_1 * s.bulk_2, s.bulk_1 * s.bulk_viscosity};
+  return operator_solid({p, q, p_dilatation, q_dilatation});
+}
+
+ViscoelasticMaterial single_relaxation_time_solid(double bulk, double shear, double relaxation_time) {
+  check_moduli(bulk, shear, relaxation_time);
+  const double rate = 1 / relaxation_time;
+  return checked({doubling(1 / (2 * shear), relaxation_time, rate),
+                  doubling(3 / (6 * bulk + 2 * shear), relaxation_time, rate)});
+}
+
+ViscoelasticMaterial misprinted_thesis_solid(double bulk, double shear, double relaxation_time) {
+  check_moduli(bulk, shear, relaxation_time);
+  return checked({doubling(1 / (2 * shear), relaxation_time, 1 / relaxation_time),
+                  doubling(3 / (6 * bulk + 2 * shear), relaxation_time, 2 / relaxation_time)});
+}
+
+ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2) {
+  return checked({prony_function(theta1, "theta1"), prony_function(theta2, "theta2")});
+}
+
+ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
+  const Polynomial p = polynomial(operators.p, "P");
+  const Polynomial q = polynomial(operators.q, "Q");
+  const Polynomial p_dilatation = polynomial(operators.p_dilatation, "P_dilatation");
+  const Polynomial q_dilatation = polynomial(operators.q_dilatation, "Q_dilatation");
+  const Polynomial six = product({6.0}, q_dilatation), two = product({2.0}, q);
+  const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
+  // A factor P that both have is left out at once: rounding would part its double root.
+  if (p == p_dilatation)
+    return checked({theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation")});
+  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
+  return checked({theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation")});
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,52 @@
+#pragma once
+#include <vector>
+
+#include <nipref/data/material/elastic.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
+
+namespace nipref::data {
+
+// Viscoelastic materials from what describes them. Each throws BadInput, naming the argument as a scene's
+// [material] does, for values out of their domain, and is checked (ViscoelasticMaterial::check).
+
+/// No relaxation at all.
+[[nodiscard]] ViscoelasticMaterial elastic_solid(const ElasticMaterial& material);
+
+/// A spring in series with a spring and a dashpot side by side, in shear and in dilatation: 1/G = 1/G1 +
+/// 1/(G2 + shear_viscosity p), 1/K likewise. All > 0 and finite, moduli in stress, viscosities in stress
+/// time. Two equal relaxation times make one term. (thesis AIII.1-AIII.8)
+struct StandardLinearSolid {
+  double shear_1, shear_2;
+  double bulk_1, bulk_2;
+  double shear_viscosity, bulk_viscosity;
+};
+[[nodiscard]] ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& solid);
+
+/// The same with G1 = G2 = shear, K1 = K2 = bulk and one relaxation time, > 0: it ends up twice as compliant
+/// as it begins. (thesis AIII.10, AIII.11)
+[[nodiscard]] ViscoelasticMaterial single_relaxation_time_solid(double bulk, double shear,
+                                                                double relaxation_time);
+
+/// The thesis's own result for that solid, which is wrong: in theta2 it has e^(-2t/tau) for e^(-t/tau), the
+/// residue of one root with the rate of the other. Its tables were computed with it. Physical all the same.
+/// (thesis AIII.15)
+[[nodiscard]] ViscoelasticMaterial misprinted_thesis_solid(double bulk, double shear, double relaxation_time);
+
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t): 1/stress, 1/(stress time), 1/time; the
+/// lists of equal length, not empty. (thesis 6.16, 6.17)
+struct PronyList {
+  double instantaneous;
+  std::vector<double> amplitudes, rates;
+};
+[[nodiscard]] ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2);
+
+/// G = Q/P and K = Q'/P' with polynomials in d/dt, the coefficient of p^0 first. theta1 = P/(2Q) and theta2 =
+/// 3/(6Q'/P' + 2Q/P) must have finite limits > 0 for short times. Common factors are cancelled, repeated
+/// roots refused, complex rates allowed. (thesis 6.14-6.17)
+struct DifferentialOperators {
+  std::vector<double> p, q;                        ///< in shear: P, Q
+  std::vector<double> p_dilatation, q_dilatation;  ///< P', Q'
+};
+[[nodiscard]] ViscoelasticMaterial operator_solid(const DifferentialOperators& operators);
+
+}  // namespace nipref::data

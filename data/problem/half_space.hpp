@@ -1,0 +1,69 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include <nipref/data/material/solids.hpp>
+#include <nipref/data/problem/profile.hpp>
+
+namespace nipref::data {
+
+// What slides or rolls fast over a half-space. Units: any consistent ones, speed in those of
+// sqrt(stress/density).
+
+/// A rigid body with an elliptic-paraboloid tip: C1 x1^2 + C2 x2^2 + C3 (x3 + 1/sqrt C3)^2 = 1 has the radii
+/// of curvature sqrt(C3)/C1 and sqrt(C3)/C2. (brock2012 19)
+struct RigidDie {
+  double radius_along;   ///< in the plane of the motion, > 0; die.radius_along
+  double radius_across;  ///< > 0; die.radius_across
+};
+
+/// Rolls without slip. (brock2012 37)
+struct RigidRollingSphere {
+  double radius;  ///< > 0; rolling_sphere.radius
+};
+
+/// Slides. (brock2013 23)
+struct ElasticSphere {
+  double radius;  ///< > 0; sphere.radius
+  IsotropicSolid solid;
+  /// Its contact patch does not move in it, so that its compliance is the static one; true takes that of a
+  /// patch which moves at the sliding speed, as the seed does. sphere.patch
+  bool moving_patch = false;
+};
+
+struct TransverselyIsotropicBody {
+  TransverselyIsotropicSolid solid;
+  SymmetryAxis axis;  ///< half_space.axis
+};
+
+/// The force that presses the body down.
+struct GivenNormalForce {
+  double force;  ///< > 0; load.normal_force
+};
+
+/// Or the contact's extent along the motion, through the point where the body was first touched.
+struct GivenSpan {
+  double along;  ///< > 0 and at most the smallest radius; contact.span_along
+};
+
+/// How the contour of the contact is found.
+enum class ContourRule {
+  exact,            ///< frictionless: semi-ellipsoidal pressure on an ellipse solves the problem
+  stationary_force  ///< the seeds' rule for lines through the centre (brock2012 33, brock2013 33)
+};
+
+struct HalfSpaceProblem {
+  std::variant<RigidDie, RigidRollingSphere, ElasticSphere> body;
+  std::variant<IsotropicSolid, TransverselyIsotropicBody> half_space;
+  double speed = 0;  ///< >= 0, subcritical; sliding.speed or rolling.speed
+  /// Of the motion from x1, degrees, |direction| <= 90; with the axis of symmetry in the surface it lies
+  /// along x2. sliding.direction
+  double direction = 0;
+  double friction = 0;  ///< coefficient, >= 0; sliding.friction
+  std::variant<GivenNormalForce, GivenSpan> given;
+  ContourRule rule = ContourRule::exact;
+  /// Angles psi - direction, degrees, at which spans are wanted.
+  std::optional<Profile> profile;
+};
+
+}  // namespace nipref::data

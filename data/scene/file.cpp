@@ -1,0 +1,154 @@
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/internal/half_space.hpp>
+#include <nipref/data/scene/internal/material.hpp>
+#include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/table/index.hpp>
+
+namespace nipref::data {
+namespace {
+
+ElasticNip read_nip(const SceneTable& file) {
+  const SceneTable roller = file.table("roller");
+  const SceneTable sheet = file.table("sheet");
+  const SceneTable material = file.table("material");
+  roller.allow({"radius"});
+  sheet.allow({"thickness"});
+  material.allow({"model", "young", "poisson"});
+  return {roller.number("radius"),
+          sheet.number("thickness"),
+          {material.number("young"), material.number("poisson")}};
+}
+
+GivenLoad read_load(const SceneTable& load) {
+  load.allow({"per_length"});
+  return {load.number("per_length")};
+}
+
+GivenLength read_contact(const SceneTable& contact) {
+  contact.allow({"length"});
+  return {contact.number("length")};
+}
+
+Given read_given(const SceneTable& file, const SceneOrigin& origin) {
+  if (file.has("contact")) {
+    const SceneTable contact = file.table("contact");
+    if (file.has("load"))
+      origin.refuse("contact", "(beside load)", "must be left out, or load: one of the two");
+    return read_contact(contact);
+  }
+  if (!file.has("load")) {
+    origin.refuse("load", "(missing)", "must be given, or contact in its place: one of the two");
+  }
+  return read_load(file.table("load"));
+}
+
+void read_friction(const SceneTable& friction, ElasticNipProblem& problem) {
+  friction.allow({"model", "creep_ratio"});
+  problem.friction = friction.choice("model", {"none", "full"}) == "full" ? Friction::full : Friction::none;
+  if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
+}
+
+/// It has nothing to say but its name.
+bool is_converged(const SceneTable& method) {
+  if (method.choice("kind", {"converged", "line-loads"}) != "converged") return false;
+  method.allow({"kind"});
+  return true;
+}
+
+std::variant<ConvergedMethod, LineLoads> read_method(const SceneTable& method) {
+  if (is_converged(method)) return ConvergedMethod{};
+  method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms"});
+  return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
+                   method.has("residue_terms") ? method.whole("residue_terms") : 0};
+}
+
+ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& origin) {
+  ElasticNipProblem problem{.nip = read_nip(file),
+                            .given = read_given(file, origin),
+                            .creep_ratio = {},
+                            .method = {},
+                            .profile = {}};
+  read_friction(file.table("friction"), problem);
+  problem.method = read_method(file.table("method"));
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  return problem;
+}
+
+std::variant<ConvergedMethod, RollingLineLoads> read_rolling_method(const SceneTable& method) {
+  if (is_converged(method)) return ConvergedMethod{};
+  method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms", "approach_lengths"});
+  RollingLineLoads loads{.leading_elements = method.whole("leading_elements"),
+                         .trailing_elements = {},
+                         .approach_lengths = method.number("approach_lengths")};
+  if (method.has("trailing_elements")) loads.trailing_elements = method.whole("trailing_elements");
+  if (method.has("residue_terms")) loads.residue_terms = method.whole("residue_terms");
+  return loads;
+}
+
+ViscoelasticNip read_viscoelastic_nip(const SceneTable& file, const SceneOrigin& origin) {
+  const SceneTable roller = file.table("roller");
+  const SceneTable sheet = file.table("sheet");
+  const SceneTable rolling = file.table("rolling");
+  roller.allow({"radius"});
+  sheet.allow({"thickness"});
+  rolling.allow({"speed"});
+  return {roller.number("radius"), sheet.number("thickness"),
+          read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
+}
+
+void read_no_friction(const SceneTable& friction, const SceneOrigin& origin) {
+  friction.allow({"model"});
+  const std::string model = friction.choice("model", {"none", "full"});
+  if (model != "none")
+    origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
+}
+
+ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const SceneOrigin& origin) {
+  ViscoelasticNipProblem problem{.nip = read_viscoelastic_nip(file, origin),
+                                 .given = read_given(file, origin),
+                                 .method = {},
+                                 .profile = {}};
+  read_no_friction(file.table("friction"), origin);
+  problem.method = read_rolling_method(file.table("method"));
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  return problem;
+}
+
+/// A sheet that rolls is a viscoelastic one, if only by name.
+decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& origin) {
+  if (file.has("half_space")) return read_half_space_problem(file, origin);
+  file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
+              "friction", "method", "profile"});
+  const bool is_elastic = material_model(file.table("material")) == "elastic";
+  if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
+  return read_elastic_nip(file, origin);
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file) {
+  SceneOrigin origin(file.string());
+  const SceneTable top = SceneTable::read(file, origin);
+  Scene scene{.title = top.text("title"),
+              .wanted = top.texts("wanted"),
+              .system = read_system(top, origin),
+              .origin = {}};
+  if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
+  scene.origin = std::move(origin);
+  scene.check();
+  return scene;
+}
+
+std::filesystem::path example_scene(const std::string& name) {
+  const auto folder = tables_directory().parent_path() / "scenes";
+  const auto file = folder / (name + ".toml");
+  if (!std::filesystem::is_regular_file(file)) {
+    throw BadInput("scene", name, "must be one of the files in " + folder.string());
+  }
+  return file;
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,38 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include <nipref/data/scene/scene.hpp>
+
+namespace nipref::data {
+
+/// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
+/// same numbers exactly.
+///
+///     title = "..."               wanted = ["contact_length", ...]    names out of scene_results()
+///     accuracy = 1e-10            optional
+///     [roller]   radius           [sheet] thickness
+///     [material] model = "elastic", young, poisson
+///                or, with [rolling] speed, the material of a viscoelastic sheet: model = "elastic", or
+///                "standard-linear-solid", bulk, shear, relaxation_time, or shear_1, shear_2, bulk_1, bulk_2,
+///                shear_viscosity, bulk_viscosity; "prony", theta1_instantaneous, theta1_amplitudes = [...],
+///                theta1_rates = [...], theta2_... likewise; "operators", P, Q, P_dilatation, Q_dilatation =
+///                [...], the coefficient of p^0 first; "thesis-misprint", bulk, relaxation_time, shear
+///                (optional, 3/8 bulk), the thesis's wrong solid. See viscoelastic_models.hpp
+///     [rolling]  speed            friction.model is then "none"
+///     [load]     per_length       or [contact] length
+///     [friction] model = "none" or "full"; creep_ratio, optional: line loads with full friction only
+///     [method]   kind = "converged", or kind = "line-loads", leading_elements, trailing_elements and
+///                residue_terms (optional); when rolling also approach_lengths, and trailing_elements is
+///                optional
+///     [profile]  points or positions = [...]: where the profiles are wanted, if any are
+///
+/// Throws BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that cannot be read or is no TOML, for an
+/// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file);
+
+/// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in the folder "scenes"
+/// beside tables_directory(). BadInput if there is none of that name.
+[[nodiscard]] std::filesystem::path example_scene(const std::string& name);
+
+}  // namespace nipref::data

@@ -1,0 +1,98 @@
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/scene/internal/material.hpp>
+
+namespace nipref::data {
+namespace {
+
+/// What was read, before it is judged: what a model refuses has yet to be given its place.
+using Build = std::function<ViscoelasticMaterial()>;
+
+Build read_elastic(const SceneTable& material) {
+  material.allow({"model", "young", "poisson"});
+  const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
+  return [=] { return elastic_solid(elastic); };
+}
+
+/// By its one relaxation time or by all six constants.
+Build read_standard_linear(const SceneTable& material) {
+  if (material.has("relaxation_time")) {
+    material.allow({"model", "bulk", "shear", "relaxation_time"});
+    const double bulk = material.number("bulk"), shear = material.number("shear");
+    const double relaxation_time = material.number("relaxation_time");
+    return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time); };
+  }
+  material.allow({"model", "relaxation_time", "shear_1", "shear_2", "bulk_1", "bulk_2", "shear_viscosity",
+                  "bulk_viscosity"});
+  const StandardLinearSolid solid{material.number("shear_1"),         material.number("shear_2"),
+                                  material.number("bulk_1"),          material.number("bulk_2"),
+                                  material.number("shear_viscosity"), material.number("bulk_viscosity")};
+  return [=] { return standard_linear_solid(solid); };
+}
+
+Build read_thesis_misprint(const SceneTable& material) {
+  material.allow({"model", "bulk", "shear", "relaxation_time"});
+  const double bulk = material.number("bulk");
+  // The thesis's solid has Poisson's ratio 1/3. (AIII.12)
+  const double shear = material.has("shear") ? material.number("shear") : 3 * bulk / 8;
+  const double relaxation_time = material.number("relaxation_time");
+  return [=] { return misprinted_thesis_solid(bulk, shear, relaxation_time); };
+}
+
+PronyList read_prony_list(const SceneTable& material, const std::string& name) {
+  return {material.number(name + "_instantaneous"), material.numbers(name + "_amplitudes"),
+          material.numbers(name + "_rates")};
+}
+
+Build read_prony(const SceneTable& material) {
+  material.allow({"model", "theta1_instantaneous", "theta1_amplitudes", "theta1_rates",
+                  "theta2_instantaneous", "theta2_amplitudes", "theta2_rates"});
+  return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
+    return prony_solid(theta1, theta2);
+  };
+}
+
+Build read_operators(const SceneTable& material) {
+  material.allow({"model", "P", "Q", "P_dilatation", "Q_dilatation"});
+  const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
+                                        material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
+  return [=] { return operator_solid(operators); };
+}
+
+Build read_model(const SceneTable& material) {
+  const std::string model = material_model(material);
+  if (model == "elastic") return read_elastic(material);
+  if (model == "standard-linear-solid") return read_standard_linear(material);
+  if (model == "thesis-misprint") return read_thesis_misprint(material);
+  if (model == "prony") return read_prony(material);
+  return read_operators(material);
+}
+
+}  // namespace
+
+std::string material_model(const SceneTable& material) {
+  return material.choice("model",
+                         {"elastic", "standard-linear-solid", "prony", "operators", "thesis-misprint"});
+}
+
+ViscoelasticMaterial read_viscoelastic_material(const SceneTable& material, const SceneOrigin& origin) {
+  const Build build = read_model(material);
+  try {
+    return build();
+  } catch (const BadInput& error) {
+    refuse_material(error, origin);
+  }
+}
+
+void refuse_material(const BadInput& error, const SceneOrigin& origin) {
+  const std::string_view message = error.what();
+  std::string name(message.substr(0, message.find(" = ")));
+  constexpr std::string_view prefix = "material ";
+  if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  origin.refuse_as("material." + name, error);
+}
+
+}  // namespace nipref::data

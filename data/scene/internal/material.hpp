@@ -1,0 +1,21 @@
+#pragma once
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
+#include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/scene/origin.hpp>
+
+namespace nipref::data {
+
+/// material.model; BadInput unless it is one that there is.
+[[nodiscard]] std::string material_model(const SceneTable& material);
+
+/// The material of a rolling nip: any model, "elastic" included. BadInput naming the scene's key.
+[[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const SceneTable& material,
+                                                              const SceneOrigin& origin);
+
+/// Throws again what a material refused, as a key of [material] and with its place.
+[[noreturn]] void refuse_material(const BadInput& error, const SceneOrigin& origin);
+
+}  // namespace nipref::data

@@ -1,0 +1,174 @@
+#include <nipref/data/scene/internal/toml_table.hpp>
+
+// All of toml++ is compiled here, and no other file sees it.
+#define TOML_HEADER_ONLY 1
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include <nipref/data/scene/internal/closest_name.hpp>
+
+namespace nipref::data {
+
+struct SceneTable::Contents {
+  std::shared_ptr<const toml::table> file;  ///< owns all tables
+  const toml::table* table;
+};
+
+/// A value with the key that refusals name.
+struct SceneTable::Item {
+  const toml::node* node;
+  std::string name;
+  std::string_view allowed;  ///< says which type is wanted
+  const SceneOrigin* origin;
+
+  /// The value as a number, text, ...; refused if it is something else.
+  template <class Value>
+  [[nodiscard]] Value as() const {
+    const std::optional<Value> value = node->value<Value>();
+    // toml++ would read true as the number 1 as well.
+    if (!value || (node->is_boolean() && !std::is_same_v<Value, bool>)) refuse();
+    return *value;
+  }
+  [[noreturn]] void refuse() const { origin->refuse(name, shown(), allowed); }
+  [[nodiscard]] std::string shown() const;
+};
+
+std::string SceneTable::Item::shown() const {
+  if (node->is_table()) return "(a table)";
+  if (node->is_array()) return "(a list)";
+  std::ostringstream text;
+  node->visit([&](const auto& value) { text << value; });
+  return text.str();
+}
+
+namespace {
+
+std::string contents_of(const std::filesystem::path& file, const SceneOrigin& origin) {
+  std::ostringstream text;
+  const std::ifstream stream(file, std::ios::binary);
+  // A folder opens like a file.
+  if (!stream || std::filesystem::is_directory(file)) {
+    origin.refuse("scene", file.string(), "must be a file that can be read");
+  }
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// Counted from 1; the parser may complain about the line after the last one.
+std::string line_of(const std::string& text, std::size_t number) {
+  std::istringstream stream(text);
+  std::string line;
+  for (std::size_t i = 0; i < number; ++i) {
+    if (!std::getline(stream, line)) return "(end of file)";
+  }
+  return line;
+}
+
+}  // namespace
+
+SceneTable::SceneTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
+    : contents_(std::move(contents)), name_(std::move(name)), origin_(&origin) {}
+
+SceneTable SceneTable::read(const std::filesystem::path& file, SceneOrigin& origin) {
+  const std::string text = contents_of(file, origin);
+  try {
+    auto parsed = std::make_shared<const toml::table>(toml::parse(text));
+    auto contents = std::make_shared<const Contents>(Contents{parsed, parsed.get()});
+    return {std::move(contents), "", origin};
+  } catch (const toml::parse_error& error) {
+    const std::size_t line = error.source().begin.line;
+    origin.note("syntax", line);
+    origin.refuse("syntax", line_of(text, line), fmt::format("must be TOML: {}", error.description()));
+  }
+}
+
+std::string SceneTable::full_name(std::string_view key) const {
+  return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
+}
+
+void SceneTable::allow(std::initializer_list<std::string_view> known) const {
+  for (const auto& [key, node] : *contents_->table) {
+    if (std::ranges::find(known, key.str()) != known.end()) continue;
+    const std::string name = full_name(key.str());
+    origin_->note(name, key.source().begin.line);
+    const Item unknown{&node, name, "", origin_};
+    origin_->refuse(
+        name, unknown.shown(),
+        fmt::format("unknown key: {}known here: {}", did_you_mean(key.str(), known), fmt::join(known, ", ")));
+  }
+}
+
+bool SceneTable::has(std::string_view key) const { return contents_->table->contains(key); }
+
+SceneTable::Item SceneTable::item(std::string_view key, std::string_view allowed) const {
+  const auto found = contents_->table->find(key);
+  const std::string name = full_name(key);
+  if (found == contents_->table->end()) origin_->refuse(name, "(missing)", allowed);
+  origin_->note(name, found->first.source().begin.line);
+  return {&found->second, name, allowed, origin_};
+}
+
+std::vector<SceneTable::Item> SceneTable::items(std::string_view key, std::string_view allowed) const {
+  const Item whole = item(key, allowed);
+  const toml::array* const array = whole.node->as_array();
+  if (array == nullptr) whole.refuse();
+  std::vector<Item> elements;
+  for (const toml::node& element : *array) {
+    const std::string name = fmt::format("{}[{}]", whole.name, elements.size());
+    origin_->note(name, element.source().begin.line);
+    elements.push_back({&element, name, allowed, origin_});
+  }
+  return elements;
+}
+
+SceneTable SceneTable::table(std::string_view key) const {
+  const Item found = item(key, "must be a table");
+  const toml::table* const inner = found.node->as_table();
+  if (inner == nullptr) found.refuse();
+  return {std::make_shared<const Contents>(Contents{contents_->file, inner}), found.name, *origin_};
+}
+
+std::string SceneTable::text(std::string_view key) const {
+  return item(key, "must be a text in quotes").as<std::string>();
+}
+
+double SceneTable::number(std::string_view key) const { return item(key, "must be a number").as<double>(); }
+
+int SceneTable::whole(std::string_view key) const {
+  const Item found = item(key, "must be a whole number");
+  if (!found.node->is_integer()) found.refuse();
+  const std::optional<int> value = found.node->value<int>();  // none if too large for it
+  if (!value) found.refuse();
+  return *value;
+}
+
+std::vector<std::string> SceneTable::texts(std::string_view key) const {
+  std::vector<std::string> values;
+  for (const Item& element : items(key, "must be a list of texts in quotes"))
+    values.push_back(element.as<std::string>());
+  return values;
+}
+
+std::vector<double> SceneTable::numbers(std::string_view key) const {
+  std::vector<double> values;
+  for (const Item& element : items(key, "must be a list of numbers")) values.push_back(element.as<double>());
+  return values;
+}
+
+std::string SceneTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
+  const std::string chosen = text(key);
+  if (std::ranges::find(choices, chosen) == choices.end()) {
+    origin_->refuse(full_name(key), chosen, fmt::format("must be {}", fmt::join(choices, " or ")));
+  }
+  return chosen;
+}
+
+}  // namespace nipref::data

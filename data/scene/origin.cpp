@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include <nipref/data/scene/origin.hpp>
+
+namespace nipref::data {
+
+std::string SceneOrigin::locate(std::string_view key) const {
+  if (file_.empty()) return std::string(key);
+  for (std::string_view part = key; !part.empty();) {
+    const auto found = lines_.find(part);
+    if (found != lines_.end()) return fmt::format("{}:{}: {}", file_, found->second, key);
+    const std::size_t cut = part.find_last_of(".[");
+    part = part.substr(0, cut == std::string_view::npos ? 0 : cut);
+  }
+  return fmt::format("{}: {}", file_, key);
+}
+
+void SceneOrigin::refuse(std::string_view key, std::string_view value, std::string_view allowed) const {
+  throw BadInput(locate(key), value, allowed);
+}
+
+void SceneOrigin::refuse(std::string_view key, double value, std::string_view allowed) const {
+  throw BadInput(locate(key), value, allowed);
+}
+
+void SceneOrigin::refuse_as(std::string_view key, const BadInput& error) const {
+  // what() is "ARGUMENT = VALUE: ALLOWED"; no argument of the library has these separators in its name.
+  const std::string_view message = error.what();
+  const std::size_t value = message.find(" = ") + 3;
+  const std::size_t allowed = message.find(": ", value);
+  refuse(key, message.substr(value, allowed - value), message.substr(allowed + 2));
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <array>
+
+#include <nipref/data/scene/results.hpp>
+
+namespace nipref::data {
+namespace {
+
+constexpr std::array results{
+    SceneResult{"contact_length", "length", "length L of the contact", false},
+    SceneResult{"leading_length", "length",
+                "contact L1 ahead of the line through the rollers' centres, on the entry side", false},
+    SceneResult{"trailing_length", "length",
+                "contact L2 = L - L1 behind that line; negative if all of it is ahead", false},
+    SceneResult{"load", "force/length", "load W per unit width", false},
+    SceneResult{"indentation", "length", "approach d0 of roller and middle plane", false},
+    SceneResult{"edge_displacement", "length",
+                "normal displacement d1 = d0 - L1^2/(2R) at the leading end of the contact", false},
+    SceneResult{"trailing_displacement", "length", "the same d2 = d0 - L2^2/(2R) at its trailing end", false},
+    SceneResult{"rolling_resistance", "1", "moment of the pressure over W R: resistance over load", false},
+    SceneResult{"creep_ratio", "1",
+                "strain v' of the surface in the contact; without friction its mean, (v(L1) - v(-L2))/L",
+                false},
+    SceneResult{"peak_pressure", "stress", "largest pressure", false, SceneKind::nip, true},
+    SceneResult{"peak_shear", "stress", "largest magnitude of the shear", false},
+    SceneResult{"span_along", "length",
+                "extent of the contact along the motion, through the point of first touch", false,
+                SceneKind::half_space},
+    SceneResult{"span_across", "length", "the same across the motion", false, SceneKind::half_space},
+    SceneResult{"span_ratio", "1", "span_across over span_along", false, SceneKind::half_space},
+    SceneResult{"axis_ratio", "1", "minor over major axis of the elliptic contact; exact method", false,
+                SceneKind::half_space},
+    SceneResult{"orientation", "degree", "of its major axis from x1; exact method", false,
+                SceneKind::half_space},
+    SceneResult{"approach", "length", "approach of body and half-space; exact method", false,
+                SceneKind::half_space},
+    SceneResult{"normal_force", "force", "force that presses the body down", false, SceneKind::half_space},
+    SceneResult{"friction_force", "force", "friction times normal_force", false, SceneKind::half_space},
+    SceneResult{"critical_speed", "speed", "smallest speed of this motion at which some line is critical",
+                false, SceneKind::half_space},
+    SceneResult{"pressure", "stress", "pressure", true},
+    SceneResult{"shear", "stress", "shear on the sheet along Y", true},
+    SceneResult{"normal_displacement", "length", "displacement u towards the middle plane", true},
+    SceneResult{"tangential_displacement", "length",
+                "displacement v along Y, relative to the line through the rollers' centres", true},
+    SceneResult{"span", "length", "extent of the contact in this direction from the motion", true,
+                SceneKind::half_space},
+    SceneResult{"compliance", "1/stress", "K of the lines of this direction, of both bodies", true,
+                SceneKind::half_space},
+    SceneResult{"coupling", "1/stress", "S of the lines of this direction, of both bodies", true,
+                SceneKind::half_space},
+};
+
+}  // namespace
+
+std::span<const SceneResult> scene_results() { return results; }
+
+const SceneResult* find_scene_result(std::string_view name) {
+  const auto found = std::ranges::find(results, name, &SceneResult::name);
+  return found == results.end() ? nullptr : &*found;
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include <nipref/data/scene/internal/closest_name.hpp>
+#include <nipref/data/scene/internal/half_space.hpp>
+#include <nipref/data/scene/internal/material.hpp>
+#include <nipref/data/scene/scene.hpp>
+
+namespace nipref::data {
+namespace {
+
+constexpr int most_elements = 10000;
+constexpr int most_rolling_elements = 500;
+constexpr int most_terms = 500;
+constexpr int most_points = 100'000;
+
+void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
+             std::string_view allowed) {
+  if (!holds) origin.refuse(key, value, allowed);
+}
+
+void check_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key) {
+  require(least <= value && value <= most, origin, key, value,
+          fmt::format("must be a whole number from {} to {}", least, most));
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0; }
+
+/// The nip's own checks name its C++ members.
+void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
+  static const std::map<std::string, std::string, std::less<>> keys{{"roller_radius", "roller.radius"},
+                                                                    {"sheet_thickness", "sheet.thickness"},
+                                                                    {"young", "material.young"},
+                                                                    {"poisson", "material.poisson"}};
+  try {
+    nip.check();
+  } catch (const BadInput& error) {
+    const std::string_view message = error.what();
+    origin.refuse_as(keys.find(message.substr(0, message.find(' ')))->second, error);
+  }
+}
+
+/// The material's own names are those of its functions, "theta1 rate"; all stand in one table.
+void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
+  static const std::map<std::string, std::string, std::less<>> keys{
+      {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"}, {"speed", "rolling.speed"}};
+  try {
+    nip.check();
+  } catch (const BadInput& error) {
+    const std::string_view message = error.what();
+    const auto known = keys.find(message.substr(0, message.find(' ')));
+    if (known == keys.end()) refuse_material(error, origin);
+    origin.refuse_as(known->second, error);
+  }
+}
+
+struct GivenCheck {
+  double roller_radius;
+  const SceneOrigin& origin;
+
+  void operator()(const GivenLoad& load) const {
+    require(is_positive(load.per_length), origin, "load.per_length", load.per_length,
+            "must be finite and > 0");
+  }
+  void operator()(const GivenLength& length) const {
+    const double value = length.contact_length;
+    require(is_positive(value), origin, "contact.length", value, "must be finite and > 0");
+    require(value <= roller_radius, origin, "contact.length", value,
+            fmt::format("must be at most the roller's radius, {}: beyond it a parabola no longer stands for "
+                        "the roller",
+                        roller_radius));
+  }
+};
+
+struct MethodCheck {
+  const SceneOrigin& origin;
+
+  void operator()(const ConvergedMethod&) const {}
+  void operator()(const LineLoads& loads) const {
+    check_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
+    check_whole(loads.trailing_elements, 1, most_elements, origin, "method.trailing_elements");
+    check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
+    require(
+        loads.leading_elements == loads.trailing_elements, origin, "method.trailing_elements",
+        loads.trailing_elements,
+        fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
+  }
+  void operator()(const RollingLineLoads& loads) const {
+    check_whole(loads.leading_elements, 1, most_rolling_elements, origin, "method.leading_elements");
+    if (loads.trailing_elements)
+      check_whole(*loads.trailing_elements, 0, most_rolling_elements, origin, "method.trailing_elements");
+    check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
+    require(is_positive(loads.approach_lengths), origin, "method.approach_lengths", loads.approach_lengths,
+            "must be finite and > 0");
+  }
+};
+
+/// The thesis searches for m2 at a given load only, and its sums are for real rates.
+void check_rolling_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
+  const auto* loads = std::get_if<RollingLineLoads>(&problem.method);
+  if (loads == nullptr) return;
+  if (!loads->trailing_elements && std::holds_alternative<GivenLength>(problem.given)) {
+    origin.refuse("method.trailing_elements", "(missing)",
+                  "must be given with [contact] length: the search for it is at a given load");
+  }
+  const auto is_real = [](const MaterialFunction& function) {
+    return std::ranges::all_of(function.terms,
+                               [](const RelaxationTerm& term) { return term.rate.imag() == 0; });
+  };
+  const ViscoelasticMaterial& material = problem.nip.material;
+  require(loads->residue_terms == 0 || (is_real(material.theta1) && is_real(material.theta2)), origin,
+          "method.residue_terms", loads->residue_terms,
+          "must be 0: the material has complex relaxation rates");
+}
+
+struct ProfileCheck {
+  const SceneOrigin& origin;
+
+  void operator()(const EvenlySpaced& spacing) const {
+    check_whole(spacing.points, 2, most_points, origin, "profile.points");
+  }
+  void operator()(const Positions& positions) const {
+    if (positions.y.empty()) origin.refuse("profile.positions", "[]", "must hold at least one position");
+    for (std::size_t i = 0; i < positions.y.size(); ++i) {
+      require(std::isfinite(positions.y[i]), origin, fmt::format("profile.positions[{}]", i), positions.y[i],
+              "must be finite");
+    }
+  }
+};
+
+void check_creep(const ElasticNipProblem& problem, const SceneOrigin& origin) {
+  if (!problem.creep_ratio) return;
+  constexpr const char* key = "friction.creep_ratio";
+  require(std::isfinite(*problem.creep_ratio), origin, key, *problem.creep_ratio, "must be finite");
+  require(problem.friction == Friction::full && std::holds_alternative<LineLoads>(problem.method), origin,
+          key, *problem.creep_ratio,
+          "can be given only to line loads with full friction: otherwise the contact itself settles it");
+}
+
+struct SystemCheck {
+  const SceneOrigin& origin;
+
+  void operator()(const ElasticNipProblem& problem) const {
+    check_nip(problem.nip, origin);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
+    std::visit(MethodCheck{origin}, problem.method);
+    check_creep(problem, origin);
+    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+  }
+  void operator()(const ViscoelasticNipProblem& problem) const {
+    check_nip(problem.nip, origin);
+    std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
+    std::visit(MethodCheck{origin}, problem.method);
+    check_rolling_line_loads(problem, origin);
+    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+  }
+  void operator()(const HalfSpaceProblem& problem) const {
+    check_half_space_problem(problem, origin);
+    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+  }
+};
+
+SceneKind kind_of(const Scene& scene) {
+  return std::holds_alternative<HalfSpaceProblem>(scene.system) ? SceneKind::half_space : SceneKind::nip;
+}
+
+[[noreturn]] void refuse_wanted(const Scene& scene, std::string_view key, std::string_view value) {
+  std::vector<std::string_view> names;
+  for (const SceneResult& result : scene_results()) {
+    if (result.is_of(kind_of(scene))) names.push_back(result.name);
+  }
+  scene.origin.refuse(key, value,
+                      fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
+}
+
+/// True if a profile is among what is wanted.
+bool check_wanted(const Scene& scene) {
+  if (scene.wanted.empty()) refuse_wanted(scene, "wanted", "[]");
+  bool profile_wanted = false;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
+    const std::string& name = scene.wanted[i];
+    const std::string key = fmt::format("wanted[{}]", i);
+    const SceneResult* result = find_scene_result(name);
+    if (result == nullptr || !result->is_of(kind_of(scene))) refuse_wanted(scene, key, name);
+    if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
+      check_half_space_wanted(*on_half_space, name, key, scene.origin);
+    if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
+    profile_wanted = profile_wanted || result->is_profile;
+  }
+  return profile_wanted;
+}
+
+}  // namespace
+
+void Scene::check() const {
+  const bool profile_wanted = check_wanted(*this);
+  require(accuracy >= 1e-13 && accuracy <= 0.1, origin, "accuracy", accuracy, "must be from 1e-13 to 0.1");
+  std::visit(SystemCheck{origin}, system);
+  const bool has_positions =
+      std::visit([](const auto& problem) { return problem.profile.has_value(); }, system);
+  if (profile_wanted && !has_positions) {
+    origin.refuse("profile", "(missing)",
+                  "must say where the wanted profiles are wanted: points = N or positions = [...]");
+  }
+}
+
+}  // namespace nipref::data

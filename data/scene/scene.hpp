@@ -1,0 +1,91 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/friction.hpp>
+#include <nipref/data/problem/half_space.hpp>
+#include <nipref/data/problem/profile.hpp>
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/data/scene/origin.hpp>
+#include <nipref/data/scene/results.hpp>
+
+namespace nipref::data {
+
+// A scene is a problem with what is wanted of it: all that `nipref solve` needs. Any consistent units. Keys
+// in the comments are those of the TOML file, see scene_file.hpp.
+
+/// The load is given and the contact length follows.
+struct GivenLoad {
+  double per_length;  ///< W, > 0, force per unit width; load.per_length
+};
+
+/// The contact length is given and the load follows.
+struct GivenLength {
+  double contact_length;  ///< L, > 0 and at most the roller's radius, unit of length; contact.length
+};
+
+using Given = std::variant<GivenLoad, GivenLength>;
+
+/// The continuous contact; as much work as the accuracy needs.
+struct ConvergedMethod {};
+
+/// The thesis's line loads at the centres of equal elements. (thesis 5.1-5.16)
+struct LineLoads {
+  int leading_elements;   ///< on the entry side, 1 to 10000; method.leading_elements
+  int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
+  int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
+                          ///< thesis sums them, 1 to 500; method.residue_terms
+};
+
+/// The same in a viscoelastic nip, which has no symmetry: line loads that started all at once some way before
+/// the nip. (thesis 7.1-7.17)
+struct RollingLineLoads {
+  int leading_elements;  ///< on the entry side, 1 to 500; method.leading_elements
+  /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
+  /// 2.5), which needs a given load.
+  std::optional<int> trailing_elements;
+  int residue_terms = 0;    ///< as above; real relaxation rates only
+  double approach_lengths;  ///< C_L, how far before the nip the loads started, > 0, half-thicknesses;
+                            ///< method.approach_lengths
+};
+
+/// An elastic sheet between two cylinders.
+struct ElasticNipProblem {
+  ElasticNip nip;
+  Given given;
+  Friction friction = Friction::none;
+  /// Line loads with full friction only: the creep to be taken in place of the thesis's choice (section 5.5);
+  /// finite, dimensionless.
+  std::optional<double> creep_ratio;
+  std::variant<ConvergedMethod, LineLoads> method;
+  /// Needed if a profile is wanted.
+  std::optional<Profile> profile;
+};
+
+/// A viscoelastic sheet rolled between two cylinders, without friction. The converged method is its steady
+/// motion, line loads its started motion.
+struct ViscoelasticNipProblem {
+  ViscoelasticNip nip;
+  Given given;
+  std::variant<ConvergedMethod, RollingLineLoads> method;
+  /// Needed if a profile is wanted.
+  std::optional<Profile> profile;
+};
+
+struct Scene {
+  std::string title;
+  std::vector<std::string> wanted;  ///< names out of scene_results(), at least one, none twice
+  /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
+  double accuracy = 1e-10;
+  std::variant<ElasticNipProblem, ViscoelasticNipProblem, HalfSpaceProblem> system;
+  SceneOrigin origin;
+
+  /// Throws BadInput, naming the key and its place, unless every value is in its domain and whatever is
+  /// wanted can be had.
+  void check() const;
+};
+
+}  // namespace nipref::data

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table/csv.hpp>
+
+namespace nipref::data {
+namespace {
+
+/// Cuts one line into fields.
+class LineReader {
+ public:
+  LineReader(const std::filesystem::path& path, std::string_view line, std::size_t number)
+      : path_(path), line_(line), number_(number) {}
+
+  std::vector<CsvField> fields() {
+    std::vector<CsvField> result;
+    while (true) {
+      result.push_back(line_.substr(next_).starts_with('"') ? quoted() : bare());
+      if (next_ == line_.size()) return result;
+      if (line_[next_] != ',')
+        refuse(path_, here(), "must have a comma or the end of line after a closing quote");
+      ++next_;
+    }
+  }
+
+ private:
+  [[nodiscard]] TextPosition here() const { return {number_, next_ + 1}; }
+
+  CsvField bare() {
+    const TextPosition start = here();
+    const std::size_t end = std::min(line_.find(',', next_), line_.size());
+    const std::string_view text = line_.substr(next_, end - next_);
+    if (text.find('"') != text.npos) refuse(path_, start, "must have its quotes around the whole field");
+    next_ = end;
+    return {std::string(text), start};
+  }
+
+  CsvField quoted() {
+    CsvField field{"", here()};
+    ++next_;
+    while (true) {
+      const std::size_t quote = line_.find('"', next_);
+      if (quote == line_.npos) refuse(path_, field.position, "must close its quote on the same line");
+      field.text += line_.substr(next_, quote - next_);
+      next_ = quote + 1;
+      if (!line_.substr(next_).starts_with('"')) return field;
+      field.text += '"';
+      ++next_;
+    }
+  }
+
+  const std::filesystem::path& path_;
+  std::string_view line_;
+  std::size_t number_;
+  std::size_t next_ = 0;
+};
+
+void add_comment(CsvFile& file, std::string_view line, std::size_t number) {
+  if (!file.records.empty())
+    refuse(file.path, {number, 1}, "must have its comment lines above the column names");
+  if (!line.starts_with("# ")) refuse(file.path, {number, 2}, "must have a blank after #");
+  file.comments.push_back({std::string(line.substr(2)), {number, 3}});
+}
+
+void add_record(CsvFile& file, std::string_view line, std::size_t number) {
+  file.records.push_back(LineReader(file.path, line, number).fields());
+  const auto& record = file.records.back();
+  const std::size_t expected = file.records.front().size();
+  if (record.size() == expected) return;
+  refuse(file.path, record[std::min(record.size(), expected + 1) - 1].position,
+         fmt::format("must have {} fields in each record, has {}", expected, record.size()));
+}
+
+}  // namespace
+
+void refuse(const std::filesystem::path& path, TextPosition position, std::string_view requirement) {
+  throw BadInput("table file", fmt::format("{}:{}:{}", path.string(), position.line, position.column),
+                 requirement);
+}
+
+CsvFile read_csv(const std::filesystem::path& path) {
+  CsvFile file{path, {}, {}};
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) refuse(path, {1, 1}, "must be a readable file");
+  std::string line;
+  for (std::size_t number = 1; std::getline(stream, line); ++number) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (line.empty()) refuse(path, {number, 1}, "must have no blank lines");
+    if (line.starts_with('#')) {
+      add_comment(file, line, number);
+    } else {
+      add_record(file, line, number);
+    }
+  }
+  if (stream.bad()) refuse(path, {1, 1}, "must be a readable file");
+  if (file.records.empty()) refuse(path, {1, 1}, "must name its columns");
+  return file;
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table/index.hpp>
+
+namespace nipref::data {
+namespace {
+
+int roman_digit(char digit) {
+  switch (digit) {
+    case 'I':
+      return 1;
+    case 'V':
+      return 5;
+    case 'X':
+      return 10;
+    default:
+      return 0;
+  }
+}
+
+/// Value of a Roman numeral made of I, V and X; 0 if other letters are in it.
+int roman_number(std::string_view numeral) {
+  int total = 0;
+  for (std::size_t i = 0; i < numeral.size(); ++i) {
+    const int digit = roman_digit(numeral[i]);
+    if (digit == 0) return 0;
+    const int next = i + 1 < numeral.size() ? roman_digit(numeral[i + 1]) : 0;
+    total += digit < next ? -digit : digit;
+  }
+  return total;
+}
+
+/// Sorts the thesis's tables by number and before all others.
+std::pair<int, std::string> order(const std::string& id) {
+  constexpr std::string_view prefix = "thesis-";
+  const int number = id.starts_with(prefix) ? roman_number(std::string_view(id).substr(prefix.size())) : 0;
+  return {number > 0 ? number : 1000, id};
+}
+
+void count_key(const Table& table, std::size_t column, TableSummary& summary) {
+  for (const auto& row : table.rows) {
+    if (row[column].erratum) ++summary.key_errata;
+  }
+}
+
+void count_values(const Table& table, std::size_t column, TableSummary& summary) {
+  ++summary.columns;
+  for (const auto& row : table.rows) {
+    const TableCell& cell = row[column];
+    if (!cell.is_printed()) ++summary.empty;
+    if (!cell.is_readable()) ++summary.without_value;
+    if (cell.is_doubtful()) ++summary.doubtful;
+    if (cell.erratum) ++summary.errata[static_cast<std::size_t>(cell.erratum->kind)];
+  }
+}
+
+}  // namespace
+
+std::filesystem::path tables_directory() {
+  if (const char* const chosen = std::getenv("NIPREF_DATA")) {
+    const auto directory = std::filesystem::path(chosen) / "tables";
+    if (std::filesystem::is_directory(directory)) return directory;
+    throw BadInput("NIPREF_DATA", chosen, "must be a folder with a folder 'tables' in it");
+  }
+  for (const char* const place : {NIPREF_DATA_DIR, NIPREF_DATA_INSTALL_DIR}) {
+    const auto directory = std::filesystem::path(place) / "tables";
+    if (std::filesystem::is_directory(directory)) return directory;
+  }
+  throw BadInput("NIPREF_DATA", "(not set)",
+                 "must be the data folder, the tables were not found where they were built or installed");
+}
+
+std::vector<std::string> table_ids(const std::filesystem::path& directory) {
+  std::vector<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() == ".csv" && entry.path().stem() != "errata")
+      ids.push_back(entry.path().stem().string());
+  }
+  std::sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
+  return ids;
+}
+
+Table load_table_by_id(const std::string& id, const std::filesystem::path& directory) {
+  // Looked up in the list, so that an id can never name a path outside the folder.
+  const auto ids = table_ids(directory);
+  if (std::find(ids.begin(), ids.end(), id) == ids.end())
+    throw BadInput("table", id, "must be an id that 'tables --list' shows");
+  return load_table(directory / (id + ".csv"));
+}
+
+TableSummary summarize(const Table& table) {
+  TableSummary summary{table.id, table.title, table.rows.size(), 0, 0, 0, 0, 0, {}, 0};
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].is_key) {
+      count_key(table, c, summary);
+    } else {
+      count_values(table, c, summary);
+    }
+  }
+  summary.cells = summary.rows * summary.columns;
+  return summary;
+}
+
+std::vector<TableSummary> summarize_tables(const std::filesystem::path& directory) {
+  std::vector<TableSummary> summaries;
+  for (const auto& id : table_ids(directory)) summaries.push_back(summarize(load_table_by_id(id, directory)));
+  return summaries;
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,44 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <nipref/data/table/table.hpp>
+
+namespace nipref::data {
+
+/// Folder of the seeds' tables: "tables" in the data folder, which is the first that exists of
+/// the environment variable NIPREF_DATA, the source tree this library was built from, and the place of
+/// installation. BadInput if none of them holds the tables; if NIPREF_DATA is set, only it is looked at.
+[[nodiscard]] std::filesystem::path tables_directory();
+
+/// Ids of all tables there, in the order of the seeds: thesis-III .. thesis-XXVI, then the others by name.
+[[nodiscard]] std::vector<std::string> table_ids(const std::filesystem::path& directory = tables_directory());
+
+/// The table called `id`. BadInput if there is none.
+[[nodiscard]] Table load_table_by_id(const std::string& id,
+                                     const std::filesystem::path& directory = tables_directory());
+
+/// What a table holds, counted. Key columns count among neither columns nor cells.
+struct TableSummary {
+  std::string id;
+  std::string title;
+  std::size_t rows;
+  std::size_t columns;
+  std::size_t cells;                  ///< rows * columns
+  std::size_t empty;                  ///< cells where the seed shows nothing legible
+  std::size_t without_value;          ///< cells that cannot be read, empty or not
+  std::size_t doubtful;               ///< cells that stay as printed though in doubt
+  std::array<std::size_t, 4> errata;  ///< errata of cells, by ErratumKind
+  std::size_t key_errata;             ///< errata of row labels
+};
+
+[[nodiscard]] TableSummary summarize(const Table& table);
+
+/// Summaries of all tables, in the order of table_ids.
+[[nodiscard]] std::vector<TableSummary> summarize_tables(
+    const std::filesystem::path& directory = tables_directory());
+
+}  // namespace nipref::data

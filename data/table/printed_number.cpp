@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+
+#include <nipref/data/table/printed_number.hpp>
+
+namespace nipref::data {
+namespace {
+
+bool is_digit(char character) { return character >= '0' && character <= '9'; }
+
+/// digits * 10^exponent as the nearest double.
+std::optional<double> scaled(const std::string& digits, int exponent) {
+  return read_exact_number(digits + "e" + std::to_string(exponent));
+}
+
+/// `digits` minus 5, for a string of decimal digits that ends in 0: half a unit of the last printed digit,
+/// which stands before that guard digit. Below zero only for zero itself, "-5".
+std::string half_unit_below(std::string digits) {
+  if (std::all_of(digits.begin(), digits.end(), [](char digit) { return digit == '0'; })) return "-5";
+  digits.back() = '5';
+  std::size_t place = digits.size() - 1;
+  do {
+    --place;
+    digits[place] = digits[place] == '0' ? '9' : static_cast<char>(digits[place] - 1);
+  } while (digits[place] == '9');
+  return digits;
+}
+
+}  // namespace
+
+std::optional<double> read_exact_number(std::string_view text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<PrintedNumber> read_printed_number(std::string_view text, int scale_exponent) {
+  const bool negative = text.starts_with('-');
+  if (negative || text.starts_with('+')) text.remove_prefix(1);
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const std::string_view decimals = text.substr(std::min(point + 1, text.size()));
+  std::string digits(text.substr(0, point));
+  digits += decimals;
+  const bool plain = point > 0 && (point == text.size() || !decimals.empty()) &&
+                     std::all_of(digits.begin(), digits.end(), is_digit);
+  if (!plain) return std::nullopt;
+
+  // One guard digit makes the half unit a whole number of units.
+  const int exponent = -static_cast<int>(decimals.size()) - scale_exponent - 1;
+  const auto value = scaled(digits + "0", exponent);
+  const auto inner = scaled(half_unit_below(digits + "0"), exponent);
+  const auto outer = scaled(digits + "5", exponent);
+  if (!value || !inner || !outer) return std::nullopt;
+  if (negative) return PrintedNumber{-*value, {-*outer, -*inner}};
+  return PrintedNumber{*value, {*inner, *outer}};
+}
+
+}  // namespace nipref::data
