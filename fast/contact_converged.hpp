@@ -4,7 +4,7 @@
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_work.hpp>
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {
 

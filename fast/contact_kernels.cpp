@@ -1,8 +1,8 @@
 #include <algorithm>
 
 #include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/number/internal/tiers.hpp>
 #include <nipref/fast/sheet_kernels.hpp>
-#include <nipref/fast/sheet_tiers.hpp>
 
 namespace nipref::fast {
 

@@ -2,8 +2,8 @@
 #include <span>
 #include <vector>
 
-#include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast {
 

@@ -6,7 +6,7 @@
 #include <nipref/fast/contact_panels.hpp>
 #include <nipref/fast/contact_spectral.hpp>
 #include <nipref/fast/length_search.hpp>
-#include <nipref/fast/sheet_tiers.hpp>
+#include <nipref/fast/number/internal/tiers.hpp>
 
 namespace nipref::fast {
 namespace {

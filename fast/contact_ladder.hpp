@@ -6,8 +6,8 @@
 
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
-#include <nipref/fast/estimate.hpp>
 #include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {
 

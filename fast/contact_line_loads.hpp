@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 // The elastic nip with its tractions gathered in line loads: the contact is cut into 2m equal elements, each
 // element's forces act at its centre, and the sheet is held to the cylinder at the ends of the contact and

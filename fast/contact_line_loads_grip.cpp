@@ -6,7 +6,7 @@
 #include <nipref/fast/contact_line_loads_grip.hpp>
 #include <nipref/fast/contact_line_loads_search.hpp>
 #include <nipref/fast/contact_line_loads_system.hpp>
-#include <nipref/fast/feasible_set.hpp>
+#include <nipref/fast/number/internal/feasible_set.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/fast/contact_kernels.hpp>
-#include <nipref/fast/double_exponential.hpp>
+#include <nipref/fast/number/internal/double_exponential.hpp>
 
 namespace nipref::fast {
 

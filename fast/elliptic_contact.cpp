@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/adaptive_panels.hpp>
 #include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/jacobi_amplitude.hpp>
+#include <nipref/fast/number/internal/adaptive_panels.hpp>
+#include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 
 namespace nipref::fast {
 

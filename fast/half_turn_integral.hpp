@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include <nipref/fast/adaptive_panels.hpp>
+#include <nipref/fast/number/internal/adaptive_panels.hpp>
 #include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {

@@ -3,9 +3,9 @@
 #include <numbers>
 #include <type_traits>
 
-#include <nipref/fast/exponential_integrals.hpp>
 #include <nipref/fast/hereditary.hpp>
 #include <nipref/fast/hereditary_core.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet_kernels.hpp>
 
 namespace nipref::fast::internal {

@@ -2,9 +2,9 @@
 #include <array>
 #include <initializer_list>
 
-#include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/hereditary_core.hpp>
 #include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast::internal {
 

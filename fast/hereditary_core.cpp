@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/exponential_integrals.hpp>
 #include <nipref/fast/hereditary_core.hpp>
 #include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet_code.hpp>
 
 namespace nipref::fast::internal {

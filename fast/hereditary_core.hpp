@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
 
-#include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/hereditary_rules.hpp>
 #include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast::internal {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 // Memory of the sheet under a load that has always been moving: what a relaxation term e^(-Lambda w) keeps of
 // the kernels ahead of a point, w the position in half-thicknesses.

@@ -2,8 +2,8 @@
 #include <array>
 #include <vector>
 
-#include <nipref/fast/accuracy.hpp>
 #include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 #include <nipref/fast/sheet_tables.hpp>
 
 namespace nipref::fast::internal {

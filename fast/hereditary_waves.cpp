@@ -3,8 +3,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include <nipref/fast/exponential_integrals.hpp>
 #include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet_code.hpp>
 #include <nipref/fast/sheet_roots.hpp>
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <complex>
 
-#include <nipref/fast/two_words.hpp>
+#include <nipref/fast/number/two_words.hpp>
 
 // The part of a kernel that fades on both sides of the load, D = I1, or I3, I4, I5 less (pi/4) sign, as its
 // residue series: D(w) = Re sum_n C_n e^(i z_n |w|), with the sign of w for the odd ones. Memory of such a

@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/bisection.hpp>
 #include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/two_words_algebra.hpp>
+#include <nipref/fast/number/internal/bisection.hpp>
+#include <nipref/fast/number/internal/two_words_algebra.hpp>
 
 namespace nipref::fast {
 namespace {

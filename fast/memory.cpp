@@ -3,7 +3,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory.hpp>
-#include <nipref/fast/two_words.hpp>
+#include <nipref/fast/number/two_words.hpp>
 
 namespace nipref::fast {
 namespace {

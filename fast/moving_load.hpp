@@ -2,8 +2,8 @@
 #include <memory>
 
 #include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/fast/accuracy.hpp>
-#include <nipref/fast/two_words.hpp>
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/fast/number/two_words.hpp>
 
 namespace nipref::fast {
 

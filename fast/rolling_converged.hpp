@@ -3,7 +3,7 @@
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/contact_work.hpp>
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {
 

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include <nipref/fast/contact_kernels.hpp>
-#include <nipref/fast/estimate.hpp>
 #include <nipref/fast/length_search.hpp>
+#include <nipref/fast/number/estimate.hpp>
 #include <nipref/fast/rolling_pressure.hpp>
 
 namespace nipref::fast {

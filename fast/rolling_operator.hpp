@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <nipref/fast/contact_kernels.hpp>
-#include <nipref/fast/double_exponential.hpp>
+#include <nipref/fast/number/internal/double_exponential.hpp>
 #include <nipref/fast/rolling_layout.hpp>
 #include <nipref/fast/rolling_memory.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 #include <nipref/fast/surface_line.hpp>
 
 namespace nipref::fast {

@@ -2,7 +2,7 @@
 #include <span>
 
 #include <nipref/data/material/elastic.hpp>
-#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 
 // Displacements of the surface of an elastic sheet of half-thickness b = 1 under a line load of unit
 // intensity: plane strain, N = theta1 + theta2 = 2 (1 - poisson^2)/young. u is normal to the sheet, v along

@@ -1,7 +1,7 @@
 #pragma once
 #include <span>
 
-#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 #include <nipref/fast/sheet_influence.hpp>  // IWYU pragma: export
 
 // Kernels of the elastic sheet in double. They come from the residue series alone (roots of sinh 2z + 2z =

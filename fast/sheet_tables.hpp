@@ -3,7 +3,7 @@
 // Layout of the numbers that generator/ writes at build time. Nothing here is meant for callers of the
 // library.
 
-#include <nipref/fast/sheet_tiers.hpp>
+#include <nipref/fast/number/internal/tiers.hpp>
 
 namespace nipref::fast::internal {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include <nipref/fast/estimate.hpp>
 #include <nipref/fast/indenter.hpp>
+#include <nipref/fast/number/estimate.hpp>
 #include <nipref/fast/surface_response.hpp>
 
 namespace nipref::fast {

@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include <nipref/fast/bisection.hpp>
+#include <nipref/fast/number/internal/bisection.hpp>
 #include <nipref/fast/transversely_isotropic_line.hpp>
 
 // Once more for processors with a fused multiply-add, which the two-word products then do in one instruction.

@@ -3,8 +3,8 @@
 #include <variant>
 
 #include <nipref/data/material/solids.hpp>
+#include <nipref/fast/number/internal/two_words_algebra.hpp>
 #include <nipref/fast/surface_line.hpp>
-#include <nipref/fast/two_words_algebra.hpp>
 
 namespace nipref::fast::internal {
 

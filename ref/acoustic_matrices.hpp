@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/ref/exact_stiffness.hpp>
-#include <nipref/ref/interval_matrix.hpp>
+#include <nipref/ref/number/internal/interval_matrix.hpp>
 #include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {

@@ -2,7 +2,7 @@
 #include <gmpxx.h>
 
 #include <nipref/ref/nodes.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 

@@ -8,7 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/contact_converged.hpp>
-#include <nipref/ref/multiprecision.hpp>
+#include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/sheet_kernels.hpp>
 
 namespace nipref::ref {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 // The elastic nip with its tractions gathered in line loads, the thesis's discrete systems, in
 // multiprecision: the same equations as fast/contact_line_loads, so that what that loses to its kernels and

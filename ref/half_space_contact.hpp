@@ -1,9 +1,9 @@
 #pragma once
 #include <functional>
 
-#include <nipref/ref/enclosure.hpp>
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/ref/barnett_lothe.hpp>
-#include <nipref/ref/interval_matrix.hpp>
-#include <nipref/ref/multiprecision.hpp>
+#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/internal/interval_matrix.hpp>
 
 // Between intervals and floating point. Heavy to compile; for .cpp files of this room only.
 

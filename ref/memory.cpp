@@ -5,7 +5,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory.hpp>
 #include <nipref/ref/memory_intervals.hpp>
-#include <nipref/ref/panel_quadrature.hpp>
+#include <nipref/ref/number/internal/panel_quadrature.hpp>
 
 namespace nipref::ref {
 namespace {

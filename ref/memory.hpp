@@ -1,6 +1,6 @@
 #pragma once
-#include <nipref/ref/enclosure.hpp>
-#include <nipref/ref/exact.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
 

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/ref/enclosure.hpp>
-#include <nipref/ref/exact.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nipref/ref/complex.hpp>
 #include <nipref/ref/nodes.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 namespace {

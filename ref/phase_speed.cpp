@@ -4,9 +4,9 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <nipref/ref/bracketed_root.hpp>
 #include <nipref/ref/impedance.hpp>
 #include <nipref/ref/interval_float.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/phase_speed.hpp>
 
 namespace nipref::ref {

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
-#include <nipref/ref/enclosure.hpp>
 #include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {

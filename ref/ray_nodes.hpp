@@ -2,8 +2,8 @@
 #include <deque>
 #include <memory>
 
-#include <nipref/ref/complex.hpp>
 #include <nipref/ref/fading_memory.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {
 

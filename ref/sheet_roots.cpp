@@ -5,7 +5,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/complex.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet_intervals.hpp>
 #include <nipref/ref/sheet_roots.hpp>
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <functional>
 
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/interval.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 

@@ -1,6 +1,6 @@
 #pragma once
-#include <nipref/ref/enclosure.hpp>
 #include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/surface_direction.hpp>
 
 namespace nipref::ref {

@@ -1,6 +1,6 @@
 #pragma once
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/interval.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/symbols.hpp>
 
 namespace nipref::ref {

@@ -13,7 +13,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/jacobi_amplitude.hpp>
+#include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 
 #include "half_space_common.hpp"
 

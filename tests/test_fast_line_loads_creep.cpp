@@ -7,7 +7,7 @@
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/fast/contact_line_loads_diagnostics.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/feasible_set.hpp>
+#include <nipref/fast/number/internal/feasible_set.hpp>
 
 using namespace nipref;
 using fast::Affine;

@@ -9,7 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space_contact.hpp>
-#include <nipref/ref/multiprecision.hpp>
+#include <nipref/ref/number/internal/float.hpp>
 
 using namespace nipref;
 using ref::Exact;

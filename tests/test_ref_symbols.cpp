@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/ref/interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/symbols.hpp>
 
 // Proves the constants of ref/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.

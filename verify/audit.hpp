@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <functional>
 
-#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/quantity.hpp>
 
 namespace nipref::verify {

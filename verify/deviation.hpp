@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::verify {
 

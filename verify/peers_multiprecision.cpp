@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/real.hpp>
 #include <nipref/verify/peers_multiprecision.hpp>
 
 namespace nipref::verify {

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/fast/accuracy.hpp>
-#include <nipref/ref/enclosure.hpp>
-#include <nipref/ref/exact.hpp>
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
 #include <nipref/verify/random.hpp>
 
 namespace nipref::verify {

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 #include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {

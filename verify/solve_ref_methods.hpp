@@ -4,7 +4,7 @@
 #include <vector>
 
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/solve.hpp>
 #include <nipref/verify/solved_contact.hpp>
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string_view>
 
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 #include <nipref/verify/solved_contact.hpp>
 
 namespace nipref::verify {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/fast/accuracy.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/command_line.hpp>
 #include <nipref/verify/quantity.hpp>
 

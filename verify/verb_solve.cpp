@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/print_json.hpp>
 #include <nipref/verify/render_solve.hpp>
 #include <nipref/verify/verbs.hpp>

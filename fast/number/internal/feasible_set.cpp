@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/feasible_set.hpp>
+#include <nipref/fast/number/internal/feasible_set.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,6 +1,6 @@
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/accuracy.hpp>
-#include <nipref/fast/sheet_tiers.hpp>
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/fast/number/internal/tiers.hpp>
 
 namespace nipref::fast {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <gmpxx.h>
 
-#include <nipref/ref/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
 
 namespace nipref::ref {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/fast/estimate.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast::internal {
 

@@ -3,9 +3,9 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 
-#include <nipref/ref/enclosure.hpp>
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/real.hpp>
 
 // Linear algebra in multiprecision: Eigen over Boost's MPFR type. Heavy to compile; for .cpp files of this
 // room only.

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/ref/panel_quadrature.hpp>
+#include <nipref/ref/number/internal/panel_quadrature.hpp>
 
 namespace nipref::ref {
 namespace {

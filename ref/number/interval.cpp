@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/ref/interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 namespace {

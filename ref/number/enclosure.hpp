@@ -2,8 +2,8 @@
 #include <functional>
 #include <string>
 
-#include <nipref/ref/interval.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 

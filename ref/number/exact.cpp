@@ -3,8 +3,8 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include <nipref/ref/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
 
 namespace nipref::ref {
 

@@ -1,4 +1,4 @@
-#include <nipref/ref/complex_interval.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
 
 namespace nipref::ref {
 

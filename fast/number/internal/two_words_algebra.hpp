@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 
-#include <nipref/fast/two_words.hpp>
+#include <nipref/fast/number/two_words.hpp>
 
 namespace nipref::fast::internal {
 

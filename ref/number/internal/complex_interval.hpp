@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/interval.hpp>
+#include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {
 

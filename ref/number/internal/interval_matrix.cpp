@@ -1,4 +1,4 @@
-#include <nipref/ref/interval_matrix.hpp>
+#include <nipref/ref/number/internal/interval_matrix.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/fast/double_exponential.hpp>
+#include <nipref/fast/number/internal/double_exponential.hpp>
 
 namespace nipref::fast {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/fast/exponential_integrals.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/enclosure.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 #include <mpfi.h>
 
-#include <nipref/ref/exact.hpp>
-#include <nipref/ref/real.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 
