@@ -2,7 +2,7 @@
 
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {
 

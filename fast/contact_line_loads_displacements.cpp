@@ -4,7 +4,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/contact_line_loads_displacements.hpp>
 #include <nipref/fast/contact_line_loads_kernels.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,6 +1,6 @@
 #include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/contact_line_loads_kernels.hpp>
-#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/contact_line_loads_system.hpp>
-#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -6,7 +6,7 @@
 #include <nipref/fast/hereditary.hpp>
 #include <nipref/fast/hereditary_core.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -4,7 +4,7 @@
 #include <nipref/fast/hereditary_core.hpp>
 #include <nipref/fast/hereditary_rules.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
 
 namespace nipref::fast::internal {
 namespace {

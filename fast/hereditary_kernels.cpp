@@ -1,9 +1,9 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/argument_checks.hpp>
 #include <nipref/fast/hereditary.hpp>
 #include <nipref/fast/hereditary_kernels.hpp>
+#include <nipref/fast/sheet/internal/argument_checks.hpp>
 
 namespace nipref::fast {
 namespace {

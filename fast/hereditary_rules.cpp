@@ -5,8 +5,8 @@
 #include <span>
 
 #include <nipref/fast/hereditary_rules.hpp>
-#include <nipref/fast/sheet_code.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nipref/fast/hereditary_waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
-#include <nipref/fast/sheet_tables.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
 

@@ -5,8 +5,8 @@
 
 #include <nipref/fast/hereditary_waves.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/sheet_code.hpp>
-#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
+#include <nipref/fast/sheet/roots.hpp>
 
 namespace nipref::fast::internal {
 namespace {

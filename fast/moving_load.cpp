@@ -5,10 +5,10 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/argument_checks.hpp>
 #include <nipref/fast/hereditary.hpp>
 #include <nipref/fast/moving_load.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/sheet/internal/argument_checks.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/moving_load_plain.hpp>
-#include <nipref/fast/plain_series.hpp>
-#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/fast/sheet/roots.hpp>
 
 namespace nipref::fast {
 namespace {

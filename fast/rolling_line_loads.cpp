@@ -7,8 +7,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/moving_load.hpp>
 #include <nipref/fast/moving_load_plain.hpp>
-#include <nipref/fast/plain_series.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {
 namespace {

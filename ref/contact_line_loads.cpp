@@ -6,7 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/contact_line_loads.hpp>
 #include <nipref/ref/number/internal/float.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -8,8 +8,8 @@
 #include <nipref/ref/fading_memory.hpp>
 #include <nipref/ref/memory_intervals.hpp>
 #include <nipref/ref/moving_load.hpp>
-#include <nipref/ref/sheet_intervals.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/sheet_influence.hpp>
+#include <nipref/fast/sheet/displacements.hpp>
 
 namespace line_load_tests {
 

@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
 
 #include "test_fast_common.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 namespace fast_tests {
 

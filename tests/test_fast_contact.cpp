@@ -7,7 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;
 using fast::LineLoadSolution;

@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include <nipref/fast/contact_ladder.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;
 using data::Friction;

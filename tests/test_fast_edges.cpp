@@ -3,7 +3,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/branch_points.hpp>
+#include <nipref/fast/sheet/branch_points.hpp>
 
 #include "test_fast_common.hpp"
 

@@ -10,7 +10,7 @@
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/fast/contact_line_loads_diagnostics.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;
 

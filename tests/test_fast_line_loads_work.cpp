@@ -7,8 +7,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/contact_line_loads_displacements.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/plain_series.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 
 using namespace nipref;
 using fast::ContactWork;

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/plain_series.hpp>
-#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/fast/sheet/roots.hpp>
 
 #include "test_fast_common.hpp"
 

@@ -11,10 +11,10 @@
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/contact_converged.hpp>
 #include <nipref/ref/contact_line_loads.hpp>
-#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/ref/sheet/displacements.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

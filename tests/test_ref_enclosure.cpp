@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/sheet_displacements.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
-#include <nipref/ref/sheet_roots.hpp>
+#include <nipref/ref/sheet/displacements.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+#include <nipref/ref/sheet/roots.hpp>
 
 using namespace nipref::ref;
 using nipref::data::BadInput;

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include <nipref/ref/sheet_kernels.hpp>
-#include <nipref/ref/sheet_roots.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+#include <nipref/ref/sheet/roots.hpp>
 
 // Second methods for the reference path, which share nothing with it but the definition of the kernels: the
 // contour turned to the ray arg z = pi/4 with a double-exponential rule, and for larger arguments the residue

@@ -11,8 +11,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/moving_load.hpp>
-#include <nipref/ref/sheet_displacements.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/ref/sheet/displacements.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 // The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the hereditary
 // integral itself, by quadrature over the elastic kernels in real space, and what is known of its limits.

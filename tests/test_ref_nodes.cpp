@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include <nipref/ref/nodes.hpp>
-#include <nipref/ref/transform.hpp>
+#include <nipref/ref/sheet/internal/nodes.hpp>
+#include <nipref/ref/sheet/internal/transform.hpp>
 
 using namespace nipref::ref;
 

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include <nipref/ref/sheet_roots.hpp>
+#include <nipref/ref/sheet/roots.hpp>
 
 using namespace nipref::ref;
 

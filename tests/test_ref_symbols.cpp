@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <nipref/ref/number/interval.hpp>
-#include <nipref/ref/symbols.hpp>
+#include <nipref/ref/sheet/internal/symbols.hpp>
 
-// Proves the constants of ref/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
+// Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
 // With e1 = e^{-z}, e2 = e^{-2z}, Q = 1 - e2^2 + 4 z e2 = 2 e2 S the symbols times e^{r z} are
 //     I3 4/Q,  I4 2 (1 - e2)/(z Q),  I5 2 (1 + e2)/Q,  I7 2 (1 - e2)/Q,  I6_alpha 4/(z Q),  I6_eta 2 (1 +

@@ -9,7 +9,7 @@
 #include <nipref/fast/contact_converged.hpp>
 #include <nipref/fast/contact_line_loads_diagnostics.hpp>
 #include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/contact_converged.hpp>
 #include <nipref/ref/contact_line_loads.hpp>
 #include <nipref/verify/audit_contacts.hpp>

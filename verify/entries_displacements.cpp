@@ -3,8 +3,8 @@
 #include <limits>
 #include <numbers>
 
-#include <nipref/fast/sheet_kernels.hpp>
-#include <nipref/ref/sheet_displacements.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/envelopes.hpp>
 

@@ -1,5 +1,5 @@
-#include <nipref/fast/sheet_kernels.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/envelopes.hpp>
 #include <nipref/verify/peers_double.hpp>

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <nipref/fast/memory.hpp>
-#include <nipref/fast/sheet_roots.hpp>
+#include <nipref/fast/sheet/roots.hpp>
 #include <nipref/ref/memory.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/memory_sampling.hpp>

@@ -1,8 +1,8 @@
 #include <complex>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/sheet_roots.hpp>
-#include <nipref/ref/sheet_roots.hpp>
+#include <nipref/fast/sheet/roots.hpp>
+#include <nipref/ref/sheet/roots.hpp>
 #include <nipref/verify/entries.hpp>
 
 namespace nipref::verify {

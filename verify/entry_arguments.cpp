@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include <nipref/fast/branch_points.hpp>
+#include <nipref/fast/sheet/branch_points.hpp>
 #include <nipref/verify/entries.hpp>
 
 namespace nipref::verify {

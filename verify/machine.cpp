@@ -3,7 +3,7 @@
 #include <fstream>
 #include <thread>
 
-#include <nipref/fast/sheet_code.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/verify/machine.hpp>
 
 namespace nipref::verify {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <numbers>
 
-#include <nipref/fast/plain_series.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/verify/peers_double.hpp>
 
 namespace nipref::verify {

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/fast/sheet_kernels.hpp>
-#include <nipref/ref/sheet_kernels.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/verify/solve.hpp>
 
 int main() {

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <nipref/fast/sheet/arithmetic/sort.hpp>
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// What a caller of a component needs: its value, or two words to compute on with.
+enum class Words { rounded, two };
+
+/// A component at sorted points: its value or high word, and its low word where two are wanted.
+struct SortedValues {
+  alignas(64) double high[3 * kRegimeCapacity];
+  alignas(64) double low[3 * kRegimeCapacity];
+};
+
+template <Regime regime, Component component, int tier, Words words>
+NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& values) {
+  constexpr int32_t first = kFirst[static_cast<int>(regime)];
+  const int32_t n = (points.count[static_cast<int>(regime)] + kLanes - 1) & ~(kLanes - 1);
+  const double* __restrict x = points.x + first;
+  double* __restrict high = values.high + first;
+  double* __restrict low = values.low + first;
+  for (int32_t i = 0; i < n; ++i) {
+    const Pair value = in_regime<regime, component, tier>(x[i]);
+    if constexpr (words == Words::rounded) {
+      high[i] = value.high + value.low;
+    } else {
+      high[i] = value.high;
+      low[i] = value.low;
+    }
+  }
+}
+
+#ifdef __AVX512F__
+
+template <Regime regime, Component component, int tier>
+NIPREF_INLINE WidePair in_regime(__m512d x) {
+  if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
+  if constexpr (regime == Regime::piece) return piece<component, tier>(x);
+}
+
+/// The same for the regimes that have a form of their own for eight points.
+template <Regime regime, Component component, int tier, Words words>
+requires(regime != Regime::residue_tail) NIPREF_INLINE
+    void evaluate_regime(const SortedPoints& points, SortedValues& values) {
+  const int32_t first = kFirst[static_cast<int>(regime)];
+  const int32_t last = first + points.count[static_cast<int>(regime)];
+  for (int32_t i = first; i < last; i += kLanes) {
+    const WidePair value = in_regime<regime, component, tier>(_mm512_load_pd(points.x + i));
+    if constexpr (words == Words::rounded) {
+      _mm512_store_pd(values.high + i, value.high + value.low);
+    } else {
+      _mm512_store_pd(values.high + i, value.high);
+      _mm512_store_pd(values.low + i, value.low);
+    }
+  }
+}
+
+#endif
+
+template <Component component, int tier, Words words>
+NIPREF_INLINE void evaluate_sorted(const SortedPoints& points, SortedValues& values) {
+  if constexpr (kShape<component> == Shape::logarithmic) {
+    evaluate_regime<Regime::near_zero, component, tier, words>(points, values);
+  }
+  evaluate_regime<Regime::piece, component, tier, words>(points, values);
+  evaluate_regime<Regime::residue_tail, component, tier, words>(points, values);
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA

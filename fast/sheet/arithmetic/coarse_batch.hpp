@@ -1,0 +1,105 @@
+#pragma once
+
+#include <nipref/fast/sheet/arithmetic/batch.hpp>
+#include <nipref/fast/sheet/arithmetic/coarse_wide.hpp>
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// A block of arguments for the coarse tiers. The few points of the residue tail are evaluated apart; all
+/// others stay in their own places.
+struct CoarseBlock {
+  int32_t tail_count;
+  alignas(64) double tail_argument[kRegimeCapacity];
+  alignas(64) double tail_value[kRegimeCapacity];
+#ifdef __AVX512F__
+  __mmask8 is_tail[kBlock / kLanes];  ///< which of eight arguments belong to the tail
+  alignas(64) int64_t offset[kBlock];
+  alignas(64) double t[kBlock];
+  alignas(64) double rest[kBlock];
+#else
+  int32_t tail_place[kRegimeCapacity];
+#endif
+};
+
+#ifdef __AVX512F__
+
+/// Collects the tail and locates all points. The offsets of rows go through memory, far ahead of their use:
+/// scalar loads soon after a vector's store wait for it, and extractions from its register are slow.
+template <Component component, int tier>
+NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
+  int32_t tail_count = 0;
+  for (int32_t i = 0; i < n; i += kLanes) {
+    const __m512d x = _mm512_loadu_pd(argument + i);
+    const __m512d magnitude = _mm512_abs_pd(x);
+    const __mmask8 is_tail = _mm512_cmp_pd_mask(magnitude, _mm512_set1_pd(kPieceEnd), _CMP_GE_OQ);
+    block.is_tail[i / kLanes] = is_tail;
+    _mm512_storeu_pd(block.tail_argument + tail_count, _mm512_maskz_compress_pd(is_tail, x));
+    tail_count += __builtin_popcount(is_tail);
+    const WideCoarsePoint at = locate_coarsely<component, tier>(magnitude);
+    _mm512_store_si512(block.offset + i, at.offset);
+    _mm512_store_pd(block.t + i, at.t);
+    if constexpr (kShape<component> == Shape::logarithmic) _mm512_store_pd(block.rest + i, at.rest);
+  }
+  fill_up(block.tail_argument + tail_count);
+  block.tail_count = tail_count;
+}
+
+template <Component component, int tier>
+NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* argument, int32_t n,
+                                        double* value) {
+  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+  const double* tail = block.tail_value;
+  for (int32_t i = 0; i < n; i += kLanes) {
+    __m512d result =
+        cubics<kTiers[tier].piece>(table.coarse[0], block.offset + i, _mm512_load_pd(block.t + i));
+    if constexpr (kShape<component> == Shape::logarithmic) result += _mm512_load_pd(block.rest + i);
+    if constexpr (kShape<component> == Shape::odd) result *= _mm512_loadu_pd(argument + i);
+    const __mmask8 is_tail = block.is_tail[i / kLanes];
+    _mm512_storeu_pd(value + i, expand(result, is_tail, tail));
+    tail += __builtin_popcount(is_tail);
+  }
+}
+
+#else
+
+template <Component, int>
+NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
+  int32_t count = 0;
+  for (int32_t i = 0; i < n; ++i) {
+    block.tail_argument[count] = argument[i];
+    block.tail_place[count] = i;
+    count += __builtin_fabs(argument[i]) >= kPieceEnd ? 1 : 0;
+  }
+  for (int lane = 0; lane < kLanes; ++lane) block.tail_argument[count + lane] = kPieceEnd;
+  block.tail_count = count;
+}
+
+template <Component component, int tier>
+NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* argument, int32_t n,
+                                        double* value) {
+  for (int32_t i = 0; i < n; ++i)
+    value[i] = with_symmetry<component>(coarse<component, tier>(__builtin_fabs(argument[i])), argument[i]);
+  for (int32_t i = 0; i < block.tail_count; ++i) value[block.tail_place[i]] = block.tail_value[i];
+}
+
+#endif
+
+template <Component component, int tier>
+NIPREF_INLINE void evaluate_tail(CoarseBlock& block) {
+  const int32_t n = (block.tail_count + kLanes - 1) & ~(kLanes - 1);
+  for (int32_t i = 0; i < n; ++i) {
+    const Pair result = residue_tail<component, tier>(__builtin_fabs(block.tail_argument[i]));
+    block.tail_value[i] = with_symmetry<component>(result.high + result.low, block.tail_argument[i]);
+  }
+}
+
+/// A component at n <= kBlock arguments of either sign, n a multiple of kLanes; value may be the arguments'
+/// own array.
+template <Component component, int tier>
+NIPREF_INLINE void coarse_block(const double* argument, int32_t n, CoarseBlock& block, double* value) {
+  prepare<component, tier>(argument, n, block);
+  evaluate_tail<component, tier>(block);
+  evaluate_around_tail<component, tier>(block, argument, n, value);
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA

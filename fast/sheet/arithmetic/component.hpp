@@ -1,0 +1,62 @@
+#pragma once
+
+#include <nipref/fast/sheet/arithmetic/coarse.hpp>
+#include <nipref/fast/sheet/arithmetic/near_zero.hpp>
+#include <nipref/fast/sheet/arithmetic/near_zero_wide.hpp>
+#include <nipref/fast/sheet/arithmetic/piece.hpp>
+#include <nipref/fast/sheet/arithmetic/piece_wide.hpp>
+#include <nipref/fast/sheet/arithmetic/residue_tail.hpp>
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// The map of the argument range.
+///
+///   0 <= x < 1/2    logarithmic components: -ln x + even remainder; others: pieces
+///   1/2 <= x < 12   pieces
+///   12 <= x         limit and first residue
+///
+/// Coarse tiers treat the first two as one.
+enum class Regime { near_zero, piece, residue_tail };
+
+template <Regime regime, Component component, int tier>
+NIPREF_INLINE Pair in_regime(double x) {
+  if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
+  if constexpr (regime == Regime::piece) return piece<component, tier>(x);
+  if constexpr (regime == Regime::residue_tail) return residue_tail<component, tier>(x);
+}
+
+template <Component component>
+NIPREF_INLINE bool is_near_zero(double x) {
+  return kShape<component> == Shape::logarithmic && x < kNearEnd;
+}
+
+template <Component component, int tier>
+NIPREF_INLINE Pair evaluate(double x) {
+  if (x >= kPieceEnd) [[unlikely]]
+    return residue_tail<component, tier>(x);
+  if constexpr (kTiers[tier].coarse) return {coarse<component, tier>(x), 0};
+  if (is_near_zero<component>(x)) return near_zero<component, tier>(x);
+  return piece<component, tier>(x);
+}
+
+/// f(-x) from f(x).
+template <Component component>
+NIPREF_INLINE double with_symmetry(double value, double argument) {
+  return kShape<component> == Shape::odd ? __builtin_copysign(value, argument) : value;
+}
+
+/// (pi/4)(e - a) + r - s for a, e >= 0. The first term is exact to 2^-106 of itself: where a and e are large
+/// and close, nothing else is left.
+NIPREF_INLINE double combine_i6(double a, double e, Pair r, Pair s) {
+  constexpr double kQuarterPiHigh = 0x1.921fb54442d18p-1;
+  constexpr double kQuarterPiLow = 0x1.1a62633145c07p-55;
+  const Pair difference = two_sum(e, -a);
+  const Pair linear = two_product(difference.high, kQuarterPiHigh);
+  const Pair with_r = two_sum(linear.high, r.high);
+  const Pair with_s = two_sum(with_r.high, -s.high);
+  const double linear_low =
+      mul_add(difference.high, kQuarterPiLow, mul_add(difference.low, kQuarterPiHigh, linear.low));
+  return with_s.high + ((with_r.low + with_s.low) + (linear_low + (r.low - s.low)));
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA

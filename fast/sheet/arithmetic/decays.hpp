@@ -1,0 +1,105 @@
+#pragma once
+#include <nipref/fast/sheet/arithmetic/floating.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
+
+// What the memory of a kernel needs at all nodes of a Gauss rule at once.
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// e^-x for 0 <= x <= 708, to a unit in the last place: 2^-k e^r with |r| <= ln 2/2, Taylor's polynomial.
+NIPREF_INLINE double decay(double x) {
+  constexpr double kPerLn2 = 0x1.71547652b82fep+0;
+  constexpr double kLn2High = 0x1.62e42fefa3800p-1;  // its last 11 bits are 0: products with k are exact
+  constexpr double kLn2Low = 0x1.ef35793c76730p-45;
+  constexpr double kShift = 0x1.8p52;  // adding it rounds to an integer, which then stands in the low bits
+  constexpr double kTaylor[] = {1,
+                                1,
+                                1.0 / 2,
+                                1.0 / 6,
+                                1.0 / 24,
+                                1.0 / 120,
+                                1.0 / 720,
+                                1.0 / 5040,
+                                1.0 / 40320,
+                                1.0 / 362880,
+                                1.0 / 3628800,
+                                1.0 / 39916800,
+                                1.0 / 479001600,
+                                1.0 / 6227020800};
+  const double shifted = mul_add(-x, kPerLn2, kShift);
+  const double k = shifted - kShift;
+  const double r = mul_add(-k, kLn2Low, mul_add(-k, kLn2High, -x));
+  const double power = from_bits((bits_of(shifted) + 1023) << 52);
+  return horner<13>(kTaylor, r) * power;
+}
+
+/// value[i] = e^(-rate at[i]).
+NIPREF_INLINE void decays(double rate, const double* at, double* value, size_t count) {
+  for (size_t i = 0; i < count; ++i) value[i] = decay(rate * at[i]);
+}
+
+/// value[i] = I1(x) - ln(kLogEnd/x) at x = from + way at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
+NIPREF_INLINE void smooth_I1(double from, double way, const double* at, double* value, size_t count) {
+  const double* even = kComponentTables[static_cast<int>(Component::I1)].even[kFullTier];
+  for (size_t i = 0; i < count; ++i) {
+    const double x = from + way * at[i];
+    value[i] = x * x * horner<kTiers[kFullTier].even - 1>(even, x * x);
+  }
+}
+
+/// cos and sin of |phase| <= 2000, to 2^-53 absolutely: a multiple of pi/2 is taken off in three words.
+struct Turn {
+  double cosine, sine;
+};
+NIPREF_INLINE Turn turn(Pair phase) {
+  constexpr double kPerQuarter = 0x1.45f306dc9c883p-1;
+  constexpr double kQuarterHigh = 0x1.921fb54400000p+0;
+  constexpr double kQuarterMiddle = 0x1.0b4611a600000p-34;
+  constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
+  constexpr double kShift = 0x1.8p52;
+  constexpr double kSine[] = {1,
+                              -1.0 / 6,
+                              1.0 / 120,
+                              -1.0 / 5040,
+                              1.0 / 362880,
+                              -1.0 / 39916800,
+                              1.0 / 6227020800,
+                              -1.0 / 1307674368000};
+  constexpr double kCosine[] = {1,
+                                -1.0 / 2,
+                                1.0 / 24,
+                                -1.0 / 720,
+                                1.0 / 40320,
+                                -1.0 / 3628800,
+                                1.0 / 479001600,
+                                -1.0 / 87178291200,
+                                1.0 / 20922789888000};
+  const double shifted = phase.high * kPerQuarter + kShift;
+  const double quarters = shifted - kShift;
+  const uint64_t quadrant = bits_of(shifted);
+  const double r = ((phase.high - quarters * kQuarterHigh) - quarters * kQuarterMiddle) +
+                   (phase.low - quarters * kQuarterLow);
+  const double sine = r * horner<7>(kSine, r * r), cosine = horner<8>(kCosine, r * r);
+  const bool odd = (quadrant & 1) != 0;
+  const double c = odd ? sine : cosine, s = odd ? cosine : sine;
+  return {from_bits(bits_of(c) ^ ((quadrant + 1) >> 1 << 63)), from_bits(bits_of(s) ^ (quadrant >> 1 << 63))};
+}
+
+/// The waves e^((i frequency - decay) distance) of `count` roots, 1 <= distance <= 500; 0 from e^-708 on.
+NIPREF_INLINE void waves(const RootColumns& roots, double distance_high, double distance_low, double* real,
+                         double* imaginary, size_t count) {
+  const Pair distance = {distance_high, distance_low};
+  for (size_t i = 0; i < count; ++i) {
+    Pair exponent = two_product(roots.decay_high[i], distance.high);
+    exponent.low += roots.decay_high[i] * distance.low + roots.decay_low[i] * distance.high;
+    Pair phase = two_product(roots.frequency_high[i], distance.high);
+    phase.low += roots.frequency_high[i] * distance.low + roots.frequency_low[i] * distance.high;
+    const double bounded = exponent.high < 708 ? exponent.high : 708;
+    const double size = exponent.high < 708 ? decay(bounded) * (1 - exponent.low) : 0;
+    const Turn at = turn(phase);
+    real[i] = size * at.cosine;
+    imaginary[i] = size * at.sine;
+  }
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA

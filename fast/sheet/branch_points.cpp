@@ -1,0 +1,51 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <nipref/fast/sheet/branch_points.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
+
+namespace nipref::fast {
+namespace {
+
+/// The octaves [1/8, 1/4) and [1/4, 1/2), and where the others begin, down to the denormal numbers.
+void add_log_cells(std::vector<double>& points) {
+  for (double cell = 0; cell < internal::kLogCells; ++cell) {
+    const double mantissa = 1 + cell / internal::kLogCells;
+    points.push_back(mantissa / 4);
+    points.push_back(mantissa / 8);
+  }
+  for (int octave = 4; octave <= 1022; ++octave) points.push_back(std::ldexp(1.0, -octave));
+}
+
+/// Between centres that are `width` apart.
+void add_piece_edges(std::vector<double>& points, double begin, double end, double width) {
+  for (double edge = begin + width / 2; edge < end; edge += width) points.push_back(edge);
+}
+
+/// The first cells of the exponential or of the phase.
+void add_tail_cells(std::vector<double>& points, double cells_per_unit, int cells) {
+  const double first = std::ceil(internal::kPieceEnd * cells_per_unit) + 0.5;
+  for (int cell = 0; cell < cells; ++cell) points.push_back((first + cell) / cells_per_unit);
+}
+
+std::vector<double> all_points() {
+  std::vector<double> points{internal::kNearEnd, internal::kFineEnd, internal::kPieceEnd,
+                             internal::kUnderflown};
+  add_log_cells(points);
+  add_piece_edges(points, 0, internal::kFineEnd, 1 / internal::kFinePieces);
+  add_piece_edges(points, internal::kFineEnd, internal::kPieceEnd, 1 / internal::kCoarsePieces);
+  add_tail_cells(points, internal::kCommonTable.decay_high, internal::kExponentialCells);
+  add_tail_cells(points, internal::kCommonTable.phase_high, internal::kPhaseCells);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+}  // namespace
+
+std::span<const double> branch_points() {
+  static const std::vector<double> kPoints = all_points();
+  return kPoints;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,177 @@
+#include <boost/math/constants/constants.hpp>
+#include <span>
+
+#include <nipref/fast/sheet/generator/component_series.hpp>
+#include <nipref/fast/sheet/generator/series.hpp>
+#include <nipref/fast/sheet/generator/tabulate.hpp>
+
+namespace nipref::fast::generator {
+namespace {
+
+using internal::Component;
+using internal::ComponentTable;
+using internal::Shape;
+
+const Real kPi = boost::math::constants::pi<Real>();
+
+/// Longer than any double can see: the largest argument is 1/64 of the radius of convergence.
+constexpr int kLocalLength = 24;
+
+double rounded(const Real& x) { return x.convert_to<double>(); }
+
+struct TwoDoubles {
+  double high;
+  double low;
+};
+
+TwoDoubles split(const Real& x) {
+  const double high = rounded(x);
+  return {high, rounded(x - high)};
+}
+
+Real row_centre(int row) {
+  const bool fine = row <= static_cast<int>(internal::kFinePieces);
+  return fine ? Real(row) / internal::kFinePieces
+              : Real(row - internal::kCoarseOffset) / internal::kCoarsePieces;
+}
+
+/// Taylor series of what a row holds, f or f(x)/x. Near 0 the residue series converges too slowly: there the
+/// series about 0 is moved, in which f(x)/x is a mere renumbering.
+Series local_series(const ComponentSeries& component, Series about_zero, bool odd, const Real& centre) {
+  if (centre < Real(1) / 8) {
+    if (odd) about_zero.erase(about_zero.begin());
+    return shifted(about_zero, centre, kLocalLength);
+  }
+  const Series series = component.about(centre, kLocalLength);
+  return odd ? divided_by_argument(series, centre) : series;
+}
+
+void fill_rows(Component id, const ComponentSeries& component, const Series& about_zero,
+               ComponentTable& table) {
+  const bool logarithmic = shape(id) == Shape::logarithmic;
+  const int first_row = logarithmic ? static_cast<int>(internal::kNearEnd * internal::kFinePieces) : 0;
+  for (int row = first_row; row < internal::kRows; ++row) {
+    const Real centre = row_centre(row);
+    const Real half_width =
+        1 / (2 * Real(centre < internal::kFineEnd ? internal::kFinePieces : internal::kCoarsePieces));
+    const Series local = local_series(component, about_zero, shape(id) == Shape::odd, centre);
+    const Series polynomial = economised(local, -half_width, half_width, internal::kPieceDegree);
+    const TwoDoubles constant = split(polynomial.front());
+    for (std::size_t k = 0; k < polynomial.size(); ++k) table.power[row][k] = rounded(polynomial[k]);
+    table.constant_low[row] = constant.low;
+  }
+}
+
+void write_row(const Series& local, double (&row)[internal::kCoarseDegree + 1]) {
+  const Real half_width = 1 / (2 * Real(internal::kCoarsePieces));
+  const Series polynomial = economised(local, -half_width, half_width, internal::kCoarseDegree);
+  for (std::size_t k = 0; k < polynomial.size(); ++k) row[k] = rounded(polynomial[k]);
+}
+
+void fill_coarse_rows(Component id, const ComponentSeries& component, const Series& about_zero,
+                      ComponentTable& table) {
+  const bool logarithmic = shape(id) == Shape::logarithmic;
+  const int first_row = logarithmic ? static_cast<int>(internal::kNearEnd * internal::kCoarsePieces) : 0;
+  for (int row = first_row; row < internal::kCoarsePieceRows; ++row) {
+    const Real centre = Real(row) / internal::kCoarsePieces;
+    write_row(local_series(component, about_zero, shape(id) == Shape::odd, centre), table.coarse[row]);
+  }
+  if (!logarithmic) return;
+  for (int row = 0; row < internal::kCoarseLogRows; ++row) {
+    Series minus_log = logarithm(1 + Real(row) / internal::kCoarsePieces, kLocalLength);
+    for (Real& c : minus_log) c = -c;
+    minus_log.front() += about_zero.front();
+    write_row(minus_log, table.coarse[internal::kCoarsePieceRows + row]);
+  }
+}
+
+/// Nearest multiple of 2^-42.
+Real on_log_grid(const Real& x) { return ldexp(Real(floor(ldexp(x, 42) + Real(1) / 2)), -42); }
+
+Real log_cell_centre(int cell, int cells) { return 1 + (cell + Real(1) / 2) / cells; }
+
+void split_on_log_grid(const Real& x, double& high, double& low) {
+  const Real on_grid = on_log_grid(x);
+  high = rounded(on_grid);
+  low = rounded(x - on_grid);
+}
+
+void fill_logarithm(const Series& about_zero, ComponentTable& table) {
+  for (int cell = 0; cell < internal::kLogCells; ++cell) {
+    const Real constant = about_zero.front() - log(log_cell_centre(cell, internal::kLogCells));
+    split_on_log_grid(constant, table.log_high[cell], table.log_low[cell]);
+  }
+  for (int cell = 0; cell < internal::kWideLogCells; ++cell) {
+    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
+    split_on_log_grid(about_zero.front() + log(reciprocal), table.wide_log_high[cell],
+                      table.wide_log_low[cell]);
+  }
+}
+
+/// The even remainder over x^2, as a function of x^2 on [0, kNearEnd^2], economised afresh for each tier.
+void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
+  Series even;
+  for (std::size_t k = 2; k < about_zero.size(); k += 2) even.push_back(about_zero[k]);
+  const Real end = Real(internal::kNearEnd) * internal::kNearEnd;
+  for (int tier = 0; tier < internal::kTierCount; ++tier) {
+    const Series polynomial = economised(even, Real(0), end, internal::kTiers[tier].even - 1);
+    for (std::size_t k = 0; k < polynomial.size(); ++k) table.even[tier][k] = rounded(polynomial[k]);
+  }
+}
+
+void fill_residue(const ComponentSeries& component, ComponentTable& table) {
+  const TwoDoubles limit = split(component.limit());
+  table.limit_high = limit.high;
+  table.limit_low = limit.low;
+  const Complex amplitude = component.leading_amplitude();
+  const Real size = abs(amplitude);
+  const Real phase = atan2(Real(amplitude.imag()), Real(amplitude.real()));
+  for (int j = 0; j < internal::kExponentialCells; ++j) {
+    const TwoDoubles cell = split(size * exp2(-Real(j) / internal::kExponentialCells));
+    table.exponential_high[j] = cell.high;
+    table.exponential_low[j] = cell.low;
+  }
+  for (int p = 0; p < internal::kPhaseCells; ++p) {
+    const Real angle = phase + 2 * kPi * p / internal::kPhaseCells;
+    const TwoDoubles cosine = split(cos(angle));
+    table.cosine_high[p] = cosine.high;
+    table.cosine_low[p] = cosine.low;
+    table.sine[p] = rounded(sin(angle));
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<ComponentTable> tabulate(Component id, const std::vector<Complex>& roots) {
+  auto table = std::make_unique<ComponentTable>();
+  const ComponentSeries component(id, roots);
+  const Series about_zero = component.about_zero();
+  fill_rows(id, component, about_zero, *table);
+  fill_coarse_rows(id, component, about_zero, *table);
+  if (shape(id) == Shape::logarithmic) {
+    fill_logarithm(about_zero, *table);
+    fill_even_remainder(about_zero, *table);
+    table->odd = rounded(about_zero[1]);
+  }
+  fill_residue(component, *table);
+  return table;
+}
+
+internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
+  internal::CommonTable table{};
+  for (int cell = 0; cell < internal::kLogCells; ++cell)
+    table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kLogCells));
+  for (int cell = 0; cell < internal::kWideLogCells; ++cell)
+    table.wide_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
+  const Complex& z = roots.front();
+  const TwoDoubles decay =
+      split(internal::kExponentialCells * z.imag() / boost::math::constants::ln_two<Real>());
+  const TwoDoubles phase = split(internal::kPhaseCells * z.real() / (2 * kPi));
+  table.decay_high = decay.high;
+  table.decay_low = decay.low;
+  table.phase_high = phase.high;
+  table.phase_low = phase.low;
+  return table;
+}
+
+}  // namespace nipref::fast::generator

@@ -1,0 +1,59 @@
+#pragma once
+
+// The sheet arithmetic is compiled once for each instruction set (arithmetic/sheet_code.cpp); this is the
+// table of its entry points. They expect checked arguments: finite, and not 0 where the component is
+// infinite.
+
+#include <stddef.h>
+
+#include <nipref/fast/sheet/internal/domain.hpp>
+#include <nipref/fast/sheet/internal/tables.hpp>
+
+namespace nipref::fast::internal {
+
+inline constexpr int kBatchComponents = 5;   ///< I1, I3, I4, I5, I7
+inline constexpr int kScalarComponents = 6;  ///< and eta_part_of_I6
+
+/// z_n = frequency + i decay in two words each.
+struct RootColumns {
+  const double *frequency_high, *frequency_low, *decay_high, *decay_low;
+};
+
+struct SheetCode {
+  const char* instruction_set;
+  bool (*all_in_domain)(const double*, size_t, Domain);
+  double (*scalar[kScalarComponents][kTierCount])(double);
+  void (*batch[kBatchComponents][kTierCount])(const double*, double*, size_t);
+  double (*scalar_i6[kTierCount])(double, double);
+  void (*batch_i6[kTierCount])(const double*, const double*, double*, size_t);
+  /// value[i] = e^(-rate at[i]), 0 <= rate at[i] <= 708.
+  void (*decays)(double rate, const double* at, double* value, size_t count);
+  /// e^((i frequency - decay) distance), 1 <= distance <= 500; 0 from e^-708 on.
+  void (*waves)(const RootColumns& roots, double distance_high, double distance_low, double* real,
+                double* imaginary, size_t count);
+  /// value[i] = I1(x) less its logarithm at x = from + way at[i], |x| <= 1/2.
+  void (*smooth_I1)(double from, double way, const double* at, double* value, size_t count);
+};
+
+namespace baseline {
+extern const SheetCode kCode;
+}
+namespace v3 {
+extern const SheetCode kCode;
+}
+namespace v4 {
+extern const SheetCode kCode;
+}
+
+/// From the plainest to the best.
+inline constexpr int kInstructionSetCount = 3;
+
+/// The code for an instruction set, or null where this processor does not have it.
+const SheetCode* sheet_code_for(int instruction_set);
+
+/// The code for the best instruction set of this processor. Before this library's static objects are
+/// initialised it may be the baseline's, so that calls need no guard.
+extern constinit const SheetCode* best_sheet_code;
+inline const SheetCode& sheet_code() { return *best_sheet_code; }
+
+}  // namespace nipref::fast::internal

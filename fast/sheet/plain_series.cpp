@@ -1,0 +1,112 @@
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/internal/argument_checks.hpp>
+#include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/fast/sheet/roots.hpp>
+
+namespace nipref::fast {
+namespace {
+
+/// One residue, in the names of (AI.8), (AI.9): a kernel's term is A e^(-K a) sin(m a) + B e^(-K a) cos(m a).
+struct Coefficients {
+  double A;
+  double B;
+};
+
+struct Term {
+  double K;
+  double m;
+  Coefficients I1, I3, I6;
+};
+
+/// -2 pi Im(c e^(i z a)): the kernels that are cosine transforms.
+Coefficients of_cosine(std::complex<double> c) {
+  return {-2 * std::numbers::pi * c.real(), -2 * std::numbers::pi * c.imag()};
+}
+
+/// 2 pi Re(c e^(i z a)): the sine transforms.
+Coefficients of_sine(std::complex<double> c) {
+  return {-2 * std::numbers::pi * c.imag(), 2 * std::numbers::pi * c.real()};
+}
+
+/// The residues' coefficients c are simple because (sinh 2z + 2z)' = 4 cosh^2 z.
+Term term(int n) {
+  const std::complex<double> z = sheet_root(n);
+  const std::complex<double> tanh_z = std::tanh(z);
+  const std::complex<double> cosh_z = std::cosh(z);
+  return {z.imag(), z.real(), of_cosine(tanh_z * tanh_z / (2.0 * z)), of_sine(0.5 / (cosh_z * cosh_z)),
+          of_cosine(0.5 / z)};
+}
+
+const std::vector<Term>& all_terms() {
+  static const std::vector<Term> terms = [] {
+    std::vector<Term> computed;
+    for (int n = 1; n <= most_residue_terms; ++n) computed.push_back(term(n));
+    return computed;
+  }();
+  return terms;
+}
+
+std::span<const Term> first_terms(int count) {
+  if (count < 1 || count > most_residue_terms) {
+    throw data::BadInput("terms", std::to_string(count),
+                         "must be from 1 to " + std::to_string(most_residue_terms));
+  }
+  return std::span(all_terms()).first(static_cast<std::size_t>(count));
+}
+
+void check_sizes(std::span<const double> alpha, std::span<double> values) {
+  if (values.empty()) return;
+  internal::check_arguments("alpha", alpha, values.size(), internal::Domain::finite_nonzero);
+}
+
+/// Sums over the terms at one |alpha|.
+struct Sums {
+  double I1 = 0, I3 = 0, I6 = 0;
+};
+
+Sums sum(std::span<const Term> terms, double a) {
+  Sums sums;
+  for (const Term& t : terms) {
+    const double decay = std::exp(-t.K * a);
+    const double sine = decay * std::sin(t.m * a);
+    const double cosine = decay * std::cos(t.m * a);
+    sums.I1 += t.I1.A * sine + t.I1.B * cosine;
+    sums.I3 += t.I3.A * sine + t.I3.B * cosine;
+    sums.I6 += t.I6.A * sine + t.I6.B * cosine;
+  }
+  return sums;
+}
+
+}  // namespace
+
+double plain_series_I1(double alpha, int terms) {
+  internal::check_argument("alpha", alpha, internal::Domain::finite_nonzero);
+  const double a = std::fabs(alpha);
+  double sum = 0;
+  for (const Term& t : first_terms(terms)) {
+    sum += std::exp(-t.K * a) * (t.I1.A * std::sin(t.m * a) + t.I1.B * std::cos(t.m * a));
+  }
+  return sum;
+}
+
+void plain_series(std::span<const double> alpha, int terms, PlainSeriesValues values) {
+  const std::span<const Term> wanted = first_terms(terms);
+  for (const std::span<double> kernel : {values.I1, values.I3, values.I6_alpha_part}) {
+    check_sizes(alpha, kernel);
+  }
+  for (std::size_t i = 0; i < alpha.size(); ++i) {
+    const double a = std::fabs(alpha[i]);
+    const Sums sums = sum(wanted, a);
+    if (!values.I1.empty()) values.I1[i] = sums.I1;
+    if (!values.I3.empty()) values.I3[i] = std::copysign(1.0, alpha[i]) * (std::numbers::pi / 4 + sums.I3);
+    if (!values.I6_alpha_part.empty()) values.I6_alpha_part[i] = sums.I6 - std::numbers::pi / 4 * a;
+  }
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,46 @@
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/roots.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The equation, solved for its large exponential and with the branch of the logarithm spelled out, is z =
+/// map(z) + i n pi with map(z) = ln(-4z + e^(-2z))/2. For each n it has one root: there is no other that an
+/// iteration could end in.
+struct MapAndSlope {
+  Complex value;
+  Complex slope;
+};
+
+MapAndSlope map(Complex z) {
+  const Complex small = std::exp(-2.0 * z);
+  const Complex inside = -4.0 * z + small;
+  return {0.5 * std::log(inside), (-2.0 - small) / inside};
+}
+
+}  // namespace
+
+std::complex<double> sheet_root(int n) {
+  constexpr int kLargest = 1000000;
+  if (n < 1 || n > kLargest) throw data::BadInput("n", n, "must satisfy 1 <= n <= 1000000");
+  constexpr double kPiLow = 0x1.1a62633145c07p-53;
+  const double height = std::numbers::pi * n;
+  // The guess is off by ln(n)/(pi n) at most and the slope of the map is 1/(2z): four Newton steps leave
+  // 1e-30.
+  constexpr int kSteps = 4;
+  Complex z(0.5 * std::log(4 * (height - std::numbers::pi / 4)), height - std::numbers::pi / 4);
+  for (int step = 0; step < kSteps; ++step) {
+    const MapAndSlope at = map(z);
+    z += (at.value + Complex(0, height) - z) / (1.0 - at.slope);
+  }
+  // Once more without Newton's difference, whose rounding is that of z: the map contracts what is left.
+  const Complex value = map(z).value;
+  return {value.real(), std::fma(n, std::numbers::pi, n * kPiLow + value.imag())};
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <nipref/ref/sheet/internal/clenshaw.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Limbs = std::vector<mp_limb_t>;
+
+bool is_negative(const mp_limb_t* x, std::size_t limbs) { return (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0; }
+
+/// kappa as a binary fraction of `limbs` limbs, cut; 1 becomes the largest number below.
+Limbs fraction(const Real& kappa, std::size_t limbs) {
+  Limbs result(limbs, GMP_NUMB_MAX);
+  if (mpfr_cmp_ui(kappa.get(), 1) >= 0) return result;
+  Real scaled(kappa.precision());
+  mpfr_mul_2ui(scaled.get(), kappa.get(), limbs * GMP_NUMB_BITS, MPFR_RNDD);
+  mpz_class integer;
+  mpfr_get_z(integer.get_mpz_t(), scaled.get(), MPFR_RNDD);
+  std::fill(result.begin(), result.end(), 0);
+  std::copy_n(mpz_limbs_read(integer.get_mpz_t()), mpz_size(integer.get_mpz_t()), result.begin());
+  return result;
+}
+
+/// The recurrence's state, B = 4 b_{j+1} and d = b_{j+1} - b_{j+2} in two's complement, longer by a limb
+/// whenever the nodes are.
+class Recurrence {
+ public:
+  Recurrence(const Real& kappa, std::size_t most_limbs)
+      : kappa_(fraction(kappa, most_limbs)),
+        fourfold_(most_limbs),
+        difference_(most_limbs),
+        product_(2 * most_limbs) {}
+
+  /// Extends both numbers by their signs. They are 0 at the start.
+  void lengthen(std::size_t limbs) {
+    for (Limbs* x : {&fourfold_, &difference_}) {
+      const bool negative = limbs_ > 0 && is_negative(x->data(), limbs_);
+      std::fill(x->begin() + static_cast<std::ptrdiff_t>(limbs_),
+                x->begin() + static_cast<std::ptrdiff_t>(limbs), negative ? GMP_NUMB_MAX : 0);
+    }
+    limbs_ = limbs;
+  }
+
+  /// d += node - kappa B, B += 4 d. Sums wrap around; the results fit.
+  void step(const mp_limb_t* node) {
+    const auto n = static_cast<mp_size_t>(limbs_);
+    const mp_limb_t* scaled = scaled_fourfold();
+    mpn_add_n(difference_.data(), difference_.data(), node, n);
+    mpn_sub_n(difference_.data(), difference_.data(), scaled, n);
+    mpn_addmul_1(fourfold_.data(), difference_.data(), n, 4);
+  }
+
+  /// 4 b_{j+1} and b_{j+1} - b_{j+2}.
+  [[nodiscard]] Real fourfold(long fraction_bits) const { return number(fourfold_, fraction_bits); }
+  [[nodiscard]] Real difference(long fraction_bits) const { return number(difference_, fraction_bits); }
+
+  /// Throws if 4 b_{j+1}, in units of 2^-F, has more than `bits` bits.
+  void check_size(long bits) const {
+    if (static_cast<long>(mpz_sizeinbase(integer(fourfold_).get_mpz_t(), 2)) > std::max(bits, 1L)) {
+      throw std::logic_error("Clenshaw sum exceeds its proven bound");
+    }
+  }
+
+ private:
+  /// floor(kappa B): the upper half of the product of kappa with B read as unsigned, less kappa if B is
+  /// negative.
+  const mp_limb_t* scaled_fourfold() {
+    const auto n = static_cast<mp_size_t>(limbs_);
+    const mp_limb_t* kappa = kappa_.data() + (kappa_.size() - limbs_);
+    mpn_mul_n(product_.data(), kappa, fourfold_.data(), n);
+    mp_limb_t* high = product_.data() + limbs_;
+    if (is_negative(fourfold_.data(), limbs_)) mpn_sub_n(high, high, kappa, n);
+    return high;
+  }
+
+  [[nodiscard]] mpz_class integer(const Limbs& x) const { return signed_integer(x.data(), limbs_); }
+
+  [[nodiscard]] Real number(const Limbs& x, long fraction_bits) const {
+    Real result(static_cast<mpfr_prec_t>(limbs_) * GMP_NUMB_BITS);
+    mpfr_set_z_2exp(result.get(), integer(x).get_mpz_t(), -fraction_bits, MPFR_RNDN);
+    return result;
+  }
+
+  Limbs kappa_;
+  Limbs fourfold_;
+  Limbs difference_;
+  Limbs product_;
+  std::size_t limbs_ = 0;
+};
+
+/// Runs the recurrence from the last node down to j = 1.
+Recurrence recur(const Nodes& nodes, const Angle& angle, Limbs NodeBlock::*part) {
+  Recurrence recurrence(angle.half_sine_square, nodes.blocks.front().limbs);
+  for (auto block = nodes.blocks.rbegin(); block != nodes.blocks.rend(); ++block) {
+    recurrence.lengthen(block->limbs);
+    const mp_limb_t* values = ((*block).*part).data();
+    const std::size_t stop = block->first == 0 ? 1 : 0;
+    for (std::size_t k = block->size(); k-- > stop;) recurrence.step(values + k * block->limbs);
+    recurrence.check_size(nodes.key.fraction_bits + block->magnitude + 2);
+  }
+  return recurrence;
+}
+
+/// sin(theta) b_1.
+Real sine_part(const Recurrence& recurrence, const Nodes& nodes, const Angle& angle) {
+  Real result(angle.sine.precision());
+  mpfr_mul(result.get(), recurrence.fourfold(nodes.key.fraction_bits).get(), angle.sine.get(), MPFR_RNDN);
+  mpfr_div_2ui(result.get(), result.get(), 2, MPFR_RNDN);
+  return result;
+}
+
+}  // namespace
+
+Angle::Angle(const mpq_class& theta, mpfr_prec_t precision) : sine(precision), half_sine_square(precision) {
+  Real half(precision);
+  Real cosine(precision);
+  mpfr_set_q(half.get(), theta.get_mpq_t(), MPFR_RNDN);
+  mpfr_div_2ui(half.get(), half.get(), 1, MPFR_RNDN);
+  mpfr_sin_cos(half.get(), cosine.get(), half.get(), MPFR_RNDN);
+  mpfr_sqr(half_sine_square.get(), half.get(), MPFR_RNDN);
+  mpfr_mul(sine.get(), half.get(), cosine.get(), MPFR_RNDN);
+  mpfr_mul_2ui(sine.get(), sine.get(), 1, MPFR_RNDN);
+}
+
+mpfr_prec_t angle_precision(const Nodes& nodes) {
+  return static_cast<mpfr_prec_t>(nodes.blocks.front().limbs) * GMP_NUMB_BITS + 16;
+}
+
+Real wave_sum(const Nodes& nodes, const Angle& angle) {
+  const long bits = nodes.key.fraction_bits;
+  const Recurrence real = recur(nodes, angle, &NodeBlock::real);
+  // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
+  Real sum(angle.sine.precision());
+  mpfr_mul(sum.get(), angle.half_sine_square.get(), real.fourfold(bits).get(), MPFR_RNDN);
+  mpfr_div_2ui(sum.get(), sum.get(), 1, MPFR_RNDN);
+  mpfr_sub(sum.get(), real.difference(bits).get(), sum.get(), MPFR_RNDN);
+  const NodeBlock& block = nodes.blocks.front();
+  const mpz_class first = signed_integer(block.real.data(), block.limbs);
+  Real first_node(sum.precision());
+  mpfr_set_z_2exp(first_node.get(), first.get_mpz_t(), -bits, MPFR_RNDN);
+  mpfr_add(sum.get(), sum.get(), first_node.get(), MPFR_RNDN);
+  if (nodes.key.line != Line::real_axis) {
+    const Real imaginary = sine_part(recur(nodes, angle, &NodeBlock::imag), nodes, angle);
+    mpfr_sub(sum.get(), sum.get(), imaginary.get(), MPFR_RNDN);
+  }
+  return sum;
+}
+
+Real sine_sum(const Nodes& nodes, const Angle& angle) {
+  return sine_part(recur(nodes, angle, &NodeBlock::real), nodes, angle);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,75 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr long largest_argument = 1000;
+
+/// -ln of the smaller of 1 and |x|, from the exponents alone so that it cannot underflow.
+double nats_below_one(const mpq_class& x) {
+  if (sgn(x) == 0) return INFINITY;
+  const auto bits = [](const mpz_class& integer) {
+    return static_cast<double>(mpz_sizeinbase(integer.get_mpz_t(), 2));
+  };
+  return std::max(0.0, (bits(x.get_den()) - bits(x.get_num()) + 1) * 0.6931471805599453);
+}
+
+Enclosure odd(const Exact& x, const char* name, int digits, Interval (*interval)(const Exact&, double)) {
+  check_argument(x, name);
+  if (x.sign() == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) { return interval(x, nats); });
+}
+
+}  // namespace
+
+double nats_of_difference(const Exact& alpha, const Exact& eta) {
+  const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
+  return std::min(slowest_decay * nearer, nats_below_one(abs(alpha.value()) - abs(eta.value())));
+}
+
+void check_argument(const Exact& argument, const char* name) {
+  if (abs(argument.value()) > largest_argument) {
+    throw data::BadInput(name, argument.approximate(),
+                         "must satisfy |argument| <= 1000 on the reference path");
+  }
+}
+
+void check_nonzero_argument(const Exact& argument, const char* name) {
+  check_argument(argument, name);
+  if (argument.sign() == 0) throw data::BadInput(name, "0", "must be nonzero: the kernel is infinite there");
+}
+
+Enclosure I1(const Exact& alpha, int digits) {
+  check_nonzero_argument(alpha, "alpha");
+  const double first = slowest_decay * std::abs(alpha.approximate());
+  return enclose(digits, first, [&](double nats) { return I1_interval(alpha, nats); });
+}
+
+Enclosure I2(const Exact& alpha, int digits) {
+  if (alpha.sign() == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) { return I2_interval(alpha, nats); });
+}
+
+Enclosure I3(const Exact& alpha, int digits) { return odd(alpha, "alpha", digits, I3_interval); }
+Enclosure I4(const Exact& eta, int digits) { return odd(eta, "eta", digits, I4_interval); }
+Enclosure I5(const Exact& eta, int digits) { return odd(eta, "eta", digits, I5_interval); }
+
+Enclosure I6(const Exact& alpha, const Exact& eta, int digits) {
+  check_nonzero_argument(alpha, "alpha");
+  check_argument(eta, "eta");
+  const double first = nats_of_difference(alpha, eta);
+  return enclose(digits, first, [&](double nats) { return I6_interval(alpha, eta, nats); });
+}
+
+Enclosure I7(const Exact& eta, int digits) {
+  check_argument(eta, "eta");
+  const double first = slowest_decay * std::abs(eta.approximate());
+  return enclose(digits, first, [&](double nats) { return I7_interval(eta, nats); });
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/internal/complex.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/roots.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr long largest_index = 1'000'000'000;
+
+/// sin phi and phi + (2n-1) pi for x in an interval.
+struct Phase {
+  Interval sine;
+  Interval y;
+};
+
+Phase phase(const Interval& x, long n) {
+  const Interval cosine = x / sinh(x);
+  return {sqrt(-square(cosine) + 1), acos(cosine) + (2 * n - 1) * Interval::pi(x.precision())};
+}
+
+Interval residual(const Interval& x, long n) {
+  const Phase p = phase(x, n);
+  return cosh(x) * p.sine - p.y;
+}
+
+Interval point(const Real& x) { return {x, x, x.precision()}; }
+
+/// One step of Newton's iteration for sinh w + w = 0 (derivative cosh w + 1) at the precision of `scratch`.
+void newton_step(Complex& w, Complex& scratch, Complex& slope) {
+  mpc_sinh(scratch.get(), w.get(), MPC_RNDNN);
+  mpc_add(scratch.get(), scratch.get(), w.get(), MPC_RNDNN);
+  mpc_cosh(slope.get(), w.get(), MPC_RNDNN);
+  mpc_add_ui(slope.get(), slope.get(), 1, MPC_RNDNN);
+  mpc_div(scratch.get(), scratch.get(), slope.get(), MPC_RNDNN);
+  mpc_sub(w.get(), w.get(), scratch.get(), MPC_RNDNN);
+}
+
+/// Re of the root w = 2z, by steps that double the precision. The guess is off by less than 1, and good at
+/// once for large n.
+Real approximate(long n, mpfr_prec_t precision) {
+  const double y = (2 * static_cast<double>(n) - 0.5) * std::numbers::pi;
+  const double x = std::acosh(y);
+  Complex w(precision);
+  mpc_set_d_d(w.get(), x, y - x / std::sinh(x), MPC_RNDNN);
+  constexpr mpfr_prec_t first_precision = 128;
+  constexpr int first_steps = 8;
+  for (int step = 0; step < first_steps; ++step) {
+    Complex scratch(first_precision);
+    Complex slope(first_precision);
+    newton_step(w, scratch, slope);
+  }
+  for (mpfr_prec_t reached = first_precision - 32; reached < precision; reached *= 2) {
+    Complex scratch(std::min(2 * reached + 64, precision));
+    Complex slope(std::min(2 * reached + 64, precision));
+    newton_step(w, scratch, slope);
+  }
+  Real result(precision);
+  mpfr_set(result.get(), mpc_realref(w.get()), MPFR_RNDN);
+  return result;
+}
+
+/// The shortest [x - d, x + d], d = 2^k, with h_n < 0 on the left and > 0 on the right.
+Interval bracket(const Real& x, long n) {
+  Real left(x.precision());
+  Real right(x.precision());
+  Real distance(x.precision());
+  const mpfr_exp_t size = mpfr_get_exp(x.get());
+  for (mpfr_exp_t exponent = size - x.precision() + 2; exponent < size - 2; ++exponent) {
+    mpfr_set_ui_2exp(distance.get(), 1, exponent, MPFR_RNDN);
+    mpfr_sub(left.get(), x.get(), distance.get(), MPFR_RNDN);
+    mpfr_add(right.get(), x.get(), distance.get(), MPFR_RNDN);
+    const bool rises = mpfi_is_strictly_neg(residual(point(left), n).get()) > 0 &&
+                       mpfi_is_strictly_pos(residual(point(right), n).get()) > 0;
+    if (rises) return {left, right, x.precision()};
+  }
+  throw std::logic_error("Newton's iteration missed the root of the sheet");
+}
+
+}  // namespace
+
+SheetRoot sheet_root(long n, int digits) {
+  if (n < 1 || n > largest_index) {
+    throw data::BadInput("n", std::to_string(n), "must be a whole number from 1 to 1000000000");
+  }
+  const auto twice_z = [&](double nats) {
+    return bracket(approximate(n, working_precision(nats, 1) + 64), n);
+  };
+  return {enclose(digits, 0, [&](double nats) { return twice_z(nats) / 2; }),
+          enclose(digits, 0, [&](double nats) { return phase(twice_z(nats), n).y / 2; })};
+}
+
+}  // namespace nipref::ref
