@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/moving_load.hpp>
-#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/rolling_line_loads_displacements.hpp>
 
 namespace nipref::fast {

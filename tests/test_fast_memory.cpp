@@ -5,7 +5,7 @@
 #include <random>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/memory.hpp>
+#include <nipref/fast/memory/convolutions.hpp>
 
 using namespace nipref::fast;
 

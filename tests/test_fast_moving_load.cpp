@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/hereditary_kernels.hpp>
-#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/memory/internal/fading_kernels.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
 
 #include "test_fast_common.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/moving_load.hpp>
-#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
 
 using namespace nipref;

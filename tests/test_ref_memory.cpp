@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/memory.hpp>
+#include <nipref/ref/memory/convolutions.hpp>
 
 // The thesis's closed forms (AII.6, AII.9, AII.13, AII.18), in so many digits that what cancels in them does
 // not matter, against the quadrature of the reference path.

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/moving_load.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/moving_load.hpp>
-#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
-#include <nipref/ref/moving_load.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/bench_rolling.hpp>
 #include <nipref/verify/catalogue.hpp>
 #include <nipref/verify/memory_sampling.hpp>

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/memory.hpp>
+#include <nipref/fast/memory/convolutions.hpp>
 #include <nipref/fast/sheet/roots.hpp>
-#include <nipref/ref/memory.hpp>
+#include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/memory_sampling.hpp>
 

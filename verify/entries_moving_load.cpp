@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/moving_load.hpp>
-#include <nipref/ref/moving_load.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/envelopes.hpp>
 #include <nipref/verify/memory_sampling.hpp>

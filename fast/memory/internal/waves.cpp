@@ -3,7 +3,7 @@
 #include <numbers>
 #include <type_traits>
 
-#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/roots.hpp>

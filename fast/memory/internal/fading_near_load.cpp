@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/hereditary_core.hpp>
-#include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/memory/internal/fading_near_load.hpp>
+#include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/memory.hpp>
-#include <nipref/ref/memory_intervals.hpp>
+#include <nipref/ref/memory/convolutions.hpp>
+#include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/number/internal/panel_quadrature.hpp>
 
 namespace nipref::ref {

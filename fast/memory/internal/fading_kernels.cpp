@@ -1,8 +1,8 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/hereditary.hpp>
-#include <nipref/fast/hereditary_kernels.hpp>
+#include <nipref/fast/memory/internal/fading.hpp>
+#include <nipref/fast/memory/internal/fading_kernels.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
 
 namespace nipref::fast {

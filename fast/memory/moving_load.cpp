@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/hereditary.hpp>
-#include <nipref/fast/moving_load.hpp>
+#include <nipref/fast/memory/internal/fading.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/argument_checks.hpp>
 

@@ -2,7 +2,7 @@
 #include <deque>
 #include <memory>
 
-#include <nipref/ref/fading_memory.hpp>
+#include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 
 namespace nipref::ref {

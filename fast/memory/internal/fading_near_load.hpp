@@ -1,8 +1,8 @@
 #pragma once
 #include <array>
 
-#include <nipref/fast/hereditary_rules.hpp>
-#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/memory/internal/gauss_rules.hpp>
+#include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast::internal {

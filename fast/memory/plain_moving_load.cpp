@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/moving_load_plain.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
 

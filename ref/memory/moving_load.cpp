@@ -5,9 +5,9 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/fading_memory.hpp>
-#include <nipref/ref/memory_intervals.hpp>
-#include <nipref/ref/moving_load.hpp>
+#include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/memory/internal/sign_memory.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/memory.hpp>
+#include <nipref/fast/memory/convolutions.hpp>
 #include <nipref/fast/number/two_words.hpp>
 
 namespace nipref::fast {

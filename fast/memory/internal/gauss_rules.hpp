@@ -2,7 +2,7 @@
 #include <array>
 #include <vector>
 
-#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 

@@ -3,8 +3,8 @@
 #include <numbers>
 #include <type_traits>
 
-#include <nipref/fast/hereditary.hpp>
-#include <nipref/fast/hereditary_core.hpp>
+#include <nipref/fast/memory/internal/fading.hpp>
+#include <nipref/fast/memory/internal/fading_near_load.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include <nipref/fast/hereditary_rules.hpp>
+#include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 

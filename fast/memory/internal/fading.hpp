@@ -2,8 +2,8 @@
 #include <array>
 #include <initializer_list>
 
-#include <nipref/fast/hereditary_core.hpp>
-#include <nipref/fast/hereditary_waves.hpp>
+#include <nipref/fast/memory/internal/fading_near_load.hpp>
+#include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast::internal {

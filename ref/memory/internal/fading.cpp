@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/ref/fading_memory.hpp>
-#include <nipref/ref/ray_nodes.hpp>
+#include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/memory/internal/ray_nodes.hpp>
 
 namespace nipref::ref {
 namespace {

@@ -4,8 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include <nipref/ref/memory/internal/ray_nodes.hpp>
 #include <nipref/ref/number/real.hpp>
-#include <nipref/ref/ray_nodes.hpp>
 
 namespace nipref::ref {
 namespace {
