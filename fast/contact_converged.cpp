@@ -3,9 +3,9 @@
 #include <utility>
 
 #include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_domain.hpp>
 #include <nipref/fast/contact_functionals.hpp>
 #include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {

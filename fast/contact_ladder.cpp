@@ -5,7 +5,7 @@
 #include <nipref/fast/contact_ladder.hpp>
 #include <nipref/fast/contact_panels.hpp>
 #include <nipref/fast/contact_spectral.hpp>
-#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
 
 namespace nipref::fast {

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
 // The elastic nip with its tractions gathered in line loads: the contact is cut into 2m equal elements, each

@@ -1,5 +1,5 @@
-#include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/double_exponential.hpp>
 
 namespace nipref::fast {

@@ -2,8 +2,8 @@
 #include <memory>
 
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 
 namespace nipref::fast {
 

@@ -1,8 +1,8 @@
 #pragma once
 #include <memory>
 
-#include <nipref/fast/contact_kernels.hpp>
 #include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 
 namespace nipref::fast {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <utility>
 
-#include <nipref/fast/contact_domain.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/fast/rolling_functionals.hpp>
 #include <nipref/fast/rolling_ladder.hpp>

@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {

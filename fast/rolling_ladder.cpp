@@ -1,7 +1,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/rolling_functionals.hpp>
 #include <nipref/fast/rolling_ladder.hpp>
 

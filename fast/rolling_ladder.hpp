@@ -4,8 +4,8 @@
 #include <functional>
 #include <memory>
 
-#include <nipref/fast/contact_kernels.hpp>
-#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/estimate.hpp>
 #include <nipref/fast/rolling_pressure.hpp>
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/double_exponential.hpp>
 #include <nipref/fast/rolling_layout.hpp>
 #include <nipref/fast/rolling_memory.hpp>

@@ -2,7 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/rolling_layout.hpp>
 #include <nipref/fast/rolling_memory.hpp>
 

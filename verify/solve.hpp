@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::verify {

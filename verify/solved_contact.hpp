@@ -1,7 +1,7 @@
 #pragma once
 #include <string_view>
 
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 
 namespace nipref::verify {
 

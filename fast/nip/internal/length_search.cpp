@@ -3,7 +3,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include <nipref/fast/length_search.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 
 namespace nipref::fast {
 

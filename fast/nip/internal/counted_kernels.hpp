@@ -2,7 +2,7 @@
 #include <span>
 #include <vector>
 
-#include <nipref/fast/contact_work.hpp>
+#include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 
 namespace nipref::fast {

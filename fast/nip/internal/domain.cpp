@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_domain.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/fast/contact_kernels.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
