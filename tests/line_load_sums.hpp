@@ -2,7 +2,7 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/displacements.hpp>
 
 namespace line_load_tests {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_ladder.hpp>
-#include <nipref/fast/contact_operator.hpp>
-#include <nipref/fast/contact_panels.hpp>
-#include <nipref/fast/contact_spectral.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/internal/ladder.hpp>
+#include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/elastic_nip/internal/panels.hpp>
+#include <nipref/fast/elastic_nip/internal/spectral.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

@@ -1,5 +1,5 @@
 // Limits of the converged contact, each derived apart from the solver, and approached at the rate of the
-// first term left out. Dimensionless as in fast/half_contact.hpp.
+// first term left out. Dimensionless as in fast/elastic_nip/internal/half_contact.hpp.
 #include <doctest/doctest.h>
 
 #include <boost/math/quadrature/exp_sinh.hpp>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/elastic_nip/internal/ladder.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads_diagnostics.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
 
 using namespace nipref;

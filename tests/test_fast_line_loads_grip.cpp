@@ -4,8 +4,8 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads_displacements.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 
 #include "line_load_sums.hpp"
 

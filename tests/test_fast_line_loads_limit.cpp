@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/contact_line_loads_diagnostics.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;

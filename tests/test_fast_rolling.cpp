@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/fast/rolling_functionals.hpp>
 #include <nipref/fast/rolling_pressure.hpp>

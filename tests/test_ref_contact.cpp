@@ -8,12 +8,12 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
-#include <nipref/ref/contact_converged.hpp>
-#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 
 using namespace nipref;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve.hpp>
 
 using namespace nipref;

@@ -8,9 +8,9 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/contact_line_loads_displacements.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/solve.hpp>
 
 using namespace nipref;

@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/render_tables.hpp>
 #include <nipref/verify/replay.hpp>
 #include <nipref/verify/replay_corrected.hpp>

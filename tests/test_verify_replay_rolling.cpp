@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/rolling_converged.hpp>
 #include <nipref/fast/rolling_line_loads.hpp>
 #include <nipref/verify/replay_corrected.hpp>

@@ -6,12 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads_diagnostics.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
-#include <nipref/ref/contact_converged.hpp>
-#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit_contacts.hpp>
 
 namespace nipref::verify {

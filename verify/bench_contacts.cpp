@@ -7,9 +7,9 @@
 #include <utility>
 
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/ref/contact_converged.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/bench_contacts.hpp>
 #include <nipref/verify/replay_line_loads.hpp>
 #include <nipref/verify/stopwatch.hpp>

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <vector>
 
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay_attempts.hpp>
 
 namespace nipref::verify {

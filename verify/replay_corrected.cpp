@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay_corrected.hpp>
 #include <nipref/verify/replay_half_space.hpp>
 #include <nipref/verify/replay_line_loads.hpp>

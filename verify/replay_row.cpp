@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {

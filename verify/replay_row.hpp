@@ -6,7 +6,7 @@
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/table/printed_number.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 namespace nipref::verify {
 

@@ -48,17 +48,17 @@ struct SceneSolution {
 /// are set against that contact solved to 1e-5: the estimate is the difference; of a rolling nip against the
 /// steady motion, so that it holds what is left of the start as well. BadInput, naming the scene's
 /// key and its place, for what Scene::check refuses, and for a contact whose length is not allowed
-/// (fast/contact_converged.hpp), which shows only when it is solved.
+/// (fast/elastic_nip/converged.hpp), which shows only when it is solved.
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
 /// scene's accuracy is not used. It has, of elastic nips only, and refuses with BadInput whatever else the
 /// scene says or wants:
 /// - the continuous contact without friction, with estimated errors: contact_length, load, indentation,
-///   edge_displacement, peak_pressure, pressure; digits from 16 to 100 (ref/contact_converged.hpp);
+///   edge_displacement, peak_pressure, pressure; digits from 16 to 100 (ref/elastic_nip/converged.hpp);
 /// - line loads of given contact length, with friction of given creep ratio, no residue_terms: load,
 ///   indentation, edge_displacement, with proven bounds on the error of the discrete system, not of its
-///   distance to the continuous contact; digits from 16 to 300 (ref/contact_line_loads.hpp).
+///   distance to the continuous contact; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp).
 [[nodiscard]] SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
 }  // namespace nipref::verify

@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/fast/contact_converged.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve_methods.hpp>
 #include <nipref/verify/solve_symmetry.hpp>
 

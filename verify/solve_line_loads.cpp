@@ -6,9 +6,9 @@
 #include <variant>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/contact_line_loads_displacements.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/solve_methods.hpp>
 #include <nipref/verify/solve_symmetry.hpp>
 

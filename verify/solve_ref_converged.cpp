@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/ref/contact_converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/solve_ref_methods.hpp>
 
 namespace nipref::verify {

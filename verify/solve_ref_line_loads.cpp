@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/solve_ref_methods.hpp>
 
 namespace nipref::verify {

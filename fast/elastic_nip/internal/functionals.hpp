@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/elastic_nip/internal/half_contact.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 
 namespace nipref::fast {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/contact_line_loads.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 

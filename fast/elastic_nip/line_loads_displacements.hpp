@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 // What a solution says of the nip at a distance Y, unit of length, from its middle; any finite Y. The loads
 // being concentrated, displacements are infinite at them: such a Y is BadInput.

@@ -1,4 +1,4 @@
-#include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_kernels.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 

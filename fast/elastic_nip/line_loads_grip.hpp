@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 // Line loads with full friction, the thesis's Case A: v = creep * Y at the matching points. (thesis 5.5-5.10)
 // The creep is not part of the solution here; the thesis chose it by conditions on the tractions. At a given

@@ -1,9 +1,9 @@
 #include <Eigen/LU>
 
-#include <nipref/fast/contact_line_loads.hpp>
-#include <nipref/fast/contact_line_loads_displacements.hpp>
-#include <nipref/fast/contact_line_loads_search.hpp>
-#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_search.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 
 namespace nipref::fast {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <memory>
 
-#include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/elastic_nip/internal/half_contact.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 
 namespace nipref::fast {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <utility>
 
-#include <nipref/fast/contact_converged.hpp>
-#include <nipref/fast/contact_functionals.hpp>
-#include <nipref/fast/contact_ladder.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/internal/functionals.hpp>
+#include <nipref/fast/elastic_nip/internal/ladder.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 
 namespace nipref::fast {

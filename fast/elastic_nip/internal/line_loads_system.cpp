@@ -4,7 +4,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nipref/fast/contact_ladder.hpp>
-#include <nipref/fast/contact_panels.hpp>
-#include <nipref/fast/contact_spectral.hpp>
+#include <nipref/fast/elastic_nip/internal/ladder.hpp>
+#include <nipref/fast/elastic_nip/internal/panels.hpp>
+#include <nipref/fast/elastic_nip/internal/spectral.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/internal/tiers.hpp>
 

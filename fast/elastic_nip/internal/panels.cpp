@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/fast/contact_operator.hpp>
-#include <nipref/fast/contact_panels.hpp>
+#include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/elastic_nip/internal/panels.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,8 +1,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include <nipref/fast/contact_line_loads_diagnostics.hpp>
-#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
 
 namespace nipref::fast {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include <nipref/data/problem/friction.hpp>
-#include <nipref/fast/half_contact.hpp>
+#include <nipref/fast/elastic_nip/internal/half_contact.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/estimate.hpp>
 

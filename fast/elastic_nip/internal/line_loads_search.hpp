@@ -2,7 +2,7 @@
 #include <functional>
 #include <optional>
 
-#include <nipref/fast/contact_line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 namespace nipref::fast {
 

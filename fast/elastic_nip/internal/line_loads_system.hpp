@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-#include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_kernels.hpp>
 
 namespace nipref::fast {
 

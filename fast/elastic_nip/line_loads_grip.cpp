@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads_grip.hpp>
-#include <nipref/fast/contact_line_loads_search.hpp>
-#include <nipref/fast/contact_line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_search.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
 
 namespace nipref::fast {

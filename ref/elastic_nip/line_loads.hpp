@@ -7,7 +7,7 @@
 #include <nipref/ref/number/enclosure.hpp>
 
 // The elastic nip with its tractions gathered in line loads, the thesis's discrete systems, in
-// multiprecision: the same equations as fast/contact_line_loads, so that what that loses to its kernels and
+// multiprecision: the same equations as fast/elastic_nip/line_loads, so that what that loses to its kernels and
 // to rounding is known. (thesis 5.1-5.13)
 
 namespace nipref::ref {

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads_search.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_search.hpp>
 
 namespace nipref::fast {
 namespace {

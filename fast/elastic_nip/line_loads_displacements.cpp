@@ -2,8 +2,8 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/contact_line_loads_displacements.hpp>
-#include <nipref/fast/contact_line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast {

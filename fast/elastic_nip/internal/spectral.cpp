@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include <nipref/fast/contact_spectral.hpp>
+#include <nipref/fast/elastic_nip/internal/spectral.hpp>
 
 namespace nipref::fast {
 namespace {

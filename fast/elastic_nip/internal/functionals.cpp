@@ -4,8 +4,8 @@
 #include <numbers>
 #include <vector>
 
-#include <nipref/fast/contact_functionals.hpp>
-#include <nipref/fast/contact_operator.hpp>
+#include <nipref/fast/elastic_nip/internal/functionals.hpp>
+#include <nipref/fast/elastic_nip/internal/operator.hpp>
 
 namespace nipref::fast {
 namespace {

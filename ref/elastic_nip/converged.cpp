@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/contact_converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 

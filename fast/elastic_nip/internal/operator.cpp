@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/fast/contact_operator.hpp>
+#include <nipref/fast/elastic_nip/internal/operator.hpp>
 
 namespace nipref::fast {
 namespace {
