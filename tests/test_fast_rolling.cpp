@@ -12,9 +12,9 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/rolling_converged.hpp>
-#include <nipref/fast/rolling_functionals.hpp>
-#include <nipref/fast/rolling_pressure.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
 
 using namespace nipref;
 using data::ElasticNip;

@@ -11,7 +11,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 using namespace nipref;
 using data::ViscoelasticMaterial;

@@ -9,7 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve.hpp>
 
 #include "refused_scene.hpp"

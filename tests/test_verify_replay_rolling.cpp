@@ -8,8 +8,8 @@
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
-#include <nipref/fast/rolling_converged.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay_corrected.hpp>
 #include <nipref/verify/replay_rolling.hpp>
 #include <nipref/verify/replay_rolling_row.hpp>

@@ -10,8 +10,8 @@
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/fast/rolling_converged.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/bench_rolling.hpp>
 #include <nipref/verify/catalogue.hpp>

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay.hpp>
 
 namespace nipref::verify {

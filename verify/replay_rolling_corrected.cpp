@@ -1,6 +1,6 @@
 #include <vector>
 
-#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/parallel.hpp>
 #include <nipref/verify/replay_corrected.hpp>
 #include <nipref/verify/replay_rolling.hpp>

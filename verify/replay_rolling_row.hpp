@@ -5,7 +5,7 @@
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/data/table/table.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay_row.hpp>
 
 namespace nipref::verify {

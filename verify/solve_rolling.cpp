@@ -4,7 +4,7 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/fast/rolling_converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve_methods.hpp>
 
 namespace nipref::verify {

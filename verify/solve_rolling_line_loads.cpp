@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/fast/rolling_line_loads.hpp>
-#include <nipref/fast/rolling_line_loads_displacements.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/solve_methods.hpp>
 
 namespace nipref::verify {

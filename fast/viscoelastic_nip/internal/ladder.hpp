@@ -7,7 +7,7 @@
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/estimate.hpp>
-#include <nipref/fast/rolling_pressure.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
 
 namespace nipref::fast {
 

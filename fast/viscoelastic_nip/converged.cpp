@@ -3,9 +3,9 @@
 #include <utility>
 
 #include <nipref/fast/nip/internal/domain.hpp>
-#include <nipref/fast/rolling_converged.hpp>
-#include <nipref/fast/rolling_functionals.hpp>
-#include <nipref/fast/rolling_ladder.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/ladder.hpp>
 
 namespace nipref::fast {
 namespace {

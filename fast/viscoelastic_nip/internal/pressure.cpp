@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/fast/rolling_basis.hpp>
-#include <nipref/fast/rolling_operator.hpp>
-#include <nipref/fast/rolling_pressure.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -2,8 +2,8 @@
 #include <stdexcept>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
-#include <nipref/fast/rolling_functionals.hpp>
-#include <nipref/fast/rolling_ladder.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/ladder.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/double_exponential.hpp>
-#include <nipref/fast/rolling_layout.hpp>
-#include <nipref/fast/rolling_memory.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
 namespace nipref::fast {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/fast/rolling_pressure.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
 
 namespace nipref::fast {
 

@@ -1,7 +1,7 @@
 #include <Eigen/LU>
 
-#include <nipref/fast/rolling_basis.hpp>
-#include <nipref/fast/rolling_memory.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/fast/rolling_line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 namespace nipref::fast {
 

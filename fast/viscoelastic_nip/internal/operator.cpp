@@ -6,7 +6,7 @@
 #include <numbers>
 #include <span>
 
-#include <nipref/fast/rolling_operator.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 
 namespace nipref::fast {
 namespace {

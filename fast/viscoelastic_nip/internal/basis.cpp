@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/fast/rolling_basis.hpp>
-#include <nipref/fast/rolling_layout.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-#include <nipref/fast/rolling_layout.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 
 namespace nipref::fast {
 namespace {

@@ -6,7 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/fast/rolling_line_loads_displacements.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 
 namespace nipref::fast {
 namespace {

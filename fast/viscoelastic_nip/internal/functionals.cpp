@@ -2,7 +2,7 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 
-#include <nipref/fast/rolling_functionals.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
 
 namespace nipref::fast {
 

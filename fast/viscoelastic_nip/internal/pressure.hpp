@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
-#include <nipref/fast/rolling_layout.hpp>
-#include <nipref/fast/rolling_memory.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
 namespace nipref::fast {
 

@@ -7,8 +7,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/fast/rolling_line_loads.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 namespace nipref::fast {
 namespace {
