@@ -2,7 +2,7 @@
 #include <cmath>
 #include <functional>
 
-#include <nipref/fast/surface_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::test {
 

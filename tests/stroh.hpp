@@ -4,7 +4,7 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <vector>
 
-#include <nipref/ref/exact_stiffness.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
 
 // A second route to the surface response: Stroh's eigenvectors from the roots of his sextic, 80 digits,
 // unproven, for solids whose roots are distinct.

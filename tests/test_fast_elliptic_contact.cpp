@@ -12,7 +12,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/elliptic_contact.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 
 #include "half_space_common.hpp"

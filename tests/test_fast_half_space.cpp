@@ -15,8 +15,8 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 
 using namespace nipref;
 using data::IsotropicSolid;

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/rolling_sphere.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
 
 #include "half_space_common.hpp"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_turn_integral.hpp>
-#include <nipref/fast/sliding_contact.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/half_space/internal/half_turn_integral.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 
 #include "half_space_common.hpp"
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/ref/half_space/contact.hpp>
 #include <nipref/ref/number/internal/float.hpp>
 
 using namespace nipref;

@@ -8,10 +8,10 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/barnett_lothe.hpp>
-#include <nipref/ref/impedance.hpp>
-#include <nipref/ref/surface_response.hpp>
-#include <nipref/ref/surface_wave.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
+#include <nipref/ref/half_space/internal/impedance.hpp>
+#include <nipref/ref/half_space/response.hpp>
 
 #include "stroh.hpp"
 

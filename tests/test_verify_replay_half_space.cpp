@@ -8,7 +8,7 @@
 #include <string>
 
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/printed_half_space.hpp>
 #include <nipref/verify/render_tables.hpp>
 #include <nipref/verify/replay_half_space.hpp>

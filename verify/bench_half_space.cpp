@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/sliding_contact.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/bench_half_space.hpp>
 #include <nipref/verify/catalogue.hpp>
 #include <nipref/verify/deviation.hpp>

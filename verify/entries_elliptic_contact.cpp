@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/ref/half_space/contact.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/half_space_contact_entries.hpp>
 

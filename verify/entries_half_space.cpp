@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <utility>
 
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/ref/surface_response.hpp>
-#include <nipref/ref/surface_wave.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/half_space_entries.hpp>
 

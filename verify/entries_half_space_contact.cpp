@@ -1,9 +1,9 @@
 // Contacts on isotropic half-spaces by the papers' rule.
 #include <utility>
 
-#include <nipref/fast/rolling_sphere.hpp>
-#include <nipref/fast/sliding_contact.hpp>
-#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/ref/half_space/contact.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/half_space_contact_entries.hpp>
 #include <nipref/verify/printed_half_space.hpp>

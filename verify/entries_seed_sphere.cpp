@@ -5,12 +5,12 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/sliding_contact.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
-#include <nipref/ref/half_space_contact.hpp>
-#include <nipref/ref/surface_response.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/half_space_contact_entries.hpp>
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
-#include <nipref/ref/bulk_wave.hpp>
-#include <nipref/ref/surface_response.hpp>
-#include <nipref/ref/surface_wave.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/bulk_wave.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/entries.hpp>
 #include <nipref/verify/half_space_entries.hpp>
 

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
-#include <nipref/ref/surface_response.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 
 namespace nipref::verify {

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/surface_line.hpp>
-#include <nipref/fast/surface_response.hpp>
-#include <nipref/ref/exact_stiffness.hpp>
-#include <nipref/ref/half_space_contact.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
+#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/verify/printed_half_space.hpp>
 #include <nipref/verify/quantity.hpp>
 

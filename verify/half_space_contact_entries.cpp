@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <nipref/fast/isotropic_half_space.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/half_space_contact_entries.hpp>
 
 namespace nipref::verify {

@@ -1,6 +1,6 @@
 #include <utility>
 
-#include <nipref/ref/surface_response.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/half_space_entries.hpp>
 
 namespace nipref::verify {

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include <nipref/ref/surface_direction.hpp>
+#include <nipref/ref/half_space/direction.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 #include <nipref/verify/quantity.hpp>
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <variant>
 
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 #include <nipref/verify/half_space_response.hpp>
 

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/fast/surface_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::verify {
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include <nipref/fast/surface_line.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
 
 namespace nipref::verify {
 

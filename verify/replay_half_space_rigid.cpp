@@ -1,9 +1,9 @@
 // Tables 1 and 2 of brock2012: rigid bodies on an isotropic half-space.
 #include <fmt/format.h>
 
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/rolling_sphere.hpp>
-#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 #include <nipref/verify/printed_half_space.hpp>
 #include <nipref/verify/replay_half_space_rows.hpp>

@@ -5,10 +5,10 @@
 #include <map>
 #include <memory>
 
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/sliding_contact.hpp>
-#include <nipref/fast/transversely_isotropic_half_space.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 #include <nipref/verify/printed_half_space.hpp>
 #include <nipref/verify/replay_half_space_rows.hpp>

@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
-#include <nipref/fast/elliptic_contact.hpp>
-#include <nipref/fast/isotropic_half_space.hpp>
-#include <nipref/fast/rolling_sphere.hpp>
-#include <nipref/fast/sliding_contact.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/verify/half_space_arguments.hpp>
 #include <nipref/verify/half_space_response.hpp>
 #include <nipref/verify/solve_half_space.hpp>

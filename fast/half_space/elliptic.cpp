@@ -1,0 +1,294 @@
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/number/internal/adaptive_panels.hpp>
+#include <nipref/fast/number/internal/jacobi_amplitude.hpp>
+
+namespace nipref::fast {
+
+using data::BadInput;
+
+namespace {
+
+/// An ellipse; its matrix is L L^T with L = [major, across] diag(a, b).
+struct Ellipse {
+  double a, b;
+  Direction major;
+};
+
+/// A symmetric 2x2 matrix.
+struct Symmetric {
+  double e11, e12, e22;
+
+  [[nodiscard]] double norm() const { return std::sqrt(e11 * e11 + 2 * e12 * e12 + e22 * e22); }
+};
+
+/// In the frame of the ellipse scaled to a circle, where L^T n = w m with a unit vector m.
+struct Balance {
+  std::array<double, 5> sums;  ///< int K m1^(4-j) m2^j/w dpsi, j = 0 ... 4
+  Symmetric curvatures;        ///< L^T curvatures L
+
+  [[nodiscard]] double sum() const { return sums[0] + 2 * sums[2] + sums[4]; }  ///< int K/w dpsi
+  /// Concave in L L^T; stationary where int K n n/w^3 dpsi = curvatures.
+  [[nodiscard]] double objective() const { return -2 * sum() - curvatures.e11 - curvatures.e22; }
+  /// Its gradient.
+  [[nodiscard]] Symmetric gradient() const {
+    return {sums[0] + sums[2] - curvatures.e11, sums[1] + sums[3] - curvatures.e12,
+            sums[2] + sums[4] - curvatures.e22};
+  }
+};
+
+double checked_compliance(const SurfaceResponse& response, Direction psi) {
+  const double compliance = response(psi).compliance;
+  if (!(compliance > 0) || !std::isfinite(compliance))
+    throw BadInput("compliance", compliance, "must be positive and finite: is the speed subcritical?");
+  return compliance;
+}
+
+Direction turned(Direction from, Direction by) {
+  return {from.cosine * by.cosine - from.sine * by.sine, from.sine * by.cosine + from.cosine * by.sine};
+}
+
+Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
+  const auto [a, b, major] = ellipse;
+  const Direction across{-major.sine, major.cosine};
+  const double twist = (body.curvature_2 - body.curvature_1) * major.cosine * major.sine;
+  return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
+}
+
+/// psi - major = am(u, k) with k' = b/a, -K <= u <= K: there w = a dn(u), and m = (cd, k' sd) is smooth
+/// however slender the ellipse.
+class Parameter {
+ public:
+  explicit Parameter(double ratio) : ratio_(ratio), jacobi_(ratio) {}
+
+  struct Point {
+    Direction from_major, m;
+  };
+
+  /// `share` of the quarter period K, -1 <= share <= 1.
+  [[nodiscard]] Point at(double share) const {
+    const double magnitude = std::fabs(share);
+    const auto [c, s, m1, m2] = magnitude <= 0.5 ? near_major(magnitude) : near_minor(1 - magnitude);
+    return {{c, std::copysign(s, share)}, {m1, std::copysign(m2, share)}};
+  }
+  [[nodiscard]] double quarter_period() const { return jacobi_.quarter_period(); }
+
+ private:
+  [[nodiscard]] std::array<double, 4> near_major(double share) const {
+    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
+    return {cn, sn, cn / dn, ratio_ * sn / dn};
+  }
+  /// share from the quarter period down.
+  [[nodiscard]] std::array<double, 4> near_minor(double share) const {
+    const auto [sn, cn, dn] = jacobi_(share * quarter_period());
+    return {ratio_ * sn / dn, cn / dn, sn, cn};
+  }
+
+  double ratio_;
+  JacobiAmplitude jacobi_;
+};
+
+/// The terms of Balance::sums by the share of the quarter period.
+class Terms {
+ public:
+  Terms(const Ellipse& ellipse, const SurfaceResponse& response)
+      : ellipse_(ellipse),
+        response_(response),
+        parameter_(ellipse.b / ellipse.a),
+        factor_(parameter_.quarter_period() / ellipse.a) {}
+
+  std::array<double, 5> operator()(double share) const {
+    const auto [from_major, m] = parameter_.at(share);
+    const double weight = factor_ * checked_compliance(response_, turned(ellipse_.major, from_major));
+    const double m11 = m.cosine * m.cosine, m12 = m.cosine * m.sine, m22 = m.sine * m.sine;
+    return {weight * m11 * m11, weight * m11 * m12, weight * m11 * m22, weight * m12 * m22,
+            weight * m22 * m22};
+  }
+
+ private:
+  Ellipse ellipse_;
+  const SurfaceResponse& response_;
+  Parameter parameter_;
+  double factor_;
+};
+
+using Mesh = internal::AdaptedPanels<5>;
+
+Mesh adapted_mesh(const Ellipse& ellipse, const SurfaceResponse& response) {
+  return internal::adapt_panels<5>(Terms(ellipse, response), -1, 1);
+}
+
+/// On panels that were made for an ellipse not far off.
+Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
+                const std::vector<internal::Panel>& panels) {
+  Balance result{{}, scaled_curvatures(ellipse, body)};
+  const Terms terms(ellipse, response);
+  for (const internal::Panel& panel : panels) {
+    internal::visit_nodes(panel, [&](double share, double weight) {
+      const std::array<double, 5> term = terms(share);
+      for (std::size_t j = 0; j < term.size(); ++j) result.sums[j] += weight * term[j];
+    });
+  }
+  return result;
+}
+
+/// The change E of L -> L (1 + E/2) that Newton's method asks for.
+Symmetric newton_step(const Balance& at) {
+  const auto& q = at.sums;
+  Eigen::Matrix3d hessian;
+  hessian << q[0], 2 * q[1], q[2], q[1], 2 * q[2], q[3], q[2], 2 * q[3], q[4];
+  const auto [g11, g12, g22] = at.gradient();
+  const Eigen::Vector3d step = hessian.partialPivLu().solve(Eigen::Vector3d(g11, g12, g22)) / 1.5;
+  return {step[0], step[1], step[2]};
+}
+
+/// The ellipse of L (1 + E/2). The determinant gives the minor axis without cancellation.
+Ellipse moved(const Ellipse& from, const Symmetric& change) {
+  const double b11 = from.a * (1 + change.e11 / 2), b12 = from.a * change.e12 / 2;
+  const double b21 = from.b * change.e12 / 2, b22 = from.b * (1 + change.e22 / 2);
+  const double m11 = b11 * b11 + b12 * b12, m12 = b11 * b21 + b12 * b22, m22 = b21 * b21 + b22 * b22;
+  const double a = std::sqrt((m11 + m22) / 2 + std::hypot((m11 - m22) / 2, m12));
+  const double determinant =
+      from.a * from.b * ((1 + change.e11 / 2) * (1 + change.e22 / 2) - change.e12 * change.e12 / 4);
+  const double angle = std::atan2(2 * m12, m11 - m22) / 2;
+  return {a, std::min(a, std::fabs(determinant) / a), turned(from.major, Direction::of_angle(angle))};
+}
+
+double contraction(const Symmetric& a, const Symmetric& b) {
+  return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
+}
+
+/// Newton with these panels from `ellipse`, improved in place; the length of the first step.
+double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
+             const std::vector<internal::Panel>& panels) {
+  constexpr int most_steps = 12;  // where old panels let it wander, new ones go on
+  Balance here = balance(ellipse, body, response, panels);
+  double first = 0;
+  for (int count = 0; count < most_steps; ++count) {
+    const Symmetric step = newton_step(here);
+    const double length = step.norm(), slope = contraction(here.gradient(), step);
+    if (count == 0) first = length;
+    if (length < 1e-7) {  // quadratic convergence has done the rest
+      ellipse = moved(ellipse, step);
+      return first;
+    }
+    for (double part = std::min(1.0, 1 / length);; part /= 2) {
+      const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
+      const Balance next = balance(there, body, response, panels);
+      const double rounding = 1e-13 * std::fabs(here.objective());
+      if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
+        ellipse = there;
+        here = next;
+        break;
+      }
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// int K/w dpsi.
+Estimate sum_of(const Mesh& mesh) {
+  const auto& sums = mesh.integral;
+  return {sums[0].value + 2 * sums[2].value + sums[4].value,
+          sums[0].error + 2 * sums[2].error + sums[4].error};
+}
+
+/// Aligned with the body; Hertz's axis ratio for an isotropic solid within a few per cent.
+Ellipse first_shape(const Indenter& body) {
+  const auto [small, large] = std::minmax(body.curvature_1, body.curvature_2);
+  const Direction major = body.curvature_1 <= body.curvature_2 ? Direction{1, 0} : Direction{0, 1};
+  return {1, std::pow(small / large, 0.62), major};
+}
+
+/// Of the size for which the traces of int K n n/w^3 dpsi and of the curvatures agree in the ellipse's frame.
+Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& mesh) {
+  const Symmetric curvatures = scaled_curvatures(shape, body);
+  const double scale = std::cbrt(sum_of(mesh).value / (curvatures.e11 + curvatures.e22));
+  return {shape.a * scale, shape.b * scale, shape.major};
+}
+
+void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
+}
+
+}  // namespace
+
+EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter& body) {
+  body.check();
+  const double ratio = body.curvature_1 / body.curvature_2;
+  if (!(ratio >= 1e-10 && ratio <= 1e10))
+    throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
+  // Panels could straddle a few supercritical lines about the motion, which mostly is along an axis of the
+  // body.
+  for (const Direction axis : {Direction{1, 0}, Direction{0, 1}})
+    static_cast<void>(checked_compliance(response, axis));
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  constexpr int most_meshes = 10;
+  Ellipse ellipse = first_shape(body);
+  Mesh mesh = adapted_mesh(ellipse, response);
+  ellipse = of_fitting_size(ellipse, body, mesh);
+  double change = solve(ellipse, body, response, mesh.panels);
+  for (int meshes = 1; meshes < most_meshes && !(change < rounding); ++meshes) {
+    mesh = adapted_mesh(ellipse, response);
+    change = solve(ellipse, body, response, mesh.panels);
+  }
+  major_length_ = ellipse.a;
+  minor_length_ = ellipse.b;
+  const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
+  major_ = backwards ? Direction{-ellipse.major.cosine, -ellipse.major.sine} : ellipse.major;
+  sum_ = balance(ellipse, body, response, mesh.panels).sum();
+  relative_error_ = change + rounding + sum_of(mesh).error / sum_of(mesh).value;
+}
+
+Estimate EllipticContact::axis_ratio() const {
+  const double ratio = minor_length_ / major_length_;
+  return {ratio, 2 * ratio * relative_error_};
+}
+
+Estimate EllipticContact::orientation() const {
+  const double a = major_length_, b = minor_length_;
+  const double amplified = relative_error_ * a * b / ((a - b) * (a + b));
+  return {std::atan2(major_.sine, major_.cosine), std::min(amplified, std::numbers::pi / 2)};
+}
+
+double EllipticContact::radius_ratio(Direction psi) const {
+  const double length = std::hypot(psi.cosine, psi.sine);
+  if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("psi", length, "must be of unit length");
+  const double ratio = minor_length_ / major_length_;
+  const double along = psi.cosine * major_.cosine + psi.sine * major_.sine;
+  const double across = psi.sine * major_.cosine - psi.cosine * major_.sine;
+  return ratio / std::hypot(ratio * along, across);
+}
+
+// The matrix of the ellipse times `scale`: int K n n/w^3 dpsi = scale^(-3/2) curvatures fixes the pressure.
+EllipticLoad EllipticContact::scaled(double scale) const {
+  const auto estimate = [&](double value) { return Estimate{value, 4 * value * relative_error_}; };
+  const double root = std::sqrt(scale);
+  return {estimate(root * major_length_), estimate(root * minor_length_), estimate(scale * sum_ / 2),
+          estimate(4 * std::numbers::pi / 3 * scale * root),
+          estimate(2 * root / (major_length_ * minor_length_))};
+}
+
+EllipticLoad EllipticContact::for_force(double force) const {
+  check_positive("force", force);
+  const double root = std::cbrt(force / (4 * std::numbers::pi / 3));
+  EllipticLoad load = scaled(root * root);
+  load.force = {force, 0};
+  return load;
+}
+
+EllipticLoad EllipticContact::for_approach(double approach) const {
+  check_positive("approach", approach);
+  EllipticLoad load = scaled(2 * approach / sum_);
+  load.approach = {approach, 0};
+  return load;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,51 @@
+#pragma once
+#include <nipref/fast/half_space/indenter.hpp>
+#include <nipref/fast/half_space/response.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// One load of an elliptic contact. The pressure is peak_pressure sqrt(1 - (x/a)^2 - (y/b)^2), x along the
+/// major axis, y across.
+struct EllipticLoad {
+  Estimate semi_major, semi_minor;  ///< a >= b, unit of length
+  Estimate approach;                ///< of the rigid body and the distant half-space, unit of length
+  Estimate force;
+  Estimate peak_pressure;  ///< unit of stress
+};
+
+/// The exact frictionless contact of a rigid smooth body with a half-space of any compliance K(psi), at rest
+/// or moving steadily at a subcritical speed. A pressure p0 sqrt(1 - x^2/a^2 - y^2/b^2) displaces the
+/// surface below it by (p0 a b/4) int_0^pi K(psi) (1 - (n.x)^2/w^2)/w dpsi, n = (cos psi, sin psi) and w(psi)
+/// the half-width of the ellipse along n; so its ellipse follows from int K n n/w^3 dpsi being proportional
+/// to the curvatures of the body. That is the stationary point of a function strictly concave in the matrix
+/// of the ellipse: there is exactly one. Newton with line search; integrals over the Jacobi amplitude, in
+/// which they stay smooth for slender ellipses, on panels that are halved where K asks for it (near critical
+/// lines) and renewed until the ellipse moves no more.
+class EllipticContact {
+ public:
+  /// The compliance must be positive and finite at every direction, else BadInput; the coupling is not used.
+  /// Curvature ratios 1e-10 <= curvature_1/curvature_2 <= 1e10, BadInput otherwise.
+  EllipticContact(const SurfaceResponse& response, const Indenter& body);
+
+  [[nodiscard]] Estimate axis_ratio() const;  ///< b/a <= 1
+  /// Angle of the major axis with x1, -pi/2 < angle <= pi/2; error up to pi/2 if the ellipse is a circle.
+  [[nodiscard]] Estimate orientation() const;
+  /// The same to all its digits near 90 degrees.
+  [[nodiscard]] Direction major_axis() const { return major_; }
+  /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
+  [[nodiscard]] double radius_ratio(Direction psi) const;
+  [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
+  [[nodiscard]] EllipticLoad for_approach(
+      double approach) const;  ///< > 0, finite, unit of length, else BadInput
+
+ private:
+  [[nodiscard]] EllipticLoad scaled(double scale) const;
+
+  double major_length_, minor_length_;  ///< of the ellipse that has int K n n/w^3 dpsi = curvatures
+  Direction major_;
+  double sum_;             ///< int K/w dpsi
+  double relative_error_;  ///< of the axes
+};
+
+}  // namespace nipref::fast

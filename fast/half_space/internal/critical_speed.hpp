@@ -1,0 +1,18 @@
+#pragma once
+#include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+
+namespace nipref::fast::internal {
+
+/// The speed along `motion` at which the line psi is critical; infinite across the motion.
+double speed_of_motion(const TransverselyIsotropicLine& line, Direction motion, Direction psi);
+
+struct CriticalLine {
+  double speed;        ///< along the motion
+  double from_motion;  ///< psi - theta
+};
+
+/// The line that is critical first.
+CriticalLine critical_line(const TransverselyIsotropicLine& line, Direction motion);
+
+}  // namespace nipref::fast::internal

@@ -1,0 +1,20 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <numbers>
+
+#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/number/internal/adaptive_panels.hpp>
+
+namespace nipref::fast {
+
+/// int f dpsi over half a turn for a vector f(Direction) that has this period, to rounding of the integral of
+/// |f| for each component; see adapt_panels for what the estimates say of f that is not piecewise analytic.
+template <std::size_t count, typename Integrand>
+std::array<Estimate, count> half_turn_integral(Integrand&& integrand) {
+  constexpr double quarter = std::numbers::pi / 2;
+  const auto of_angle = [&](double psi) { return integrand(Direction::of_angle(psi)); };
+  return internal::adapt_panels<count>(of_angle, -quarter, quarter).integral;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,84 @@
+#pragma once
+#include <optional>
+#include <variant>
+
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/number/internal/two_words_algebra.hpp>
+
+namespace nipref::fast::internal {
+
+// What a transversely isotropic half-space answers along one line, moduli and reciprocal answers in one unit.
+// Two words: nothing that cancels, be it near a branch point or near the Rayleigh speed, shows in the doubles
+// that come out. X is the dynamic stress density c_X^2 of the speed c_X along the line, times the square of
+// the length of psi: a Direction stands for the unit vector along it, which doubles make only nearly so long.
+
+/// The answers times `rayleigh`, which vanishes at the Rayleigh speed. Only where it is positive, that is
+/// where the line is slower than every wave along it, bulk or Rayleigh, do the numbers mean something.
+struct LineFunctions {
+  Two rayleigh;
+  Two compliance;
+  Two coupling;                ///< to shear along the line
+  double coupling_across = 0;  ///< to shear across the line
+
+  [[nodiscard]] bool subcritical() const { return rayleigh.high > 0; }
+};
+
+/// 1/stress.
+struct LineAnswers {
+  double compliance, coupling, coupling_across;
+};
+
+/// The axis of symmetry is normal to the surface: all lines are alike. (brock2013 19, 25b)
+class NormalAxisLine {
+ public:
+  explicit NormalAxisLine(const data::TransverselyIsotropicSolid& solid);
+  [[nodiscard]] LineFunctions at(Direction psi, Two X) const;
+  /// X of the shear wave: a bound for subcritical lines.
+  [[nodiscard]] double bound(Direction psi) const;
+
+ private:
+  double d1_, d3_, d5_, d13_;
+  Two determinant_;  ///< d1 d3 - d13^2
+  Two sum_;          ///< |d5 + d13|
+  Two root3_, root5_;
+};
+
+/// The axis of symmetry is the direction x2 of the surface. (brock2013 43, 44, corrected)
+class InPlaneAxisLine {
+ public:
+  explicit InPlaneAxisLine(const data::TransverselyIsotropicSolid& solid);
+  [[nodiscard]] LineFunctions at(Direction psi, Two X) const;
+  /// X of the wave polarised across the axis: a bound for subcritical lines.
+  [[nodiscard]] double bound(Direction psi) const;
+
+ private:
+  double d2_, d5_, d6_;
+  Two inverse1_, inverse5_, inverse6_;
+  Two sum_over_d1_;  ///< (d6 + d12)/d1
+  Two coupling_;     ///< (d6 + d12)^2/(d1 d6)
+};
+
+/// Either of them, in the units of the solid.
+class TransverselyIsotropicLine {
+ public:
+  TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
+
+  /// speed: along `motion`. Nothing if the line is not subcritical.
+  [[nodiscard]] std::optional<LineAnswers> at(Direction psi, Direction motion, double speed) const;
+
+  /// d ln K/d ln speed on a subcritical line.
+  [[nodiscard]] double condition(Direction psi, Direction motion, double speed) const;
+
+  /// The speed along the line psi from which on it is no longer subcritical, rounded down to a double.
+  [[nodiscard]] double limit(Direction psi) const;
+
+ private:
+  [[nodiscard]] LineFunctions functions(Direction psi, Two X) const;
+
+  double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
+  double density_;       ///< of the solid, over that unit
+  std::variant<NormalAxisLine, InPlaneAxisLine> line_;
+};
+
+}  // namespace nipref::fast::internal

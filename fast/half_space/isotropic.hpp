@@ -1,0 +1,36 @@
+#pragma once
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+
+namespace nipref::fast {
+
+// The surface of an isotropic half-space under loads that move steadily.
+//
+//   speed         v/v_S >= 0, v_S = sqrt(shear/density) the speed of shear waves
+//   from_motion   direction of the line against that of the motion, psi - theta, a unit vector. The line sees
+//                 the speed c_X = speed |cos(psi - theta)|, which has to lie below the Rayleigh speed
+//   accuracy      two units in the last place, from c_X = 0 to 1 - 1e-12 of the Rayleigh speed
+//   bad input     a solid that fails its check(), nan, infinite, speed < 0, supercritical: data::BadInput
+
+/// Compliance and coupling to the shear along the line, 1/stress: with X = c_X^2, wS^2 = 1 - X, wD^2 = 1 -
+/// X/cD^2 and R = 4 wS wD - (2 - X)^2 they are X wD/(mu R) and (2 - X - 2 wS wD)/(mu R). (brock2012 18a)
+LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
+/// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times as
+/// large. Grows without bound towards the Rayleigh speed.
+double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
+/// What the surface answers to shear on lines, in its own direction: du/dx = -in_line H[tau] along the line
+/// for tau along it, du/dx = -across H[tau] across it; 1/stress.
+struct ShearResponse {
+  double in_line;  ///< X wS/(mu R)
+  double across;   ///< 1/(mu wS)
+};
+ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double speed,
+                                       Direction from_motion);
+
+/// v_R/v_S, the root of R, rounded down to a double: the critical speed. -1 < poisson < 1/2; BadInput
+/// otherwise.
+double isotropic_rayleigh_speed(double poisson);
+
+}  // namespace nipref::fast

@@ -1,0 +1,160 @@
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/half_turn_integral.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
+
+namespace nipref::fast {
+
+using data::BadInput;
+
+namespace {
+
+void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
+}
+
+/// sum (-1)^j/(z + 2j), j >= 0, Re z > 0: terms until Boole's summation formula has converged to rounding.
+std::complex<double> alternating_sum(std::complex<double> z) {
+  constexpr int terms = 32;  // even; then |z| > 64
+  std::complex<double> sum = 0;
+  for (int j = 0; j < terms; j += 2) sum += 1. / (z + 2. * j) - 1. / (z + 2. * (j + 1));
+  const std::complex<double> x = 1. / (z + 2. * terms), y = x * x;
+  return sum + x / 2. + y * (0.5 + y * (-1. + y * (8. + y * (-136. + y * 3968.))));
+}
+
+/// int_0^1 t sqrt(1 - t^2) cos(P ln((1-t)/(1+t))) dt of (brock2012 54). With t = tanh v and by parts it needs
+/// int_0^inf sin(2 P v)/cosh(v) dv, an alternating sum.
+double oscillating_moment(double index) {
+  const double a = 2 * index;
+  const double sech_sine = 2 * alternating_sum({1, -a}).imag();
+  return 1. / 3 - a / 6 * ((1 + a * a) * sech_sine - a);
+}
+
+}  // namespace
+
+/// What one line has whatever the load. All quotients by X = c^2 cos^2 are formed first: X may be 0.
+struct RollingSphere::Shape {
+  double slowness_ratio;  ///< sqrt(wS/wD)
+  double index;           ///< P
+  double rigidity;        ///< Q = sqrt(R/(1 - wS wD)), dimensionless
+
+  [[nodiscard]] double stiffness() const { return slowness_ratio * rigidity; }
+};
+
+RollingSphere::RollingSphere(const data::IsotropicSolid& solid, double radius, double speed)
+    : solid_(solid),
+      slowness_ratio_squared_((1 - 2 * solid.poisson) / (2 - 2 * solid.poisson)),
+      radius_(radius),
+      speed_(speed) {
+  solid.check();
+  check_positive("radius", radius);
+  static_cast<void>(isotropic_response(solid, speed, {1, 0}));  // refuses speeds that are not subcritical
+  stiffness_along_ = shape({1, 0}).stiffness();
+}
+
+RollingSphere::Shape RollingSphere::shape(Direction from_motion) const {
+  const double k = slowness_ratio_squared_;
+  const double x = speed_ * speed_ * from_motion.cosine * from_motion.cosine;
+  const double shear_root = std::sqrt(1 - x), dilatation_root = std::sqrt(1 - k * x);
+  const double product = shear_root * dilatation_root;
+  const double defect = (1 + k - k * x) / (1 + product);  // (1 - wS wD)/X
+  // R/X, by way of a compliance that keeps its digits towards the Rayleigh speed
+  const double rayleigh =
+      dilatation_root / isotropic_response(solid_, speed_, from_motion).compliance / solid_.shear;
+  const double coupling = (x * defect + 2 * k * (1 - x)) / (1 + product);  // -N/X
+  return {std::sqrt(shear_root / dilatation_root),
+          std::atanh(coupling / std::sqrt(product)) / std::numbers::pi, std::sqrt(rayleigh / defect)};
+}
+
+Estimate RollingSphere::force_factor() const {
+  const auto terms = [&](Direction from_motion) {
+    const Shape line = shape(from_motion);
+    const double ratio = stiffness_along_ / line.stiffness();
+    return std::array{ratio * ratio * oscillating_moment(line.index)};
+  };
+  const auto [value, error] = half_turn_integral<1>(terms)[0];
+  const double factor = solid_.shear * stiffness_along_ / (4 * radius_);
+  return {factor * value, factor * error};
+}
+
+double RollingSphere::span_ratio(Direction from_motion) const {
+  return stiffness_along_ / shape(from_motion).stiffness();
+}
+
+RollingLine RollingSphere::along(Direction from_motion) const {
+  const Shape line = shape(from_motion);
+  const double span = span_.value * stiffness_along_ / line.stiffness();
+  const double relative = span / radius_;
+  const double lean = line.slowness_ratio - line.index * relative / 2;  // B
+  if (!(lean > 0)) throw BadInput("span", span, "must be small against the radius");
+  return {span,
+          line.index,
+          2 * radius_ * lean,
+          solid_.shear * lean * line.rigidity / (2 * radius_),
+          1 / line.slowness_ratio,
+          relative * (relative / 16 * (1 - 4 * line.index * line.index) + line.index * line.slowness_ratio)};
+}
+
+namespace {
+
+enum class Wave { cosine, sine };
+
+/// sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi; 0 outside the contact.
+double traction_wave(const RollingLine& line, double x, Wave wave) {
+  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  const double ahead = line.span - 2 * x, behind = line.span + 2 * x;
+  if (ahead <= 0 || behind <= 0) return 0;
+  const double phase = line.index * std::log(ahead / behind), slope = x / line.lean;
+  const double sine = std::sin(phase), cosine = std::cos(phase);
+  return std::sqrt(ahead * behind) * (wave == Wave::cosine ? cosine - slope * sine : sine + slope * cosine);
+}
+
+}  // namespace
+
+double RollingLine::normal_traction(double x) const {
+  return -amplitude * traction_wave(*this, x, Wave::cosine);
+}
+
+double RollingLine::shear_traction(double x) const {
+  return shear_share * amplitude * traction_wave(*this, x, Wave::sine);
+}
+
+double RollingLine::compressed_radius() const { return span / 2 * std::tanh(std::numbers::pi / (4 * index)); }
+
+RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
+                                      double span) {
+  check_positive("span", span);
+  RollingSphere contact(solid, radius, speed);
+  contact.span_ = {span, 0};
+  const auto [value, error] = contact.force_factor();
+  contact.force_ = {value * span * span * span, error * span * span * span};
+  return contact;
+}
+
+RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
+                                       double force) {
+  check_positive("force", force);
+  RollingSphere contact(solid, radius, speed);
+  const auto [value, error] = contact.force_factor();
+  if (!(value > 0))
+    throw BadInput("speed", speed, "must be farther below the Rayleigh speed: here the tractions pull");
+  const double span = std::cbrt(force / value);
+  contact.span_ = {span, span * error / value};
+  contact.force_ = {force, 0};
+  return contact;
+}
+
+double separation_angle(double speed, double rayleigh_speed) {
+  check_positive("speed", speed);
+  check_positive("rayleigh_speed", rayleigh_speed);
+  if (speed < rayleigh_speed) throw BadInput("speed", speed, "must be at least the Rayleigh speed");
+  const double excess = (speed - rayleigh_speed) * (speed + rayleigh_speed);
+  return std::atan(std::sqrt(excess) / rayleigh_speed);
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,73 @@
+#pragma once
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// The tractions on the line through the point of first touch in one direction, |x| < L/2:
+///   sigma33 = -amplitude/cos(Phi) sqrt(L^2 - 4x^2) cos(P ln((L-2x)/(L+2x)) + Phi),
+///   tau = shear_share amplitude/cos(Phi) sqrt(L^2 - 4x^2) sin(P ln((L-2x)/(L+2x)) + Phi),
+/// tan(Phi) = x/(2 r0 B), B = sqrt(wS/wD) - P L/(2 r0). They oscillate at the ends. (brock2012 49 with the
+/// sign of P, Phi and tau corrected)
+struct RollingLine {
+  double span;         ///< L, unit of length
+  double index;        ///< P of (brock2012 43b)
+  double lean;         ///< 2 r0 B: x for which Phi is 45 degrees, unit of length
+  double amplitude;    ///< unit of stress/length
+  double shear_share;  ///< sqrt(wD/wS)
+  /// V0: the surface moves along the line by du/dx = -V0 + x^2/(2 r0^2). (brock2012 40, 48 corrected)
+  double creep;
+
+  [[nodiscard]] double normal_traction(
+      double x) const;  ///< sigma33, < 0 if compressive, unit of stress, x finite
+  [[nodiscard]] double shear_traction(double x) const;  ///< tau along the line, unit of stress, x finite
+  /// r_C: the normal traction is compressive for |x| < r_C, as far as L is small against r0. (brock2012 50)
+  [[nodiscard]] double compressed_radius() const;
+};
+
+/// A rigid sphere that rolls without slip on an isotropic half-space, as the paper has it: on every line
+/// through the point of first touch the surface takes the sphere's slope and stretch; the spans follow from
+/// the force being stationary, both to first order in L/r0. (brock2012 37-54) The paper's construction and
+/// not the solution of the contact problem; it defines no approach of the bodies.
+class RollingSphere {
+ public:
+  [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
+  [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive (brock2012 54)
+  /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
+  /// counted from the motion, of unit length.
+  [[nodiscard]] double span_ratio(Direction from_motion) const;
+  [[nodiscard]] RollingLine along(Direction from_motion) const;
+
+ private:
+  struct Shape;
+  RollingSphere(const data::IsotropicSolid& solid, double radius, double speed);
+  [[nodiscard]] Shape shape(Direction from_motion) const;
+  [[nodiscard]] Estimate force_factor() const;
+
+  data::IsotropicSolid solid_;
+  double slowness_ratio_squared_;  ///< (v_S/v_D)^2
+  double radius_, speed_;
+  double stiffness_along_ = 0;
+  Estimate span_{}, force_{};
+  friend RollingSphere rolling_sphere_for_span(const data::IsotropicSolid&, double, double, double);
+  friend RollingSphere rolling_sphere_for_force(const data::IsotropicSolid&, double, double, double);
+};
+
+/// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, in units of v_S = sqrt(mu/rho), with the contact
+/// 0 < span L1 along the motion, in the unit of length of the radius. All finite, BadInput otherwise; a span
+/// that is not small against the radius is outside the paper's linearisation, but only B > 0 is asked, by
+/// `along`.
+RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
+                                      double span);
+
+/// The same that carries the force F3 > 0. Within 1e-4 of the Rayleigh speed the oscillating tractions may
+/// pull in sum (`rolling_sphere_for_span` gives F3 < 0): BadInput.
+RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
+                                       double force);
+
+/// Psi_R: beyond the Rayleigh speed, v_R <= v, the paper's tractions pull for directions nearer than this
+/// angle to the motion. Speeds > 0 in any common unit, else BadInput. (brock2012 55)
+double separation_angle(double speed, double rayleigh_speed);
+
+}  // namespace nipref::fast

@@ -1,0 +1,153 @@
+#include <array>
+#include <boost/math/special_functions/beta.hpp>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/half_turn_integral.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+
+namespace nipref::fast {
+
+using data::BadInput;
+
+namespace {
+
+void check_positive(const char* name, double value) {
+  if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
+}
+
+}  // namespace
+
+/// One line whatever the load: the numbers omega = -Omega, 1 + Omega and 1 + 2 Omega each without
+/// cancellation.
+struct SlidingContact::Shape {
+  double leading, trailing, skew;
+  double modulus;  ///< h = sqrt(K^2 + Gamma^2)
+  double sine;     ///< sin(pi leading) = K/h
+  double curvature;
+
+  /// Q = (1+Omega)^(1+Omega) (-Omega)^(-Omega) (brock2012 33b)
+  [[nodiscard]] double peak() const { return std::pow(trailing, trailing) * std::pow(leading, leading); }
+
+  /// Peak pressure over span: the papers' rule keeps this times the span the same in all directions.
+  [[nodiscard]] double steepness() const { return curvature * peak() / modulus; }
+
+  struct Moments {
+    double absolute, signed_square;
+  };
+
+  /// With f = (1-s)^trailing s^leading/Q and y = s - trailing, both over 0 < s < 1: int f |y| ds and
+  /// int f y |y| ds. Partial integration leaves one incomplete beta function, in
+  /// D = int_(y<0) f ds - int_(y>0) f ds.
+  [[nodiscard]] Moments moments() const {
+    using namespace boost::math::policies;
+    constexpr policy<promote_double<false>> in_double;
+    const double total = leading * trailing * std::numbers::pi / (2 * sine * peak());
+    const double difference =
+        total * (2 * boost::math::ibeta(1 + leading, 1 + trailing, trailing, in_double) - 1);
+    const double boundary = leading * trailing * std::pow(leading / trailing, skew);
+    const double absolute = 2 * (skew * difference + boundary) / 3;
+    return {absolute, -(leading * trailing * difference + 3 * skew * absolute) / 4};
+  }
+};
+
+double SlidingLine::pressure(double x) const {
+  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  const double ahead = leading_end() - x, behind = x - trailing_end();
+  if (ahead <= 0 || behind <= 0) return 0;
+  return peak_pressure * std::pow(ahead / (trailing_share * span), trailing_share) *
+         std::pow(behind / (leading_share * span), leading_share);
+}
+
+SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, double friction,
+                               Direction motion)
+    : response_(std::move(response)), body_(body), friction_(friction), motion_(motion) {
+  body.check();
+  if (!(friction >= 0) || !std::isfinite(friction))
+    throw BadInput("friction", friction, "must be non-negative and finite");
+  const double length = std::hypot(motion.cosine, motion.sine);
+  if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("motion", length, "must be of unit length");
+  steepness_ = shape(motion).steepness();
+  integrate();
+}
+
+SlidingContact::Shape SlidingContact::shape(Direction psi) const {
+  const auto [compliance, coupling, coupling_across] = response_(psi);
+  if (!(compliance > 0) || !std::isfinite(compliance))
+    throw BadInput("compliance", compliance, "must be positive and finite: is the speed subcritical?");
+  for (const double each : {coupling, coupling_across})
+    if (!std::isfinite(each)) throw BadInput("coupling", each, "must be a finite number");
+  const double to_motion = psi.cosine * motion_.cosine + psi.sine * motion_.sine;
+  const double to_motion_across = psi.cosine * motion_.sine - psi.sine * motion_.cosine;
+  const double shear = friction_ * (to_motion * coupling + to_motion_across * coupling_across);
+  const double modulus = std::hypot(compliance, shear);
+  return {std::atan2(compliance, shear) / std::numbers::pi,
+          std::atan2(compliance, -shear) / std::numbers::pi,
+          2 * std::atan(shear / compliance) / std::numbers::pi,
+          modulus,
+          compliance / modulus,
+          body_.curvature(psi)};
+}
+
+void SlidingContact::integrate() {
+  const auto terms = [&](Direction from_motion) {
+    const auto [cosine, sine] = from_motion;
+    const Shape line =
+        shape({motion_.cosine * cosine - motion_.sine * sine, motion_.sine * cosine + motion_.cosine * sine});
+    const auto [absolute, signed_square] = line.moments();
+    const double ratio = steepness_ / line.steepness();
+    const double moment = ratio * ratio * ratio * signed_square;
+    return std::array{ratio * ratio * absolute, moment * cosine, moment * sine};
+  };
+  const auto [force, along, across] = half_turn_integral<3>(terms);
+  force_factor_ = {steepness_ * force.value, steepness_ * force.error};
+  moment_along_ = {along.value / force.value, along.error / force.value};
+  moment_across_ = {across.value / force.value, across.error / force.value};
+}
+
+void SlidingContact::set_span(Estimate span) {
+  span_ = span;
+  const auto scaled = [&](Estimate share) {
+    return Estimate{share.value * span.value, share.error * span.value + std::fabs(share.value) * span.error};
+  };
+  centre_along_ = scaled(moment_along_);
+  centre_across_ = scaled(moment_across_);
+}
+
+Estimate SlidingContact::shear_force() const { return {friction_ * force_.value, friction_ * force_.error}; }
+
+Estimate SlidingContact::peak_pressure() const {
+  return {steepness_ * span_.value, steepness_ * span_.error};
+}
+
+double SlidingContact::span_ratio(Direction psi) const { return steepness_ / shape(psi).steepness(); }
+
+SlidingLine SlidingContact::along(Direction psi) const {
+  const Shape line = shape(psi);
+  return {line.leading, line.trailing, span_.value * steepness_ / line.steepness(), steepness_ * span_.value};
+}
+
+SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
+                                Direction motion, double span) {
+  check_positive("span", span);
+  SlidingContact contact(std::move(response), body, friction, motion);
+  contact.set_span({span, 0});
+  const auto [value, error] = contact.force_factor_;
+  contact.force_ = {value * span * span * span, error * span * span * span};
+  return contact;
+}
+
+SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
+                                 Direction motion, double force) {
+  check_positive("force", force);
+  SlidingContact contact(std::move(response), body, friction, motion);
+  const auto [value, error] = contact.force_factor_;
+  const double span = std::cbrt(force / value);
+  contact.set_span({span, span * error / value});
+  contact.force_ = {force, 0};
+  return contact;
+}
+
+}  // namespace nipref::fast

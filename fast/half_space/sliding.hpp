@@ -1,0 +1,77 @@
+#pragma once
+#include <nipref/fast/half_space/indenter.hpp>
+#include <nipref/fast/half_space/response.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// The pressure -sigma33 on the line through the point of first touch in one direction, on
+/// -trailing_share L < x < leading_share L, L = span: proportional to (x+ - x)^(trailing_share)
+/// (x - x-)^(leading_share). (brock2012 26a, 28; brock2013 28, 29a)
+struct SlidingLine {
+  double leading_share;   ///< -Omega = x+/L
+  double trailing_share;  ///< 1 + Omega = -x-/L
+  double span;            ///< L, unit of length
+  double peak_pressure;   ///< at x = (leading_share - trailing_share) L, unit of stress
+
+  [[nodiscard]] double leading_end() const { return leading_share * span; }     ///< x+, unit of length
+  [[nodiscard]] double trailing_end() const { return -trailing_share * span; }  ///< x-, unit of length
+  /// Unit of stress, 0 outside the contact; x finite, unit of length, BadInput otherwise.
+  [[nodiscard]] double pressure(double x) const;
+};
+
+/// A rigid smooth body that slides with friction, as the papers have it: on every line through the point of
+/// first touch K H[sigma33] + Gamma sigma33 = curvature x, Gamma = friction (S cos(psi - theta) - S' sin(psi
+/// - theta)), K, S and S' the compliance and the couplings of that line; the papers have no S', which acts
+/// where the motion is oblique to an axis in the surface. The spans follow from the force being stationary,
+/// which makes the peak pressures of all lines equal. (brock2012 23-36, brock2013 27-36, their 1/Q^2
+/// corrected to 1/Q^3.) This is the papers' construction and not the solution of the contact problem: without
+/// friction that is EllipticContact, with 4/pi times the force for the same span of a sphere at rest. The
+/// papers define no approach of the bodies.
+class SlidingContact {
+ public:
+  [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
+  [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive
+  /// friction F3, the force that keeps the body sliding.
+  [[nodiscard]] Estimate shear_force() const;
+  [[nodiscard]] Estimate peak_pressure() const;  ///< the same in all directions, unit of stress
+  /// First moment of the pressure over the force, counted from the point of first touch along the motion:
+  /// <= 0 for a positive coupling. Unit of length; the error is relative to the span.
+  [[nodiscard]] Estimate centre_along() const { return centre_along_; }
+  /// The same across the motion, 90 degrees counterclockwise from it.
+  [[nodiscard]] Estimate centre_across() const { return centre_across_; }
+  [[nodiscard]] double span_ratio(Direction psi) const;  ///< L(psi)/L1
+  /// psi and psi + 180 degrees are the same line, run through the other way. To rounding of the span; K and S
+  /// enter once. Direction of unit length.
+  [[nodiscard]] SlidingLine along(Direction psi) const;
+
+ private:
+  struct Shape;
+  SlidingContact(SurfaceResponse response, const Indenter& body, double friction, Direction motion);
+  [[nodiscard]] Shape shape(Direction psi) const;
+  void integrate();
+  void set_span(Estimate span);
+
+  SurfaceResponse response_;
+  Indenter body_;
+  double friction_;
+  Direction motion_;
+  double steepness_;  ///< peak pressure over L1
+  Estimate force_factor_{}, moment_along_{}, moment_across_{};
+  Estimate span_{}, force_{}, centre_along_{}, centre_across_{};
+  friend SlidingContact sliding_for_span(SurfaceResponse, const Indenter&, double, Direction, double);
+  friend SlidingContact sliding_for_force(SurfaceResponse, const Indenter&, double, Direction, double);
+};
+
+/// The contact with span L1 along the motion, > 0 and finite, unit of length. friction >= 0 and finite,
+/// motion of unit length; the response at every direction must have a finite coupling and a positive finite
+/// compliance (a subcritical speed). BadInput otherwise. The integral over the directions is exact to
+/// rounding if the response is analytic; the estimates say so or what is missing.
+SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
+                                Direction motion, double span);
+
+/// The contact that carries the force F3 > 0, finite; otherwise the same.
+SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
+                                 Direction motion, double force);
+
+}  // namespace nipref::fast

@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/critical_speed.hpp>
+#include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using internal::Two;
+using internal::two_product;
+
+void check_direction(const char* name, Direction direction) {
+  const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
+  if (!(std::fabs(squared_length - 1) < 1e-9)) {
+    throw data::BadInput(name, fmt::format("({}, {})", direction.cosine, direction.sine),
+                         "must be a unit vector");
+  }
+}
+
+internal::TransverselyIsotropicLine checked_line(const data::TransverselyIsotropicSolid& solid,
+                                                 data::SymmetryAxis axis) {
+  solid.check();
+  return {solid, axis};
+}
+
+CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis,
+                             Direction motion) {
+  check_direction("motion", motion);
+  const internal::CriticalLine critical = axis == data::SymmetryAxis::normal
+                                              ? internal::CriticalLine{line.limit(motion), 0}
+                                              : internal::critical_line(line, motion);
+  const double theta = std::atan2(motion.sine, motion.cosine);
+  const double psi = std::remainder(theta + critical.from_motion, std::numbers::pi);
+  return {critical.speed, psi == -std::numbers::pi / 2 ? -psi : psi};
+}
+
+void check_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis, Direction motion,
+                 double speed) {
+  if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
+  const CriticalSpeed critical = critical_speed(line, axis, motion);
+  if (speed >= critical.speed) {
+    throw data::BadInput("speed", speed,
+                         fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
+                                     critical.speed, critical.psi * 180 / std::numbers::pi));
+  }
+}
+
+}  // namespace
+
+struct TransverselyIsotropicHalfSpace::Implementation {
+  internal::TransverselyIsotropicLine line;
+  Direction motion;
+  double speed;
+
+  [[nodiscard]] internal::LineAnswers at(Direction psi) const {
+    check_direction("psi", psi);
+    const std::optional<internal::LineAnswers> answers = line.at(psi, motion, speed);
+    // The search for the critical line may miss it by roundings.
+    if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
+    return *answers;
+  }
+};
+
+TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid,
+                                                               data::SymmetryAxis axis, Direction motion,
+                                                               double speed)
+    : implementation_(
+          std::make_unique<const Implementation>(Implementation{checked_line(solid, axis), motion, speed})) {
+  check_speed(implementation_->line, axis, motion, speed);
+}
+
+TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =
+    default;
+TransverselyIsotropicHalfSpace& TransverselyIsotropicHalfSpace::operator=(
+    TransverselyIsotropicHalfSpace&&) noexcept = default;
+TransverselyIsotropicHalfSpace::~TransverselyIsotropicHalfSpace() = default;
+
+LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
+  const internal::LineAnswers answers = implementation_->at(psi);
+  return {answers.compliance, answers.coupling, answers.coupling_across};
+}
+
+double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
+  static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
+  const auto& [line, motion, speed] = *implementation_;
+  const double condition = line.condition(psi, motion, speed);
+  if (!std::isfinite(condition))
+    throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");
+  return condition;
+}
+
+CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                             Direction motion) {
+  return critical_speed(checked_line(solid, axis), axis, motion);
+}
+
+double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                      Direction motion, Direction psi) {
+  check_direction("motion", motion);
+  check_direction("psi", psi);
+  return internal::speed_of_motion(checked_line(solid, axis), motion, psi);
+}
+
+double branch_speed(BranchWave wave, const data::TransverselyIsotropicSolid& solid, Direction motion) {
+  solid.check();
+  check_direction("motion", motion);
+  const Two cos2 = two_product(motion.cosine, motion.cosine), sin2 = two_product(motion.sine, motion.sine);
+  if (wave == BranchWave::transverse) {
+    return std::sqrt(rounded(solid.c66 * cos2 + solid.c44 * sin2) / solid.density);
+  }
+  // Christoffel's matrix in the plane of line and axis
+  const Two along = solid.c11 * cos2 + solid.c44 * sin2, across = solid.c44 * cos2 + solid.c33 * sin2;
+  const Two mixed = internal::two_sum(solid.c44, solid.c13) * two_product(motion.cosine, motion.sine);
+  const double half_difference = rounded(along - across) / 2;
+  const double larger = rounded(along + across) / 2 + std::hypot(half_difference, rounded(mixed));
+  if (wave == BranchWave::quasi_longitudinal) return std::sqrt(larger / solid.density);
+  return std::sqrt(rounded(along * across - square(mixed)) / larger / solid.density);
+}
+
+}  // namespace nipref::fast

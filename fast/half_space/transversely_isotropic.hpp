@@ -1,0 +1,71 @@
+#pragma once
+#include <memory>
+
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+
+namespace nipref::fast {
+
+// The surface of a transversely isotropic half-space under loads that move steadily.
+//
+//   solid         any with positive strain energy (its check())
+//   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
+//                 90 degrees in the surface
+//   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
+//   speed         unit of sqrt(modulus/density)
+//   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a speed
+//                 that is negative or not subcritical on every line: data::BadInput
+
+class TransverselyIsotropicHalfSpace {
+ public:
+  /// A few milliseconds, for the critical speed.
+  TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                                 Direction motion, double speed);
+  TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
+  TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
+  ~TransverselyIsotropicHalfSpace();
+
+  /// Compliance and couplings to the shear along and across the line; each to two units in the last place, up
+  /// to 1 - 1e-12 of the critical speed. A quarter of a microsecond. (brock2013 19, 25b; 43 and 44 corrected,
+  /// couplings added)
+  [[nodiscard]] LineResponse along(Direction psi) const;
+
+  /// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times
+  /// as large. To 3e-13 of 1 or of itself up to 1 - 1e-8 of the critical speed, towards which it grows
+  /// without bound.
+  [[nodiscard]] double condition(Direction psi) const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<const Implementation> implementation_;
+};
+
+struct CriticalSpeed {
+  double speed;
+  double psi;  ///< the line that is critical first, radians, -pi/2 < psi <= pi/2
+};
+
+/// The smallest speed at which some line is critical: its speed is that of the Rayleigh wave along the line
+/// or, if there is none, of the slowest bulk wave that its fields hold. The minimum over the lines: speed to
+/// a few units in the last place, psi to 1e-7. The normal axis makes all lines alike, and psi is that of
+/// motion.
+CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                             Direction motion);
+
+/// The speed along `motion` at which the line psi is critical: the root of M, or the branch point before it
+/// if it has none; a few units in the last place. Infinite for a line across the motion.
+double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
+                      Direction motion, Direction psi);
+
+/// Bulk waves along a line through the surface of which the axis is part. (brock2013 46)
+enum class BranchWave {
+  transverse,          ///< (46a), polarised across the axis and the line: root of B5, and of B6
+  quasi_longitudinal,  ///< (46b), plus
+  quasi_transverse     ///< (46b), minus
+};
+
+/// Their speeds on the line of motion, to a unit in the last place; the printed P6 is wrong, P6^2 = 4 d6 P +
+/// [(d6 - d1)(d6 - d2) - (d6 + d12)^2] sin^2(2 theta).
+double branch_speed(BranchWave wave, const data::TransverselyIsotropicSolid& solid, Direction motion);
+
+}  // namespace nipref::fast

@@ -1,0 +1,39 @@
+#pragma once
+#include <optional>
+
+#include <nipref/ref/half_space/direction.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+
+namespace nipref::ref {
+
+/// Speeds at which a load that moves in the direction `motion` is critical for the lines of the direction
+/// `psi`. A speed v stands for the phase speed v |cos(psi - theta)|. Bad arguments throw data::BadInput:
+/// "psi" where it is perpendicular to the motion, "digits" unless 16 <= digits <= 1000.
+
+/// The limiting speed: the smallest at which a root s of Stroh's sextic is real, density v^2 cos^2(psi -
+/// theta) = min over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Proven on both
+/// sides: a quotient of Rayleigh above, an impedance that exists (see impedance.hpp) below. Horizontally
+/// polarised waves count, even where they have no part in the normal response; see sagittal_stiffness.
+Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
+                         const SurfaceDirection& psi, int digits);
+
+/// The speed of the surface wave, where det M = 0 and the compliance has its pole. Proven by opposite signs
+/// of det M in interval arithmetic; M falls with the speed and never has two eigenvalues below 0, so there is
+/// no other. Nothing where no such wave is slower than 1 - 1e-12 of the limiting speed.
+std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
+                                            const SurfaceDirection& psi, int digits);
+
+/// The smallest speed at which the lines of some direction are critical, and that direction.
+struct CriticalSpeed {
+  Enclosure speed;     ///< error bound estimated, see below
+  double psi_degrees;  ///< in (theta - 90, theta + 90), good to some 1e-8
+};
+
+/// Minimum over psi of the surface wave's speed, or the limiting one where there is no surface wave. Loads
+/// slower than this are subcritical. The value is proven to be no less than the minimum, to its digits; that
+/// it is the global one rests on a scan of 1 degree, and the error of the minimiser is estimated from the
+/// curvature. (brock2013, end of sec. 4)
+CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits);
+
+}  // namespace nipref::ref

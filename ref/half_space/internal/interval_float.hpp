@@ -1,0 +1,37 @@
+#pragma once
+#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
+#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/internal/interval_matrix.hpp>
+
+// Between intervals and floating point. Heavy to compile; for .cpp files of this room only.
+
+namespace nipref::ref {
+
+inline Float middle(const Interval& x) {
+  Real value(x.precision());
+  mpfi_mid(value.get(), x.get());
+  return to_float(value);
+}
+
+inline Interval point(const Float& x, mpfr_prec_t precision) {
+  const Real value = to_real(x);
+  return {value, value, precision};
+}
+
+inline ComplexMatrix<Matrix> middle(const IntervalMatrix& x) {
+  ComplexMatrix<Matrix> result{Matrix(3, 3), Matrix(3, 3)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const auto column = static_cast<Eigen::Index>(k);
+      result.re(row, column) = middle(x(i, k).real);
+      result.im(row, column) = middle(x(i, k).imag);
+    }
+  }
+  return result;
+}
+
+/// Decimal digits that hold so many bits.
+inline int digits_of(mpfr_prec_t bits) { return static_cast<int>(static_cast<double>(bits) * 0.30103) + 1; }
+
+}  // namespace nipref::ref

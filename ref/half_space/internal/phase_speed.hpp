@@ -1,0 +1,22 @@
+#pragma once
+#include <optional>
+
+#include <nipref/ref/half_space/direction.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+
+namespace nipref::ref {
+
+// Phase speeds as inertia = density speed^2/C33, enclosed to a relative width of about 2^-bits.
+
+/// Of the limiting speed.
+Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t bits);
+
+/// Of the surface wave; nothing where none is slower than 1 - 1e-12 of the limiting speed.
+std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
+                                             mpfr_prec_t bits);
+
+/// The surface wave's inertia, or the limiting one where there is none, to some 12 digits and unproven.
+double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi);
+
+}  // namespace nipref::ref

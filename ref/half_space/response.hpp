@@ -1,0 +1,38 @@
+#pragma once
+#include <nipref/ref/half_space/direction.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+
+namespace nipref::ref {
+
+/// What the surface of an anisotropic half-space x3 > 0 answers along the lines x of a direction n, when
+/// tractions sigma33, tau = sigma_3n and tau' = sigma_3t (t across: e3 x n) that depend on x only move
+/// steadily. With H[f] = (1/pi) vp int f(xi)/(xi - x) dxi,
+///
+///     du3/dx = -compliance H[sigma33] - coupling tau - coupling_across tau'
+///              - shear_compliance H[tau] - shear_compliance_across H[tau'],
+///     dun/dx = -in_line H[tau] + ...,   dut/dx = -across H[tau'] + ...
+///
+/// all in 1/stress. The two shear compliances vanish where x3 = const is a plane of symmetry of the solid; in
+/// terms of the inverse Y of the impedance compliance = Y33, shear_compliance = Re Y3n, coupling = -Im Y3n.
+struct SurfaceResponse {
+  Enclosure compliance;
+  Enclosure coupling, coupling_across;
+  Enclosure shear_compliance, shear_compliance_across;
+  Enclosure in_line, across;
+};
+
+/// The response to loads that move at `speed` (unit sqrt(modulus/density), its sign does not matter) in the
+/// direction `motion`, along lines of the direction `psi`: each of them sees speed cos(psi - theta).
+///
+/// All error bounds are proven (interval arithmetic, see impedance.hpp). The bound of the compliance keeps
+/// the promise of Enclosure; the bounds of the others, some of which are exactly 0 for symmetric solids, are
+/// at most 10^-digits max(compliance, in_line, across) instead. Beyond the surface wave's speed, where the
+/// compliance is negative, results are still the solution of the equations that decays with depth.
+///
+/// BadInput "speed" unless speed |cos(psi - theta)| stays below the limiting speed of psi (by 1e-16 or so of
+/// itself at the least); "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
+SurfaceResponse surface_response(const ExactStiffness& solid, const Exact& speed,
+                                 const SurfaceDirection& motion, const SurfaceDirection& psi, int digits);
+
+}  // namespace nipref::ref
