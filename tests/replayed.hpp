@@ -2,7 +2,7 @@
 #include <map>
 #include <string>
 
-#include <nipref/verify/replay.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 /// verify::replay_table, once for each table in all tests.
 inline const nipref::verify::Replay& replayed(const std::string& id) {

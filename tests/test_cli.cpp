@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include <nipref/verify/catalogue.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
 
 #include "run_nipref.hpp"
 

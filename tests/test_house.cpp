@@ -59,7 +59,7 @@ TEST_CASE("no room includes another against the arrows; ref and fast know nothin
 
 TEST_CASE("the arrows are seen: verify does include every other room") {
   std::set<std::string> rooms;
-  for (const auto& entry : fs::directory_iterator(fs::path(NIPREF_SOURCE_DIR) / "verify")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(NIPREF_SOURCE_DIR) / "verify")) {
     if (entry.is_regular_file()) rooms.merge(rooms_included(entry.path()));
   }
   CHECK(rooms == std::set<std::string>{"data", "ref", "fast", "verify"});

@@ -9,7 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 #include "scratch_file.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 #include "refused_scene.hpp"
 #include "scratch_file.hpp"

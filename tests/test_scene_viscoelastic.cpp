@@ -10,7 +10,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 #include "refused_scene.hpp"
 #include "scratch_file.hpp"

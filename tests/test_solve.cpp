@@ -9,7 +9,7 @@
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
 using fast::Estimate;

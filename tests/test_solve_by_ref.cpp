@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
 

@@ -8,9 +8,9 @@
 #include <set>
 #include <stdexcept>
 
-#include <nipref/verify/audit.hpp>
-#include <nipref/verify/catalogue.hpp>
-#include <nipref/verify/parallel.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
 
 using namespace nipref;
 using verify::AuditResult;

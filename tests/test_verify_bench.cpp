@@ -6,12 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/bench.hpp>
-#include <nipref/verify/catalogue.hpp>
-#include <nipref/verify/peers_double.hpp>
-#include <nipref/verify/peers_multiprecision.hpp>
-#include <nipref/verify/render_bench.hpp>
-#include <nipref/verify/stopwatch.hpp>
+#include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/bench/render.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
+#include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
 
 using namespace nipref;
 

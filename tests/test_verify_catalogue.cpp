@@ -5,13 +5,13 @@
 #include <set>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/arguments.hpp>
-#include <nipref/verify/catalogue.hpp>
-#include <nipref/verify/deviation.hpp>
-#include <nipref/verify/entries.hpp>
-#include <nipref/verify/random.hpp>
-#include <nipref/verify/sampling.hpp>
-#include <nipref/verify/zeros.hpp>
+#include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/audit/internal/zeros.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/support/random.hpp>
 
 using namespace nipref;
 using verify::Point;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/audit_contacts.hpp>
-#include <nipref/verify/bench_contacts.hpp>
+#include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/bench/internal/elastic_nip.hpp>
 
 using namespace nipref;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include <nipref/verify/deviation.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
 
 namespace {
 

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include <nipref/verify/audit.hpp>
-#include <nipref/verify/catalogue.hpp>
-#include <nipref/verify/memory_sampling.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 
 #include "run_nipref.hpp"
 

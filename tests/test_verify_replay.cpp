@@ -7,13 +7,13 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/render_tables.hpp>
-#include <nipref/verify/replay.hpp>
-#include <nipref/verify/replay_corrected.hpp>
-#include <nipref/verify/replay_known.hpp>
-#include <nipref/verify/replay_line_loads.hpp>
-#include <nipref/verify/replay_rolling.hpp>
-#include <nipref/verify/tables_verb.hpp>
+#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/known_misses.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 #include "replayed.hpp"
 

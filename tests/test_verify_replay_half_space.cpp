@@ -9,12 +9,12 @@
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
-#include <nipref/verify/printed_half_space.hpp>
-#include <nipref/verify/render_tables.hpp>
-#include <nipref/verify/replay_half_space.hpp>
-#include <nipref/verify/replay_half_space_cell.hpp>
-#include <nipref/verify/replay_known.hpp>
-#include <nipref/verify/tables_verb.hpp>
+#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/half_space_cell.hpp>
+#include <nipref/verify/replay/internal/known_misses.hpp>
+#include <nipref/verify/replay/render.hpp>
 
 #include "replayed.hpp"
 

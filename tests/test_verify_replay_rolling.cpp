@@ -10,9 +10,9 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/verify/replay_corrected.hpp>
-#include <nipref/verify/replay_rolling.hpp>
-#include <nipref/verify/replay_rolling_row.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 
 #include "replayed.hpp"
 

@@ -4,7 +4,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
-#include <nipref/verify/solve.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 int main() {
   using namespace nipref;

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/verify/audit/internal/contacts.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::ElasticNip;
+using data::Friction;
+
+constexpr std::array ratios{1e-4, 1e-2, 1.0, 30.0, 1e3};
+constexpr std::array poissons{-0.9, 1.0 / 3, 0.5};
+constexpr std::array elements{10, 500};
+constexpr int ref_digits = 20;
+constexpr int most_ref_elements = 40;
+constexpr double longest_ref_line_loads = 500;
+constexpr double longest_ref_converged = 12;
+constexpr double accuracy = 1e-10;
+
+/// Of unit radius and thickness such that L <= R.
+ElasticNip nip_for(double ratio, double poisson) { return {1, 1e-3 / std::max(ratio, 1.0), {1, poisson}}; }
+
+std::string name(const char* method, Friction friction) {
+  return fmt::format("{}, {}", method, friction == Friction::full ? "full friction" : "no friction");
+}
+
+/// Largest difference over the largest value.
+double error_of(const std::vector<double>& loads, const std::vector<ref::Enclosure>& truth) {
+  double error = 0, size = 0;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    error = std::max(error, std::fabs(truth[k].error_of(loads[k])));
+    size = std::max(size, std::fabs(loads[k]));
+  }
+  return size > 0 ? error / size : 0;
+}
+
+/// What of a frictionless solution's error its kernel values make, and what the line loads themselves.
+void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int m,
+                 const fast::LineLoadSolution& solution, const ref::LineLoadSolution& truth) {
+  std::vector<double> kernel;
+  for (int q = 0; q < 2 * m; ++q)
+    kernel.push_back(fast::I1((2 * q + 1) * length / (4 * m) / nip.half_thickness()));
+  const auto exactly_solved = ref::line_loads_from_kernel_values(nip, kernel, length, ref_digits);
+  double size = 0;
+  for (std::size_t k = 0; k < solution.line_loads.size(); ++k) {
+    const double computed = solution.line_loads[k];
+    const double by_rounding = exactly_solved.line_loads[k].error_of(computed);
+    size = std::max(size, std::fabs(computed));
+    audit.kernel_error =
+        std::max(audit.kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
+  }
+  audit.kernel_error /= size;
+  const double continuous = fast::converged_for_length(nip, Friction::none, length, accuracy).load().value;
+  audit.discretisation_error = solution.load / continuous - 1;
+}
+
+ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, int m) {
+  const ElasticNip nip = nip_for(ratio, poisson);
+  const double length = ratio * nip.sheet_thickness;
+  const bool shear = friction == Friction::full;
+  const double creep = 1e-2 * length;
+  fast::ContactWork work;
+  const auto solution = shear ? fast::gripped_line_loads_for_length(nip, m, length, creep, &work)
+                              : fast::line_loads_for_length(nip, m, length, &work);
+  const double condition = fast::condition_number(nip, m, length, friction);
+  ContactAudit audit{name("line loads", friction),
+                     ratio,
+                     poisson,
+                     work.unknowns,
+                     condition,
+                     fast::oscillation(solution.shear_loads),
+                     condition * std::numeric_limits<double>::epsilon(),
+                     false,
+                     1e-15 * condition};
+  if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
+  const auto truth = shear ? ref::gripped_line_loads_for_length(nip, m, length, creep, ref_digits)
+                           : ref::line_loads_for_length(nip, m, length, ref_digits);
+  audit.error = std::max(error_of(solution.line_loads, truth.line_loads),
+                         error_of(solution.shear_loads, truth.shear_loads));
+  audit.against_ref = true;
+  if (!shear) split_error(audit, nip, length, m, solution, truth);
+  return audit;
+}
+
+/// Shear in the middles of `count` equal elements, as line loads would have it.
+std::vector<double> sampled_shear(const fast::ConvergedContact& contact, int count) {
+  const double half = contact.contact_length().value / 2;
+  std::vector<double> shear;
+  for (int k = 0; k < count; ++k) shear.push_back(contact.shear(half * (k + 0.5) / count).value);
+  return shear;
+}
+
+ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
+  const ElasticNip nip = nip_for(ratio, poisson);
+  const double length = ratio * nip.sheet_thickness;
+  const auto contact = fast::converged_for_length(nip, friction, length, accuracy);
+  const fast::Estimate load = contact.load();
+  const double estimate = load.error / load.value;
+  const double oscillation = friction == Friction::full ? fast::oscillation(sampled_shear(contact, 40)) : 0;
+  ContactAudit audit{name("converged", friction),
+                     ratio,
+                     poisson,
+                     contact.work().unknowns,
+                     0,
+                     oscillation,
+                     estimate,
+                     false,
+                     estimate};
+  if (friction == Friction::full || ratio > longest_ref_converged) return audit;
+  const ref::Enclosure truth = ref::converged_for_length(nip, length, ref_digits).load();
+  audit.error = std::fabs(truth.error_of(load.value)) / load.value;
+  audit.against_ref = true;
+  return audit;
+}
+
+}  // namespace
+
+std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress) {
+  std::vector<ContactAudit> audits;
+  for (const Friction friction : {Friction::none, Friction::full}) {
+    for (const double poisson : poissons) {
+      for (const double ratio : ratios) {
+        progress(fmt::format("contacts: L/B = {:g}, poisson = {:.3g}", ratio, poisson));
+        for (const int m : elements) audits.push_back(audit_line_loads(friction, ratio, poisson, m));
+        audits.push_back(audit_converged(friction, ratio, poisson));
+      }
+    }
+  }
+  return audits;
+}
+
+std::string contact_audit_text(const std::vector<ContactAudit>& audits) {
+  std::string text = fmt::format("{:28}{:>8}{:>9}{:>9}{:>11}{:>12}{:>11}{:>11}{:>11}{:>11}  {}\n", "contact",
+                                 "L/B", "poisson", "unknowns", "condition", "oscillation", "error", "allowed",
+                                 "kernels", "discret.", "");
+  for (const ContactAudit& audit : audits) {
+    text += fmt::format(
+        "{:28}{:>8g}{:>9.3g}{:>9}{:>11.2g}{:>12.2g}{:>11.2g}{:>11.2g}{:>11.2g}{:>11.2g}  {}{}\n",
+        audit.system, audit.ratio, audit.poisson, audit.unknowns, audit.condition, audit.oscillation,
+        audit.error, audit.allowed, audit.kernel_error, audit.discretisation_error,
+        audit.against_ref ? "" : "estimated", audit.kept() ? "" : " BROKEN");
+  }
+  return text;
+}
+
+nlohmann::ordered_json contact_audit_json(const std::vector<ContactAudit>& audits) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const ContactAudit& audit : audits) {
+    rows.push_back({{"system", audit.system},
+                    {"length_over_thickness", audit.ratio},
+                    {"poisson", audit.poisson},
+                    {"unknowns", audit.unknowns},
+                    {"condition", audit.condition},
+                    {"oscillation", audit.oscillation},
+                    {"error", audit.error},
+                    {"against_ref", audit.against_ref},
+                    {"allowed", audit.allowed},
+                    {"kernel_error", audit.kernel_error},
+                    {"discretisation_error", audit.discretisation_error}});
+  }
+  return rows;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,197 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <nipref/verify/audit/internal/sampling.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr double smallest_position = 1e-300;
+constexpr double largest_position = 700;
+constexpr double middle_from = 1e-3;
+constexpr double middle_to = 50;
+constexpr double share_beyond_middle = 0.01;
+
+constexpr double largest_index = 1e6;
+constexpr double softest_young = 1e-6;
+constexpr double stiffest_young = 1e12;
+
+bool is_position(ArgumentKind kind) {
+  return kind == ArgumentKind::position || kind == ArgumentKind::nonzero_position;
+}
+
+double with_random_sign(double magnitude, Random& random) {
+  return random.chance(0.5) ? magnitude : -magnitude;
+}
+
+double draw_position(Random& random) {
+  if (random.chance(share_beyond_middle))
+    return with_random_sign(random.log_uniform(middle_to, largest_position), random);
+  const double magnitude = random.chance(0.5) ? random.log_uniform(smallest_position, largest_position)
+                                              : random.log_uniform(middle_from, middle_to);
+  return with_random_sign(magnitude, random);
+}
+
+/// The value at `fraction` in [0, 1) of the logarithm of the kind's whole domain.
+double spread(ArgumentKind kind, double fraction) {
+  const auto between = [fraction](double lower, double upper) {
+    return std::exp(std::log(lower) + fraction * (std::log(upper) - std::log(lower)));
+  };
+  switch (kind) {
+    case ArgumentKind::nonzero_position:
+    case ArgumentKind::position:
+      return between(smallest_position, largest_position);
+    case ArgumentKind::young:
+      return between(softest_young, stiffest_young);
+    case ArgumentKind::poisson:
+      return -1 + 1.5 * (1 - fraction);
+    case ArgumentKind::index:
+      return std::floor(between(1, largest_index));
+    default:  // entries with such arguments draw their own points
+      return fraction;
+  }
+}
+
+/// A second position in some relation to the first.
+double related_position(double first, Random& random) {
+  switch (random.index(8)) {
+    case 0:
+      return first;
+    case 1:
+      return -first;
+    case 2:
+      return first * (1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(random.index(52))));
+    case 3:
+      return 0;
+    case 4:
+      return with_random_sign(std::fabs(first) > 1e-3 ? random.log_uniform(smallest_position, 1e-6)
+                                                      : random.uniform(1, middle_to),
+                              random);
+    default:
+      return draw_position(random);
+  }
+}
+
+double neighbour(double value, int steps) {
+  const double direction =
+      steps > 0 ? std::numeric_limits<double>::infinity() : -std::numeric_limits<double>::infinity();
+  for (int step = 0; step < std::abs(steps); ++step) value = std::nextafter(value, direction);
+  return value;
+}
+
+double into_domain(ArgumentKind kind, double value) {
+  switch (kind) {
+    case ArgumentKind::nonzero_position:
+      if (value == 0) return smallest_position;
+      return std::clamp(value, -largest_position, largest_position);
+    case ArgumentKind::position:
+      return std::clamp(value, -largest_position, largest_position);
+    case ArgumentKind::young:
+      return std::clamp(value, softest_young, stiffest_young);
+    case ArgumentKind::poisson:
+      return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
+    case ArgumentKind::index:
+      return std::clamp(std::round(value), 1.0, largest_index);
+    default:  // steps are relative: they leave no sign behind
+      return value;
+  }
+}
+
+/// The other position of a quantity of two, if there are two and `changed` is one of them.
+void tie_positions(const Quantity& quantity, Point& point, std::size_t changed) {
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    if (i != changed && is_position(quantity.arguments[i].kind)) {
+      point[i] = into_domain(quantity.arguments[i].kind, point[changed]);
+    }
+  }
+}
+
+}  // namespace
+
+double draw(ArgumentKind kind, Random& random) {
+  if (is_position(kind)) return draw_position(random);
+  return spread(kind, random.uniform());
+}
+
+Point draw_point(const Quantity& quantity, Random& random) {
+  if (quantity.draw) return quantity.draw(random);
+  Point point;
+  std::optional<double> earlier_position;
+  for (const Argument& argument : quantity.arguments) {
+    const bool related = earlier_position && is_position(argument.kind);
+    const double value = related ? related_position(*earlier_position, random) : draw(argument.kind, random);
+    point.push_back(into_domain(argument.kind, value));
+    if (is_position(argument.kind)) earlier_position = point.back();
+  }
+  return point;
+}
+
+std::vector<Point> thinned(std::vector<Point> points, std::size_t limit) {
+  if (points.size() <= limit) return points;
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < limit; ++i) kept.push_back(std::move(points[i * points.size() / limit]));
+  return kept;
+}
+
+std::vector<Point> hard_points(const Quantity& quantity, Random& random) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    for (const double value : argument.hard_values) {
+      Point point = draw_point(quantity, random);
+      point[i] = value;
+      points.push_back(point);
+      if (!is_position(argument.kind)) continue;
+      tie_positions(quantity, point, i);
+      if (point != points.back()) points.push_back(point);
+    }
+  }
+  return points;
+}
+
+std::vector<Point> dense_points(const Quantity& quantity, std::size_t count, Random& random) {
+  if (quantity.draw) return random_points(quantity, count, random);
+  std::vector<Point> points;
+  points.reserve(count);
+  const ArgumentKind kind = quantity.arguments.front().kind;
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    Point point = draw_point(quantity, random);
+    const double value =
+        spread(kind, (static_cast<double>(cell) + random.uniform()) / static_cast<double>(count));
+    point.front() = is_position(kind) ? with_random_sign(value, random) : value;
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+std::vector<Point> random_points(const Quantity& quantity, std::size_t count, Random& random) {
+  std::vector<Point> points;
+  points.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back(draw_point(quantity, random));
+    if (quantity.keep_off) quantity.keep_off(points.back());
+  }
+  return points;
+}
+
+Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
+  Point moved = point;
+  const std::size_t i = random.index(point.size());
+  const ArgumentKind kind = quantity.arguments[i].kind;
+  double value = point[i];
+  if (kind == ArgumentKind::index) {
+    value += random.uniform(-20, 20);
+  } else if (kind == ArgumentKind::choice) {
+    value = std::fmod(value + 1, static_cast<double>(quantity.arguments[i].choices.size()));
+  } else if (value != 0 && random.chance(0.3)) {
+    value = neighbour(value, static_cast<int>(random.index(9)) - 4);
+  } else {
+    value *= 1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(2 + random.index(48)));
+  }
+  moved[i] = into_domain(kind, value);
+  if (quantity.keep_off) quantity.keep_off(moved);
+  return moved;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,64 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <nipref/verify/audit/render.hpp>
+
+namespace nipref::verify {
+namespace {
+
+std::string worst_text(const AuditResult& result) {
+  std::string text;
+  for (std::size_t i = 0; i < result.worst.size(); ++i) {
+    const Argument& argument = result.quantity->arguments[i];
+    text += argument.kind == ArgumentKind::choice
+                ? fmt::format(" {}={}", argument.name, argument.choice(result.worst[i]))
+                : fmt::format(" {}={:a} ({:.6g})", argument.name, result.worst[i], result.worst[i]);
+  }
+  return text;
+}
+
+std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
+  return accuracy.rtol() > fast::Accuracy::kBest ? fmt::format("{:.1e} scale", accuracy.rtol())
+                                                 : fmt::format("{:g} ulp", result.quantity->promise);
+}
+
+}  // namespace
+
+std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
+  std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:7} {}\n", "quantity", "points",
+                                 "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
+  for (const AuditResult& result : results) {
+    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:7}{}\n", result.quantity->name,
+                        result.points, result.max_error_ulp, result.mean_error_ulp,
+                        promise_text(result, accuracy), 100 * result.allowance_used,
+                        result.kept() ? "kept" : "BROKEN", worst_text(result));
+  }
+  return text;
+}
+
+nlohmann::ordered_json audit_json(const std::vector<AuditResult>& results) {
+  nlohmann::ordered_json json{{"rows", nlohmann::ordered_json::array()}};
+  for (const AuditResult& result : results) {
+    nlohmann::ordered_json worst = nlohmann::ordered_json::object();
+    for (std::size_t i = 0; i < result.worst.size(); ++i) {
+      const Argument& argument = result.quantity->arguments[i];
+      worst[argument.name] = argument.kind == ArgumentKind::choice
+                                 ? std::string(argument.choice(result.worst[i]))
+                                 : fmt::format("{:a}", result.worst[i]);
+    }
+    json["rows"].push_back({{"quantity", result.quantity->name},
+                            {"points", result.points},
+                            {"max_error_ulp", result.max_error_ulp},
+                            {"mean_error_ulp", result.mean_error_ulp},
+                            {"worst", std::move(worst)}});
+  }
+  return json;
+}
+
+bool all_kept(const std::vector<AuditResult>& results) {
+  return std::ranges::all_of(results, &AuditResult::kept);
+}
+
+}  // namespace nipref::verify

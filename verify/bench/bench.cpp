@@ -1,0 +1,76 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include <nipref/verify/bench/bench.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// What is promised: the time of `slow` over the time of `quick` for the same quantity and arguments.
+struct Promise {
+  std::string_view what;
+  std::string_view quantity;
+  std::string_view arguments;
+  std::string_view slow;
+  std::string_view quick;
+  double target;
+};
+
+constexpr std::string_view everyday_range = "alpha in [1e-6,20] log-uniform";
+constexpr std::string_view digits_arguments = "alpha in {0.01, 0.73, 5}";
+
+constexpr Promise promises[] = {
+    {"fast I1 against Boost's Ooura", "I1", everyday_range, "Boost ooura_fourier_cos", "fast full", 60},
+    {"the same where Ooura's rule converges, [1e-3,1]", "I1", "alpha in [1e-3,1]", "Boost ooura_fourier_cos",
+     "fast full", 60},
+    {"fast I1 against GSL's QAWF", "I1", everyday_range, "GSL QAWF", "fast full", 500},
+    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 3},
+    {"scalar I1, rtol=1e-6 against full", "I1", everyday_range, "fast full", "fast rtol=1e-06", 1.5},
+    {"batch I1, rtol=1e-6 against full", "I1", everyday_range, "fast batch full", "fast batch rtol=1e-06",
+     1.5},
+    {"ref I1 at 50 digits against Boost's exp_sinh", "I1", digits_arguments, "Boost exp_sinh 50 digits",
+     "ref 50 digits", 100},
+};
+
+const BenchRow* find_row(const std::vector<BenchRow>& rows, const Promise& promise, std::string_view method) {
+  const auto found = std::ranges::find_if(rows, [&](const BenchRow& row) {
+    return row.quantity == promise.quantity && row.arguments == promise.arguments && row.method == method;
+  });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+std::vector<BenchRatio> form_ratios(const std::vector<BenchRow>& rows) {
+  std::vector<BenchRatio> ratios;
+  for (const Promise& promise : promises) {
+    const BenchRow* slow = find_row(rows, promise, promise.slow);
+    const BenchRow* quick = find_row(rows, promise, promise.quick);
+    if (slow == nullptr || quick == nullptr) continue;
+    ratios.push_back({std::string(promise.what), slow->nanoseconds / quick->nanoseconds, promise.target});
+  }
+  return ratios;
+}
+
+}  // namespace
+
+void append(BenchReport& report, const BenchReport& more) {
+  std::ranges::copy(more.rows, std::back_inserter(report.rows));
+  std::ranges::copy(more.ratios, std::back_inserter(report.ratios));
+}
+
+BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress) {
+  BenchReport report;
+  for (const Quantity* quantity : quantities) {
+    if (!quantity->timed_alone) continue;
+    // ref's first calls are timed: nothing else may have asked it for this quantity's nodes before.
+    std::vector<BenchRow> in_digits = bench_digits(*quantity, progress);
+    std::ranges::move(bench_double(*quantity, progress), std::back_inserter(report.rows));
+    std::ranges::move(in_digits, std::back_inserter(report.rows));
+  }
+  report.ratios = form_ratios(report.rows);
+  return report;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,52 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/catalogue/quantity.hpp>
+
+namespace nipref::verify {
+
+/// One line of the table of speed against error.
+struct BenchRow {
+  std::string quantity;
+  std::string arguments;  ///< range in words
+  std::string method;
+  double nanoseconds;    ///< per value, median over interleaved rounds
+  double max_error_ulp;  ///< in units in the last place of the scale; at N decimal digits the unit is 10^-N
+                         ///< of the scale
+  double max_relative_error;  ///< over the points that were compared with ref
+  double ratio;  ///< time over that of fast (double) or ref (digits) on the same arguments, full accuracy
+};
+
+/// One of the ratios that the project promises, as measured in this run.
+struct BenchRatio {
+  std::string what;
+  double measured;
+  double target;
+  [[nodiscard]] bool met() const { return measured >= target; }
+};
+
+struct BenchReport {
+  std::vector<BenchRow> rows;
+  std::vector<BenchRatio> ratios;
+};
+
+/// Adds rows and ratios of another report.
+void append(BenchReport& report, const BenchReport& more);
+
+/// Receives what is being timed; may be empty.
+using BenchProgress = std::function<void(const std::string&)>;
+
+/// Double precision: fast at several rtol, scalar and batch, beside the catalogue's peers, each with its
+/// error against ref.
+std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress);
+
+/// 30 to 200 digits: ref, the first call (which builds the nodes) apart from the steady cost, beside the
+/// catalogue's peers. Only quantities with multiprecision peers have such rows.
+std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress);
+
+/// All rows of these quantities, and of the promised ratios those that can be formed from them.
+BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress);
+
+}  // namespace nipref::verify

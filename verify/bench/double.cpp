@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/random.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr std::size_t points_in_a_set = 4096;
+constexpr std::size_t least_points = 32;
+constexpr std::size_t points_compared = 400;
+constexpr int rounds = 15;
+constexpr double seconds_per_round = 1e-3;
+constexpr int ref_digits = 21;
+constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::kBest};
+
+struct Range {
+  std::string name;
+  double lower;
+  double upper;
+  bool logarithmic;
+};
+
+/// The first range is the one that the promised ratios are about.
+std::vector<Range> ranges(const Quantity& quantity) {
+  std::vector<Range> all{{"[1e-6,20] log-uniform", 1e-6, 20, true}};
+  if (quantity.peers.empty()) return all;
+  all.push_back({"(0,20] uniform", 0, 20, false});
+  all.push_back({"[1e-6,1e-3]", 1e-6, 1e-3, true});
+  all.push_back({"[1e-3,1]", 1e-3, 1, true});
+  all.push_back({"[1,20]", 1, 20, true});
+  all.push_back({"[20,300]", 20, 300, true});
+  return all;
+}
+
+using Columns = std::vector<std::vector<double>>;
+
+double representative(ArgumentKind kind, const Range& range, Random& random) {
+  switch (kind) {
+    case ArgumentKind::nonzero_position:
+    case ArgumentKind::position:
+      // Upper end included, lower end not.
+      return range.logarithmic ? random.log_uniform(range.lower, range.upper)
+                               : range.upper - random.uniform() * (range.upper - range.lower);
+    case ArgumentKind::young:
+      return 1;
+    case ArgumentKind::poisson:
+      return 0.3;
+    case ArgumentKind::index:
+      return std::floor(random.log_uniform(1, 1000));
+    default:  // see draw_columns
+      return 0;
+  }
+}
+
+Columns draw_columns(const Quantity& quantity, const Range& range) {
+  Random random("bench " + quantity.name + range.name);
+  Columns columns;
+  if (quantity.draw) {
+    columns.resize(quantity.arguments.size());
+    for (std::size_t i = 0; i < points_in_a_set; ++i) {
+      const Point point = quantity.draw(random);
+      for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
+    }
+    return columns;
+  }
+  for (const Argument& argument : quantity.arguments) {
+    columns.emplace_back();
+    for (std::size_t i = 0; i < points_in_a_set; ++i) {
+      columns.back().push_back(representative(argument.kind, range, random));
+    }
+  }
+  return columns;
+}
+
+std::string range_text(const Quantity& quantity, const Range& range) {
+  const ArgumentKind kind = quantity.arguments.front().kind;
+  if (kind == ArgumentKind::index) return "n in [1,1000] log-uniform";
+  if (quantity.draw) return "as in the audit";
+  return fmt::format("{} in {}", quantity.arguments.front().name, range.name);
+}
+
+/// A method fills values[0, count) for the first `count` points.
+struct Method {
+  std::string name;
+  std::function<void(std::size_t count, std::span<double> values)> evaluate;
+};
+
+std::string tolerance_name(double rtol) {
+  return rtol == fast::Accuracy::kBest ? "full" : fmt::format("rtol={:.0e}", rtol);
+}
+
+/// The first `count` values of each column.
+std::vector<std::span<const double>> heads(const Columns& columns, std::size_t count) {
+  std::vector<std::span<const double>> parts;
+  for (const auto& column : columns) parts.push_back(std::span(column).first(count));
+  return parts;
+}
+
+Method scalar_method(const Quantity& quantity, const Columns& columns, double rtol) {
+  return {"fast " + tolerance_name(rtol),
+          [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
+            quantity.by_fast_loop(heads(columns, count), values.first(count), accuracy);
+          }};
+}
+
+Method batch_method(const Quantity& quantity, const Columns& columns, double rtol) {
+  return {"fast batch " + tolerance_name(rtol),
+          [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
+            quantity.by_fast_batch(heads(columns, count), values.first(count), accuracy);
+          }};
+}
+
+Method peer_method(const Peer& peer, const Columns& columns) {
+  return {peer.method, [evaluate = peer.make(), &columns](std::size_t count, std::span<double> values) {
+            for (std::size_t i = 0; i < count; ++i) values[i] = evaluate(columns[0][i]);
+          }};
+}
+
+std::vector<Method> methods(const Quantity& quantity, const Columns& columns) {
+  std::vector<Method> all{scalar_method(quantity, columns, fast::Accuracy::kBest)};
+  if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::kBest));
+  if (quantity.peers.empty()) return all;
+  for (const double rtol : tolerances) {
+    if (rtol == fast::Accuracy::kBest) continue;
+    all.push_back(scalar_method(quantity, columns, rtol));
+    all.push_back(batch_method(quantity, columns, rtol));
+  }
+  for (const Peer& peer : quantity.peers) all.push_back(peer_method(peer, columns));
+  return all;
+}
+
+/// ref at the first points of a set, computed once for all methods.
+struct Truth {
+  std::vector<ref::Enclosure> values;
+  std::vector<double> envelopes;
+};
+
+Truth truth_of(const Quantity& quantity, const Columns& columns) {
+  Truth truth;
+  for (std::size_t i = 0; i < points_compared; ++i) {
+    Point point;
+    for (const auto& column : columns) point.push_back(column[i]);
+    truth.values.push_back(ref_value(quantity, point, ref_digits));
+    truth.envelopes.push_back(quantity.envelope(point));
+  }
+  return truth;
+}
+
+void compare(std::span<const double> values, const Truth& truth, BenchRow& row) {
+  for (std::size_t i = 0; i < std::min(values.size(), truth.values.size()); ++i) {
+    const Deviation found = deviation(values[i], truth.values[i], truth.envelopes[i]);
+    row.max_error_ulp = std::max(row.max_error_ulp, found.ulps);
+    row.max_relative_error = std::max(row.max_relative_error, found.relative);
+  }
+}
+
+std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) {
+  const Columns columns = draw_columns(quantity, range);
+  const std::vector<Method> contestants = methods(quantity, columns);
+  std::vector<double> values(points_in_a_set);
+  std::vector<Contender> contenders;
+  for (const Method& method : contestants) {
+    contenders.push_back(
+        {[&](std::size_t count) { method.evaluate(count, values); }, least_points, points_in_a_set});
+  }
+  const std::vector<Timing> timings = time_interleaved(contenders, rounds, seconds_per_round);
+
+  const Truth truth = truth_of(quantity, columns);
+  std::vector<BenchRow> rows;
+  for (std::size_t i = 0; i < contestants.size(); ++i) {
+    rows.push_back({quantity.name, range_text(quantity, range), contestants[i].name, timings[i].seconds * 1e9,
+                    0, 0, timings[i].seconds / timings.front().seconds});
+    const std::size_t count = std::min(timings[i].count, points_compared);
+    contestants[i].evaluate(count, values);
+    compare(std::span(values).first(count), truth, rows.back());
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress) {
+  std::vector<BenchRow> rows;
+  for (const Range& range : ranges(quantity)) {
+    if (progress) progress(fmt::format("{} {}", quantity.name, range.name));
+    std::vector<BenchRow> more = bench_range(quantity, range);
+    rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  }
+  return rows;
+}
+
+}  // namespace nipref::verify

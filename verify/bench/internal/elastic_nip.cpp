@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/verify/bench/internal/elastic_nip.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::ElasticNip;
+using data::Friction;
+
+constexpr int rounds = 15;
+constexpr double seconds_per_round = 5e-3;
+constexpr int ref_digits = 20;
+constexpr auto method_of_the_thesis = "thesis: m=10, 500 terms";
+constexpr auto arguments_to_compare = "B=0.005 W=100";
+
+struct Case {
+  std::string arguments;
+  ElasticNip nip;
+  double load;
+};
+
+/// The sheets of the thesis, at the middle of its loads.
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
+    all.push_back({fmt::format("B={} W=100", thickness), {6, thickness, {1.45e5, 1.0 / 3}}, 100});
+  }
+  return all;
+}
+
+/// Finds the contact length.
+struct Method {
+  std::string name;
+  std::function<double()> length;
+};
+
+std::vector<Method> methods(const Case& at) {
+  std::vector<Method> all;
+  all.push_back({method_of_the_thesis, [&at] {
+                   const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
+                   return fast::line_loads_for_load(at.nip, {10, 500}, at.load, search).contact_length;
+                 }});
+  all.push_back({"line loads, m=10, fast kernels",
+                 [&at] { return fast::line_loads_for_load(at.nip, 10, at.load).contact_length; }});
+  for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13}) {
+    all.push_back(
+        {fmt::format("converged {:.0e}", accuracy), [&at, accuracy] {
+           return fast::converged_for_load(at.nip, Friction::none, at.load, accuracy).contact_length().value;
+         }});
+  }
+  all.push_back(
+      {"converged 1e-10, full friction", [&at] {
+         return fast::converged_for_load(at.nip, Friction::full, at.load, 1e-10).contact_length().value;
+       }});
+  return all;
+}
+
+Contender contender(const std::function<double()>& work) {
+  return {[work](std::size_t count) {
+            for (std::size_t i = 0; i < count; ++i) static_cast<void>(work());
+          },
+          1, 1000};
+}
+
+std::vector<BenchRow> rows_of(const Case& at) {
+  const auto all = methods(at);
+  std::vector<Contender> contenders;
+  for (const Method& method : all) contenders.push_back(contender(method.length));
+  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  const ref::Enclosure truth = ref::converged_for_load(at.nip, at.load, ref_digits).contact_length();
+  std::vector<BenchRow> rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double length = all[i].length();
+    const bool comparable = all[i].name.find("friction") == std::string::npos;
+    const double error =
+        comparable ? std::fabs(truth.error_of(length)) : std::numeric_limits<double>::quiet_NaN();
+    rows.push_back({"contact", at.arguments, all[i].name, 1e9 * timings[i].seconds, error / ulp_of(length),
+                    error / length, 0});
+  }
+  for (BenchRow& row : rows) row.ratio = row.nanoseconds / rows[4].nanoseconds;
+  return rows;
+}
+
+/// Time and error of one row over those of another.
+BenchRatio ratio(std::string what, double slow, double quick, double target) {
+  return {std::move(what), slow / quick, target};
+}
+
+/// All rows of Tables III to X, from loaded tables.
+BenchRow replay_row() {
+  std::vector<data::Table> tables;
+  for (const LineLoadTable& table : line_load_tables()) {
+    tables.push_back(data::load_table_by_id(std::string(table.id)));
+  }
+  const auto replay_all = [&] {
+    double cells = 0;
+    for (const LineLoadTable& table : line_load_tables()) {
+      const auto index = static_cast<std::size_t>(&table - line_load_tables().data());
+      cells += static_cast<double>(
+          replay_line_loads(tables[index], table.friction, table.elements_per_side).cells.size());
+    }
+    return cells;
+  };
+  const auto timings = time_interleaved({contender(replay_all)}, rounds, seconds_per_round);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {"contact", "all rows of Tables III-X", "replay", 1e9 * timings[0].seconds, none, none, none};
+}
+
+}  // namespace
+
+BenchReport bench_contacts(const BenchProgress& progress) {
+  BenchReport report;
+  for (const Case& at : cases()) {
+    progress("contact, " + at.arguments);
+    const auto rows = rows_of(at);
+    if (at.arguments == arguments_to_compare) {
+      const BenchRow& thesis = rows[0];
+      const BenchRow& converged = rows[4];
+      report.ratios.push_back(ratio("time of the thesis's contact over converged 1e-10", thesis.nanoseconds,
+                                    converged.nanoseconds, 1));
+      report.ratios.push_back(
+          ratio("error of the same", thesis.max_relative_error, converged.max_relative_error, 1e5));
+      const BenchRow replay = replay_row();
+      report.ratios.push_back(
+          ratio("100 such solves over the replay of III-X", 100 * thesis.nanoseconds, replay.nanoseconds, 1));
+      report.rows.push_back(replay);
+    }
+    report.rows.insert(report.rows.end(), rows.begin(), rows.end());
+  }
+  return report;
+}
+
+}  // namespace nipref::verify

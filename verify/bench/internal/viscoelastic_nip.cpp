@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr int rounds = 15;
+constexpr double seconds_per_round = 5e-3;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr auto rolling = "rolling";
+
+/// Bulk modulus 1 and relaxation time 1, at unit speed and half-thickness.
+data::ViscoelasticMaterial unit_solid() { return {{4.0 / 3, {{4.0 / 3, 1.0}}}, {4.0 / 9, {{4.0 / 9, 1.0}}}}; }
+
+struct Times {
+  double t, T;
+};
+
+/// Loads under way for up to ten half-thicknesses, before and behind the point.
+std::vector<Times> journeys(std::size_t count) {
+  Random random("bench Un");
+  std::vector<Times> all;
+  while (all.size() < count) {
+    const double t = random.log_uniform(1e-2, 10);
+    all.push_back({t, draw_passing_time(t, random)});
+  }
+  return all;
+}
+
+struct Method {
+  std::string name;
+  std::function<double(const Times&)> evaluate;
+};
+
+std::vector<Method> methods_for_Un() {
+  std::vector<Method> all;
+  for (const double rtol : {fast::Accuracy::kBest, 1e-9, 1e-6, 1e-3}) {
+    const fast::MovingLoad load(unit_solid(), 1, 1, fast::Accuracy(rtol));
+    all.push_back({rtol == fast::Accuracy::kBest ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
+                   [load](const Times& at) { return load.Un(at.t, at.T); }});
+  }
+  for (const int terms : {500, 100, 20}) {
+    const fast::PlainMovingLoad load(unit_solid(), 1, 1, terms);
+    all.push_back(
+        {fmt::format("thesis Un, {} terms", terms), [load](const Times& at) { return load.Un(at.t, at.T); }});
+  }
+  return all;
+}
+
+/// Largest error over the scale of the catalogue's Un, at the first few of the points.
+double largest_error(const Method& method, const std::vector<Times>& points) {
+  constexpr std::size_t compared = 30;
+  const auto material = ref::exact_material(unit_solid());
+  const Quantity& Un = find_quantity("Un");
+  double largest = 0;
+  for (std::size_t i = 0; i < compared; ++i) {
+    const auto [t, T] = points[i];
+    const auto truth = ref::Un(ref::Exact(t), ref::Exact(T), ref::Exact(1.0), ref::Exact(1.0), material, 20);
+    const double scale = Un.envelope(std::vector<double>{t, T, 1, 1, 0, 1, 1});
+    largest = std::max(largest, std::fabs(truth.error_of(method.evaluate(points[i]))) / scale);
+  }
+  return largest;
+}
+
+BenchReport bench_Un() {
+  const auto points = journeys(200);
+  const auto methods = methods_for_Un();
+  std::vector<Contender> contenders;
+  std::vector<double> values(points.size());
+  for (const Method& method : methods) {
+    contenders.push_back({[&](std::size_t count) {
+                            for (std::size_t i = 0; i < count; ++i)
+                              values[i % points.size()] = method.evaluate(points[i % points.size()]);
+                          },
+                          points.size(), 1000});
+  }
+  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  BenchReport report;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const double error = largest_error(methods[i], points);
+    report.rows.push_back({rolling, "t in [0.01,10], T around", methods[i].name, 1e9 * timings[i].seconds,
+                           error / 0x1p-52, error, timings[i].seconds / timings[0].seconds});
+  }
+  report.ratios.push_back(
+      {"time of Un by 500 terms over fast Un at full accuracy", timings[4].seconds / timings[0].seconds, 50});
+  return report;
+}
+
+/// Finds the contact length of B = 0.005 in, W = 100 lbf/in, F0 tau = 0.1 in.
+struct NipMethod {
+  std::string name;
+  std::function<double()> length;
+};
+
+BenchReport bench_nip() {
+  const data::Table table = data::load_table_by_id("thesis-XXIV");
+  const RollingTable& how = *find_rolling_table(table.id);
+  constexpr std::size_t row = 4;
+  const data::ViscoelasticNip nip = rolling_nip_of_the_tables(table, row, false);
+  const double load = table.parameter("W").value;
+  std::vector<NipMethod> methods{
+      {"thesis: m1=10, 500 terms, search for m2", [=, &how] {
+         return fast::rolling_line_loads_by_search(nip, rolling_method(how), load).contact_length();
+       }}};
+  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    methods.push_back({fmt::format("converged {:.0e}", accuracy),
+                       [=] { return fast::rolling_for_load(nip, load, accuracy).contact_length().value; }});
+  }
+  std::vector<Contender> contenders;
+  for (const NipMethod& method : methods) {
+    contenders.push_back({[&](std::size_t count) {
+                            for (std::size_t i = 0; i < count; ++i) static_cast<void>(method.length());
+                          },
+                          1, 1000});
+  }
+  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  // No reference path solves this contact: the finest of its own, stated as such in the method's name.
+  const double truth = fast::rolling_for_load(nip, load, 1e-12).contact_length().value;
+  BenchReport report;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    const double error = std::fabs(methods[i].length() / truth - 1);
+    report.rows.push_back({rolling, "B=0.005 W=100 F0tau=0.1", methods[i].name + " (against 1e-12)",
+                           1e9 * timings[i].seconds, error / 0x1p-52, error,
+                           timings[i].seconds / timings[2].seconds});
+  }
+  report.ratios.push_back({"time of the thesis's rolling contact (m1 = 10) over converged 1e-6",
+                           timings[0].seconds / timings[2].seconds, 1});
+  return report;
+}
+
+/// All rows of Tables XI to XXVI, one thread: the row from its length, at the ends of the length's rounding
+/// interval too.
+double seconds_of_replay(int residue_terms) {
+  return seconds_of([&] {
+    for (const RollingTable& how : rolling_tables()) {
+      const data::Table table = data::load_table_by_id(std::string(how.id));
+      for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const auto nip = rolling_nip_of_the_tables(table, row, false);
+        auto method = rolling_method(how);
+        const auto input = rolling_row_input(table, row, nip, method);
+        method.trailing_elements = input.trailing_elements;
+        method.residue_terms = residue_terms;
+        static_cast<void>(replay_rolling_row(nip, method, input.leading_length));
+      }
+    }
+  });
+}
+
+BenchReport bench_replay() {
+  BenchReport report;
+  const auto row = [&](const std::string& method, double seconds) {
+    report.rows.push_back({rolling, "all rows of Tables XI-XXVI", method, 1e9 * seconds, none, none, none});
+  };
+  const double plain = seconds_of_replay(500);
+  row("replay, 500 terms", plain);
+  row("replay, exact kernels", seconds_of_replay(0));
+  report.ratios.push_back({"60 s over the replay of XI-XXVI with 500 terms", 60 / plain, 1});
+  return report;
+}
+
+}  // namespace
+
+BenchReport bench_rolling(const BenchProgress& progress) {
+  BenchReport report;
+  progress("Un");
+  append(report, bench_Un());
+  progress("rolling nip");
+  append(report, bench_nip());
+  progress("replay of Tables XI-XXVI");
+  append(report, bench_replay());
+  return report;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,158 @@
+#include <cmath>
+#include <numbers>
+
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+
+namespace nipref::verify {
+namespace {
+
+struct Constants {
+  mpq_class c11, c33, c13, c44, c66, density;
+};
+
+/// Voigt's matrix; `along` is the number of the axis of symmetry. With the axis normal to the surface, waves
+/// polarised across the line have no part in u3 and may be overtaken: c66, which is theirs alone there, is
+/// taken so large that they are not met.
+ref::ExactStiffness stiffness_of(Constants c, std::size_t along) {
+  ref::ExactStiffness solid;
+  solid.density = c.density;
+  if (along == 2) c.c66 = c.c11;
+  const mpq_class c12 = c.c11 - 2 * c.c66;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      if (i == k) solid.voigt[i][k] = with_axis ? c.c33 : c.c11;
+      if (i != k) solid.voigt[i][k] = with_axis ? c.c13 : c12;
+    }
+    solid.voigt[i + 3][i + 3] = i == along ? c.c66 : c.c44;
+  }
+  return solid;
+}
+
+std::size_t number_of(data::SymmetryAxis axis) { return axis == data::SymmetryAxis::normal ? 2 : 1; }
+
+}  // namespace
+
+fast::Direction direction_of_degrees(double degrees) {
+  const double quarters = std::round(degrees / 90);
+  const double rest = (degrees - 90 * quarters) * (std::numbers::pi / 180);
+  const double c = std::cos(rest), s = std::sin(rest);
+  switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
+fast::Direction turned(fast::Direction from_motion, fast::Direction motion) {
+  return {from_motion.cosine * motion.cosine - from_motion.sine * motion.sine,
+          from_motion.sine * motion.cosine + from_motion.cosine * motion.sine};
+}
+
+data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
+
+ref::ExactStiffness exact_isotropic(const ref::Exact& poisson) {
+  data::IsotropicSolid{1, poisson.approximate(), 1}.check();
+  const mpq_class lame = 2 * poisson.value() / (1 - 2 * poisson.value());
+  return stiffness_of({lame + 2, lame + 2, lame, 1, 1, 1}, 2);
+}
+
+fast::SurfaceResponse isotropic_surface(double poisson, double speed) {
+  const data::IsotropicSolid solid = unit_isotropic(poisson);
+  return [solid, speed](fast::Direction from_motion) {
+    return fast::isotropic_response(solid, speed, from_motion);
+  };
+}
+
+ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed) {
+  static_cast<void>(
+      fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(), {1, 0}));
+  const ref::ExactStiffness solid = exact_isotropic(poisson);
+  const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
+  return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
+    const auto answer =
+        ref::surface_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
+    return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
+            answer.in_line.value};
+  };
+}
+
+void append_transverse_arguments(std::vector<Argument>& arguments) {
+  arguments.push_back({"axis", ArgumentKind::choice, "normal", {}, {"normal", "in-plane"}});
+  append_constants(arguments);
+}
+
+void append_constants(std::vector<Argument>& arguments) {
+  arguments.push_back({"c11", ArgumentKind::positive, seed::c11, {}});
+  arguments.push_back({"c33", ArgumentKind::positive, seed::c33, {}});
+  arguments.push_back({"c13", ArgumentKind::amplitude, seed::c13, {}});
+  arguments.push_back({"c44", ArgumentKind::positive, seed::c44, {}});
+  arguments.push_back({"c66", ArgumentKind::positive, seed::c66, {}});
+  arguments.push_back({"density", ArgumentKind::positive, seed::density, {}});
+}
+
+data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
+  return x[at] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
+}
+
+data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
+  const auto in_steel = [&](std::size_t i) { return x[at + i] / seed::steel_shear; };
+  return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / seed::steel_density};
+}
+
+ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
+  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
+  constexpr double nu = seed::steel_poisson;
+  return {solid.c11,
+          solid.c33,
+          solid.c13,
+          solid.c44,
+          solid.c66,
+          std::sqrt(solid.density),
+          std::sqrt((2 - 2 * nu) / (1 - 2 * nu))};
+}
+
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
+  return exact_transverse_at(x, at,
+                             x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane);
+}
+
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
+  const mpq_class shear("772/10"), density("7860");
+  const auto in_steel = [&](std::size_t i) { return mpq_class(x[at + i].value() / shear); };
+  const Constants c{in_steel(1), in_steel(2), in_steel(3),
+                    in_steel(4), in_steel(5), mpq_class(x[at + 6].value() / density)};
+  data::TransverselyIsotropicSolid{c.c11.get_d(), c.c33.get_d(), c.c13.get_d(),
+                                   c.c44.get_d(), c.c66.get_d(), c.density.get_d()}
+      .check();
+  return stiffness_of(c, number_of(axis));
+}
+
+void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed) {
+  std::vector<double> nearest;
+  for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
+  static_cast<void>(fast::TransverselyIsotropicHalfSpace(transverse_at(nearest, at), axis_at(nearest, at),
+                                                         direction_of_degrees(theta_deg.approximate()),
+                                                         speed.approximate()));
+}
+
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
+  return exact_of_transverse_at(x, at, axis_at(x, at));
+}
+
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis) {
+  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
+  solid.check();
+  return stiffness_of({solid.c11, solid.c33, solid.c13, solid.c44, solid.c66, solid.density},
+                      number_of(axis));
+}
+
+}  // namespace nipref::verify

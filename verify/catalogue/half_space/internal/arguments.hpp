@@ -1,0 +1,65 @@
+#pragma once
+#include <span>
+#include <vector>
+
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
+#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/stiffness.hpp>
+#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/catalogue/quantity.hpp>
+
+namespace nipref::verify {
+
+// From the catalogue's arguments about half-spaces to what the two paths take.
+
+using Doubles = std::span<const double>;
+using Exacts = std::span<const ref::Exact>;
+
+/// cos and sin of degrees to rounding; exact at multiples of 90.
+fast::Direction direction_of_degrees(double degrees);
+
+/// The angle from x1 of a line at an angle from the motion.
+fast::Direction turned(fast::Direction from_motion, fast::Direction motion);
+
+/// mu = 1, density 1: speeds are v/v_S.
+data::IsotropicSolid unit_isotropic(double poisson);
+ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);
+/// By a half-space of mu = 1 and density 1; the angle counts from the motion.
+fast::SurfaceResponse isotropic_surface(double poisson, double speed);
+/// BadInput unless the speed is below that of Rayleigh waves.
+ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
+
+/// The seed's steel, whose mu is the unit of stress and whose v_S is that of speed, and its graphite epoxy in
+/// these units. (brock2013 section 3)
+namespace seed {
+inline constexpr const char* c11 = "13.9";
+inline constexpr const char* c33 = "160.7";
+inline constexpr const char* c13 = "6.44";
+inline constexpr const char* c44 = "7.07";
+inline constexpr const char* c66 = "3.5";
+inline constexpr const char* density = "1688";
+inline constexpr double steel_shear = 77.2;       ///< GPa
+inline constexpr double steel_density = 7860;     ///< kg/m^3
+inline constexpr double steel_poisson = 0.29529;  ///< c_D = 1.8554
+}  // namespace seed
+
+/// axis, c11, c33, c13, c44, c66 (GPa), density (kg/m^3), from the argument number `at` on, with the seed's
+/// values unless others are given.
+void append_transverse_arguments(std::vector<Argument>& arguments);
+/// Those without the axis.
+void append_constants(std::vector<Argument>& arguments);
+data::SymmetryAxis axis_at(Doubles x, std::size_t at);
+data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
+/// In the units of steel, with the seed's sphere.
+ScaledModuli scaled_moduli_at(Doubles x, std::size_t at);
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
+ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
+/// BadInput naming the speed unless it is subcritical on every line.
+void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed);
+/// Of the doubles that transverse_at makes.
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at);
+ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis);
+
+}  // namespace nipref::verify

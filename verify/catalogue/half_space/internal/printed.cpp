@@ -1,0 +1,150 @@
+#include <cmath>
+#include <numbers>
+
+#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+
+namespace nipref::verify {
+namespace {
+
+double square(double x) { return x * x; }
+
+double rounded(double x, std::optional<int> decimals) {
+  if (!decimals) return x;
+  const double unit = std::pow(10.0, *decimals);
+  return std::round(x * unit) / unit;
+}
+
+/// Terms of (brock2012 34) at psi = 0.
+struct Terms {
+  double d, c2, shear_root, dilatation_root, rayleigh, n;  // c_D^2, c^2, w_S, w_D, R, N
+
+  Terms(double poisson, double speed, std::optional<int> decimals)
+      : d((2 - 2 * poisson) / (1 - 2 * poisson)),
+        c2(square(speed)),
+        shear_root(rounded(std::sqrt(1 - c2), decimals)),
+        dilatation_root(rounded(std::sqrt(1 - c2 / d), decimals)),
+        rayleigh(4 * shear_root * dilatation_root - square(c2 - 2)),
+        n(2 * shear_root * dilatation_root + c2 - 2) {}
+};
+
+/// Q of (brock2012 33b).
+double shape(double omega) { return std::pow(1 + omega, 1 + omega) * std::pow(-omega, -omega); }
+
+double rolling_span_ratio(const Terms& terms, double under_the_root) {
+  return 0.5 * std::sqrt((terms.d + 1) / (terms.d - 1)) * std::sqrt(under_the_root) *
+         std::sqrt(terms.rayleigh / (1 - terms.shear_root * terms.dilatation_root));
+}
+
+/// The sphere's terms (brock2013 20).
+struct SphereTerms {
+  double numerator, m, n;
+
+  SphereTerms(double c_d, double speed) {
+    const double d = square(c_d);
+    const double a = std::sqrt(1 - square(speed) / d);
+    const double b = std::sqrt(1 - square(speed));
+    numerator = d * a * (a + b);
+    m = 4 * (d - 1) * b - d * (a + b) * square(speed);
+    n = d * a + (2 - d) * b;
+  }
+};
+
+double in_plane_compliance(const ScaledModuli& moduli, fast::Direction line, double cosine_from_motion,
+                           double speed, double sign) {
+  const double d1 = moduli.c11;
+  const double d5 = moduli.c66;
+  const double d6 = moduli.c44;
+  const double d6_and_d12 = d6 + moduli.c13;
+  const double cx2 = square(moduli.speed_scale * speed * cosine_from_motion);
+  const double cosine2 = square(line.cosine);
+  const double sine2 = square(line.sine);
+  const double a6 = d6 * sine2 - cx2;
+  const double a2 = moduli.c33 * sine2 - cx2;
+  const double half = d1 * a2 + d6 * a6 - square(d6_and_d12) * sine2;
+  const double root = std::sqrt(square(half) - 4 * d1 * d6 * a2 * a6);
+  const double b_plus = std::sqrt(cosine2 + (half + root) / (2 * d1 * d6));
+  const double b_minus = std::sqrt(cosine2 + (half - root) / (2 * d1 * d6));
+  const double b_cubic = b_plus * b_minus * (b_plus + b_minus);
+  const double b5 = std::sqrt(cosine2 + a6 / d5);
+  const double t5 = a6 + 2 * d5 * cosine2;
+  const double q = square(d6_and_d12) * sine2 / (d1 * d6) - cosine2 - a2 / d6 - b_plus * b_minus;
+  const double m = sign * 4 * square(d5) * b5 * b_cubic * cosine2 -
+                   d6 * a6 * (cosine2 + a6 / d1 + b_plus * b_minus) * sine2 - q * square(t5);
+  return std::fabs(a6 / m) * b_cubic;
+}
+
+}  // namespace
+
+double die_span_ratio_as_printed(double poisson, double friction, double speed) {
+  const Terms terms(poisson, speed, std::nullopt);
+  const double sheared = -friction * terms.n;
+  const double pressed = terms.c2 * terms.dilatation_root;
+  const double q = shape(-0.5 + std::atan(sheared / pressed) / std::numbers::pi);
+  return std::sqrt(square(terms.d) + square(friction)) / (terms.d - 1) * terms.rayleigh * q /
+         std::hypot(sheared, pressed);
+}
+
+double die_span_ratio_as_tabulated(double poisson, double friction, double speed,
+                                   std::optional<int> decimals) {
+  const Terms terms(poisson, speed, decimals);
+  return std::sqrt(square(terms.d) + square(friction)) / (2 * (terms.d - 1)) * terms.rayleigh /
+         (terms.c2 * terms.dilatation_root);
+}
+
+double rolling_span_ratio_as_printed(double poisson, double speed) {
+  const Terms terms(poisson, speed, std::nullopt);
+  return rolling_span_ratio(terms, std::sqrt(terms.d) * terms.shear_root / terms.dilatation_root);
+}
+
+double rolling_span_ratio_as_tabulated(double poisson, double speed, int decimals) {
+  const Terms terms(poisson, speed, decimals);
+  return rolling_span_ratio(terms, terms.shear_root / terms.dilatation_root);
+}
+
+double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed) {
+  const double d1 = moduli.c11;
+  const double d5 = moduli.c44;
+  const double d13 = moduli.c13;
+  const double mean = std::sqrt(moduli.c33 * d5);
+  const double cx2 = square(moduli.speed_scale * speed);
+  const double a1 = std::sqrt(d1 - cx2);
+  const double b5 = std::sqrt(d5 - cx2);
+  const double p_plus = std::sqrt(square(std::sqrt(moduli.c33) * a1 + std::sqrt(d5) * b5) - square(d5 + d13));
+  const double m = a1 * b5 * (b5 + std::sqrt(moduli.c33 / d5) * a1) - d5 * a1 - square(d13) * b5 / mean;
+  const double n = a1 - d13 * b5 / mean;
+  const SphereTerms sphere(moduli.sphere_dilatation, speed);
+  const double k = a1 * p_plus / (m * mean) + sphere.numerator / sphere.m;
+  const double gamma = friction * (n / m + sphere.n / sphere.m);
+  const double q = shape(-0.5 + std::atan(gamma / k) / std::numbers::pi);
+  const double d = square(moduli.sphere_dilatation);
+  const double along = std::sqrt(d1 * moduli.c33);
+  const double half_space = 2 * std::sqrt(d1) * std::sqrt(2 * d5 + along + d13) /
+                            ((along + d13) * std::sqrt(d5) * std::sqrt(along - d13));
+  return q / std::hypot(k, gamma) * (d + half_space) / (d - 1);
+}
+
+double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed) {
+  const SphereTerms sphere(moduli.sphere_dilatation, speed * cosine_from_motion);
+  return sphere.numerator / sphere.m;
+}
+
+double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
+                                      double cosine_from_motion, double speed) {
+  return in_plane_compliance(moduli, line, cosine_from_motion, speed, 1);
+}
+
+double in_plane_compliance_as_tabulated(const ScaledModuli& moduli, fast::Direction line,
+                                        double cosine_from_motion, double speed) {
+  return in_plane_compliance(moduli, line, cosine_from_motion, speed, -1);
+}
+
+double branch_radicand_as_printed(const ScaledModuli& moduli, fast::Direction motion) {
+  const double d6 = moduli.c44;
+  const double p = moduli.c11 * square(motion.cosine) + moduli.c33 * square(motion.sine);
+  const double twice = 2 * motion.sine * motion.cosine;
+  const double p6 = std::sqrt(
+      4 * square(p) + (square(d6) - 2 * moduli.c11 * moduli.c33 - square(d6 + moduli.c13)) * square(twice));
+  return d6 + p - p6;
+}
+
+}  // namespace nipref::verify

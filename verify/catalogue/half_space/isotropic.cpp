@@ -1,0 +1,117 @@
+// What isotropic half-spaces answer along lines, and their critical speed.
+#include <algorithm>
+#include <utility>
+
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/verify/catalogue/half_space/internal/line_entry.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::Accuracy;
+using fast::LineResponse;
+using ref::Exact;
+using ref::SurfaceDirection;
+
+constexpr double largest_poisson = 0.4999;
+
+double draw_poisson(Random& random) {
+  return random.chance(0.3) ? 0.5 - random.log_uniform(1e-4, 1) : random.uniform(-0.9, largest_poisson);
+}
+
+void draw_lines(Quantity& entry) {
+  entry.draw = [](Random& random) {
+    const double poisson = draw_poisson(random);
+    return Point{poisson, draw_share(random) * fast::isotropic_rayleigh_speed(poisson), draw_degrees(random)};
+  };
+  entry.keep_off = [](Point& x) {
+    x[0] = std::clamp(x[0], -0.9, largest_poisson);
+    x[1] = std::min(x[1], nearest_critical * fast::isotropic_rayleigh_speed(x[0]));
+  };
+}
+
+/// Refuses what fast refuses: the reference solves the equations beyond the Rayleigh speed too.
+void check_line(const Exact& poisson, const Exact& speed, const Exact& psi_deg) {
+  static_cast<void>(fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(),
+                                             direction_of_degrees(psi_deg.approximate())));
+}
+
+template <class FastMember, class RefMember>
+Quantity isotropic_line(std::string name, std::string definition, FastMember of_fast, RefMember of_ref) {
+  Quantity entry =
+      half_space_entry(std::move(name), std::move(definition), "brock2012 (18a), brock2013 (20)");
+  entry.arguments = {{"poisson", ArgumentKind::poisson, {}, {}},
+                     {"speed", ArgumentKind::nonnegative, {}, {}},
+                     {"psi_deg", ArgumentKind::degrees, "0", {}}};
+  draw_lines(entry);
+  entry.by_ref = [of_ref](Exacts x, int digits) {
+    check_line(x[0], x[1], x[2]);
+    return ref::surface_response(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
+                                 SurfaceDirection::of_degrees(x[2]), digits).*
+           of_ref;
+  };
+  entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
+    // All lines of an isotropic surface are alike: only the speed along them matters.
+    const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});
+    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+    return ref::surface_response(exact_isotropic(Exact(x[0])), along, line, line, digits).*of_ref;
+  };
+  set_fast(entry, [of_fast](Doubles x, Accuracy) {
+    return fast::isotropic_response(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2])).*of_fast;
+  });
+  return entry;
+}
+
+Quantity entry_condition() {
+  Quantity entry = condition_entry("halfspace.condition", "of brock2012 (18a)");
+  entry.arguments = {{"poisson", ArgumentKind::poisson, {}, {}},
+                     {"speed", ArgumentKind::nonnegative, {}, {}},
+                     {"psi_deg", ArgumentKind::degrees, "0", {}}};
+  entry.promise = 16;
+  draw_lines(entry);
+  entry.by_ref = [](Exacts x, int digits) {
+    check_line(x[0], x[1], x[2]);
+    return exact_condition(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
+                           SurfaceDirection::of_degrees(x[2]), digits);
+  };
+  entry.by_ref_of_doubles = [](Doubles x, int digits) {
+    const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});
+    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+    return exact_condition(exact_isotropic(Exact(x[0])), along, line, line, digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::isotropic_condition(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2]));
+  });
+  return entry;
+}
+
+Quantity entry_rayleigh() {
+  Quantity entry = half_space_entry("halfspace.rayleigh", "speed of Rayleigh waves over that of shear waves",
+                                    "brock2012, root of R (16b)");
+  entry.arguments = {{"poisson", ArgumentKind::poisson, {}, {}}};
+  entry.draw = [](Random& random) { return Point{draw_poisson(random)}; };
+  entry.keep_off = [](Point& x) { x[0] = std::clamp(x[0], -0.9, largest_poisson); };
+  entry.by_ref = [](Exacts x, int digits) {
+    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+    return ref::surface_wave_speed(exact_isotropic(x[0]), line, line, digits).value();
+  };
+  set_fast(entry, [](Doubles x, Accuracy) { return fast::isotropic_rayleigh_speed(x[0]); });
+  return entry;
+}
+
+}  // namespace
+
+std::vector<Quantity> half_space_entries() {
+  constexpr auto compliance = "K of lines at psi from the motion, speed in that of shear waves, over 1/mu";
+  constexpr auto coupling = "S of such lines: du3/dx = -K H[sigma33] - S tau, over 1/mu";
+  return {isotropic_line("halfspace.compliance", compliance, &LineResponse::compliance,
+                         &ref::SurfaceResponse::compliance),
+          isotropic_line("halfspace.coupling", coupling, &LineResponse::coupling,
+                         &ref::SurfaceResponse::coupling),
+          entry_condition(), entry_rayleigh()};
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,166 @@
+// The seed's steel sphere sliding on a transversely isotropic half-space. (brock2013)
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/verify/catalogue/half_space/internal/contact_entry.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+using fast::Accuracy;
+using fast::Direction;
+using ref::Exact;
+
+// Arguments: theta_deg, speed, patch, the solid, then the entry's own.
+
+constexpr std::size_t patch_at = 2, solid_at = 3, own_at = solid_at + 7;
+
+/// The solid's critical speed.
+double critical_at(Doubles x) {
+  return fast::critical_speed(transverse_at(x, solid_at), axis_at(x, solid_at), direction_of_degrees(x[0]))
+      .speed;
+}
+
+/// By the angle from the motion.
+fast::SurfaceResponse seed_contact(Doubles x) {
+  const Direction motion = direction_of_degrees(x[0]);
+  const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
+      transverse_at(x, solid_at), axis_at(x, solid_at), motion, x[1]);
+  const data::IsotropicSolid steel = unit_isotropic(seed::steel_poisson);
+  return [=, speed = x[patch_at] * x[1]](Direction from_motion) -> fast::LineResponse {
+    const fast::LineResponse lower = surface->along(turned(from_motion, motion));
+    const fast::LineResponse upper = fast::isotropic_response(steel, speed, from_motion);
+    return fast::in_contact(lower, upper);
+  };
+}
+
+/// x + sign y, rounded once.
+ref::Real sum(const ref::Real& x, const ref::Real& y, int sign) {
+  ref::Real result(std::max(x.precision(), y.precision()) + 8);
+  (sign > 0 ? mpfr_add : mpfr_sub)(result.get(), x.get(), y.get(), MPFR_RNDN);
+  return result;
+}
+
+ref::SurfaceAnswer exact_seed_contact(Exacts x) {
+  check_subcritical(x, solid_at, x[0], x[1]);
+  const ref::ExactStiffness solid = exact_transverse_at(x, solid_at);
+  const auto motion = ref::SurfaceDirection::of_degrees(x[0]);
+  const ref::SurfaceAnswer steel = exact_isotropic_surface(
+      Exact(mpq_class("29529/100000")), Exact(mpq_class(x[patch_at].value() * x[1].value())));
+  return [=, theta = x[0].value(), speed = x[1]](const Exact& degrees, int digits) -> ref::LineAnswer {
+    const auto psi = ref::SurfaceDirection::of_degrees(Exact(mpq_class(theta + degrees.value())));
+    const auto lower = ref::surface_response(solid, speed, motion, psi, digits);
+    const ref::LineAnswer upper = steel(degrees, digits);
+    return {sum(lower.compliance.value, upper.compliance, 1), sum(lower.coupling.value, upper.coupling, -1),
+            sum(lower.coupling_across.value, upper.coupling_across, -1),
+            sum(lower.in_line.value, upper.in_line, 1)};
+  };
+}
+
+/// `patch`: the default, fixed or moving.
+Quantity seed_entry(std::string name, std::string definition, std::string source, const char* patch) {
+  Quantity entry = contact_entry(std::move(name), std::move(definition), std::move(source), 32);
+  entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}},
+                     {"speed", ArgumentKind::nonnegative, {}, {}},
+                     {"patch", ArgumentKind::choice, patch, {}, {"fixed", "moving"}}};
+  append_transverse_arguments(entry.arguments);
+  entry.audit_points = 6;
+  return entry;
+}
+
+/// The seed's solid, up to nine tenths of the critical speed: nearer to it the rounding of theta shows.
+constexpr double largest_share = 0.9;
+
+void draw_seed(Quantity& entry, std::function<Point(Random&)> own) {
+  const auto solid = [](double axis) { return Point{axis, 13.9, 160.7, 6.44, 7.07, 3.5, 1688}; };
+  entry.draw = [=, own = std::move(own)](Random& random) {
+    Point x{random.uniform(-90, 90), 0, random.chance(0.5) ? 0.0 : 1.0};
+    for (const double value : solid(random.chance(0.5) ? 0 : 1)) x.push_back(value);
+    x[1] = random.uniform(0.01, largest_share) * critical_at(x);
+    for (const double value : own(random)) x.push_back(value);
+    return x;
+  };
+  entry.keep_off = [=](Point& x) {
+    std::ranges::copy(solid(x[solid_at]), x.begin() + solid_at);
+    x[1] = std::min(x[1], largest_share * critical_at(x));
+  };
+}
+
+using InPlaneForm = double (*)(const ScaledModuli&, Direction line, double cosine_from_motion, double speed);
+
+/// The seed's own span ratio; in_plane: its form of (43).
+std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
+  return [in_plane](Doubles x) {
+    const double phi = x[own_at], friction = x[own_at + 1];
+    if (x[patch_at] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
+    const ScaledModuli moduli = scaled_moduli_at(x, solid_at);
+    if (axis_at(x, solid_at) == data::SymmetryAxis::normal) {
+      if (std::fabs(phi) != 90)
+        throw BadInput("phi_deg", phi, "must be 90 or -90: (35) is of the cross direction");
+      return sphere_span_ratio_as_printed(moduli, friction, x[1]);
+    }
+    if (friction != 0) throw BadInput("friction", friction, "must be 0: (48) is frictionless");
+    const double along =
+        in_plane(moduli, direction_of_degrees(x[0]), 1, x[1]) + sphere_compliance(moduli, 1, x[1]);
+    const double cosine = direction_of_degrees(phi).cosine;
+    return (in_plane(moduli, direction_of_degrees(x[0] + phi), cosine, x[1]) +
+            sphere_compliance(moduli, cosine, x[1])) /
+           along;
+  };
+}
+
+Quantity entry_span_ratio() {
+  Quantity entry = seed_entry("ti.span_ratio",
+                              "L_phi/L_X: span of a sphere at phi from the motion over that along it, by the "
+                              "papers' rule",
+                              "brock2013 (34), (35), (43) corrected", "moving");
+  entry.arguments.push_back({"phi_deg", ArgumentKind::degrees, "90", {}});
+  entry.arguments.push_back({"friction", ArgumentKind::nonnegative, "0", {}});
+  draw_seed(entry, [](Random& random) { return Point{draw_angle(random), draw_friction(random)}; });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::sliding_span_ratio(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::sliding_for_span(seed_contact(x), {1, 1}, x[own_at + 1], {1, 0}, 1)
+        .span_ratio(direction_of_degrees(x[own_at]));
+  });
+  entry.seed_forms = {
+      {"printed",
+       "(35) and (43) as they stand: c_D^2 - 1 under both bodies' terms, couplings added, a sign and a term "
+       "of M",
+       seed_span_ratio(in_plane_compliance_as_printed)},
+      {"table", "as Tables 1 and 3 were made: (35) as printed, (43) without the last term of M",
+       seed_span_ratio(in_plane_compliance_as_tabulated)}};
+  return entry;
+}
+
+Quantity entry_axis_ratio() {
+  Quantity entry =
+      seed_entry("ti.axis_ratio", "minor over major axis of the exact frictionless contact of a sphere",
+                 "notes on brock2013 (33)", "fixed");
+  draw_seed(entry, [](Random&) { return Point{}; });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::elliptic_axis_ratio(exact_seed_contact(x), Exact(1.0), digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::EllipticContact(seed_contact(x), {1, 1}).axis_ratio().value;
+  });
+  return entry;
+}
+
+}  // namespace
+
+std::vector<Quantity> seed_sphere_entries() { return {entry_span_ratio(), entry_axis_ratio()}; }
+
+}  // namespace nipref::verify

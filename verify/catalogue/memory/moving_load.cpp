@@ -1,0 +1,259 @@
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+#include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using std::numbers::pi;
+using Arguments = std::span<const double>;
+using Exacts = std::span<const ref::Exact>;
+using fast::Accuracy;
+using ref::Exact;
+
+constexpr double moving_load_promise = 8;
+constexpr auto remembered_size =
+    "sum of the magnitudes of its kernels: at the point, and in the integrals of its memory";
+
+/// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
+/// e^(-2t/tau).
+data::ViscoelasticMaterial material_of(double solid, double bulk, double tau) {
+  const double theta1 = 4 / (3 * bulk), theta2 = 4 / (9 * bulk);
+  return {{theta1, {{theta1 / tau, 1 / tau}}}, {theta2, {{theta2 / tau, (solid == 0 ? 1 : 2) / tau}}}};
+}
+
+ref::ExactMaterial exact_material_of(const ref::Exact& solid, const ref::Exact& bulk, const ref::Exact& tau) {
+  return ref::exact_solid(solid.sign() == 0 ? ref::Solid::standard_linear_solid : ref::Solid::thesis, bulk,
+                          tau);
+}
+
+double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::fabs(w))); }
+
+/// int magnitude(w) e^(-rate (w - from)) dw from `from` to `to`: the exponential's scale, the logarithm at 0
+/// and the kernels' own scale set the pieces.
+template <class Magnitude>
+double remembered(Magnitude magnitude, double rate, double from, double to) {
+  // Towards the load the kernels grow faster than some memories fade.
+  const double end = std::min(to, std::max(from, 0.0) + 40 / rate);
+  std::vector<double> cuts{from, end};
+  for (const double cut : {-20.0, -8.0, -3.0, -1.0, -0.1, -1e-3, -1e-6, 0.0, 1e-6, 1e-3, 0.1, 1.0, 3.0, 8.0,
+                           20.0, from + 0.1 / rate, from + 1 / rate, from + 4 / rate, from + 12 / rate}) {
+    if (from < cut && cut < end) cuts.push_back(cut);
+  }
+  std::ranges::sort(cuts);
+  double sum = 0;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    sum += boost::math::quadrature::gauss<double, 15>::integrate(
+        [&](double w) { return magnitude(w) * std::exp(-rate * (w - from)); }, cuts[i - 1], cuts[i]);
+  }
+  return sum;
+}
+
+/// Of theta * kernel at the distance `from`, the load having started at `to`.
+template <class Magnitude>
+double convolved(const data::MaterialFunction& theta, double way_per_time, Magnitude magnitude, double from,
+                 double to) {
+  double sum = theta.instantaneous * magnitude(from);
+  for (const data::RelaxationTerm& term : theta.terms) {
+    sum += term.amplitude.real() / way_per_time *
+           remembered(magnitude, term.rate.real() / way_per_time, from, to);
+  }
+  return sum;
+}
+
+struct Journey {
+  double from, to;
+};
+
+double size_Un(const data::ViscoelasticMaterial& material, double way_per_time, Journey point) {
+  return convolved(material.normal_compliance(), way_per_time, magnitude_I1, point.from, point.to) / pi;
+}
+
+double size_Vn(const data::ViscoelasticMaterial& material, double way_per_time, Journey point, Journey pin) {
+  const auto sign = [](double) { return pi / 2; };
+  return (convolved(material.normal_compliance(), way_per_time, magnitude_I3, point.from, point.to) +
+          convolved(material.theta2, way_per_time, sign, point.from, point.to) +
+          convolved(material.theta2, way_per_time, magnitude_I4, pin.from, pin.to) +
+          convolved(material.theta1, way_per_time, magnitude_I5, pin.from, pin.to)) /
+         pi;
+}
+
+Journey started(double t, double T, double way_per_time) {
+  return {way_per_time * (T - t), way_per_time * T};
+}
+Journey steady(double alpha) { return {alpha, HUGE_VAL}; }
+
+void append_sheet(std::vector<Argument>& arguments) {
+  arguments.push_back({"speed", ArgumentKind::positive, "1", {}});
+  arguments.push_back({"half_thickness", ArgumentKind::positive, "1", {}});
+  arguments.push_back(
+      {"material", ArgumentKind::choice, "standard-linear-solid", {}, {"standard-linear-solid", "thesis"}});
+  arguments.push_back({"bulk", ArgumentKind::positive, "1", {}});
+  arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
+}
+
+/// speed, half_thickness, material, bulk, tau: relaxation rates from 1e-12 to 1e12 speed/half_thickness.
+std::vector<double> draw_sheet(Random& random) {
+  const double speed = random.log_uniform(1e-3, 1e3), half_thickness = random.log_uniform(1e-3, 1);
+  return {speed, half_thickness, random.chance(0.5) ? 0.0 : 1.0, random.log_uniform(1e-3, 1e6),
+          half_thickness / speed * random.log_uniform(1e-12, 1e12)};
+}
+
+Point joined(Point times, const std::vector<double>& sheet) {
+  times.insert(times.end(), sheet.begin(), sheet.end());
+  return times;
+}
+
+double draw_distance(Random& random) {
+  return (random.chance(0.5) ? 1 : -1) *
+         (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
+}
+
+Quantity moving_load_entry(std::string name, std::string definition, std::string source) {
+  Quantity entry;
+  entry.name = std::move(name);
+  entry.definition = std::move(definition);
+  entry.source = std::move(source);
+  entry.scale = remembered_size;
+  entry.promise = moving_load_promise;
+  entry.audit_points = 100;
+  entry.timed_alone = false;
+  return entry;
+}
+
+// In all entries `at` is where the sheet's arguments begin. 1/tau is rounded before fast gets it, and where
+// e^(-t/tau) has faded that is felt: the audit takes the material that fast was given.
+
+data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) {
+  return material_of(x[at + 2], x[at + 3], x[at + 4]);
+}
+fast::MovingLoad load_at(Arguments x, std::size_t at, Accuracy accuracy) {
+  return {material_at(x, at), x[at], x[at + 1], accuracy};
+}
+ref::ExactMaterial exact_of_material_at(Arguments x, std::size_t at) {
+  return ref::exact_material(material_at(x, at));
+}
+ref::ExactMaterial exact_at(Exacts x, std::size_t at) {
+  return exact_material_of(x[at + 2], x[at + 3], x[at + 4]);
+}
+
+Quantity entry_Un() {
+  Quantity entry = moving_load_entry(
+      "Un",
+      "normal displacement at t by a normal line load that started at 0 and passes the point at T: (theta1 + "
+      "theta2) * I1/pi",
+      "thesis (6.23), (6.25)");
+  entry.arguments = {{"t", ArgumentKind::time, {}, {}}, {"T", ArgumentKind::passing_time, {}, {}}};
+  append_sheet(entry.arguments);
+  entry.draw = [](Random& random) {
+    const auto sheet = draw_sheet(random);
+    const double unit = sheet[1] / sheet[0], t = random.log_uniform(1e-9, 50);
+    return joined({unit * t, unit * draw_passing_time(t, random)}, sheet);
+  };
+  entry.keep_off = [](Point& point) {
+    if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
+  };
+  entry.by_ref = [](Exacts x, int digits) { return ref::Un(x[0], x[1], x[2], x[3], exact_at(x, 2), digits); };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Un(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2), digits);
+  };
+  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); });
+  entry.envelope = [](Arguments x) {
+    const double way_per_time = x[2] / x[3];
+    return size_Un(material_at(x, 2), way_per_time, started(x[0], x[1], way_per_time));
+  };
+  return entry;
+}
+
+Quantity entry_Vn() {
+  Quantity entry = moving_load_entry("Vn",
+                                     "tangential displacement by that load against the pinned point, which "
+                                     "it passes at t0: [(theta1 + theta2) * I3 - "
+                                     "theta2 * I2](alpha)/pi + [theta2 * I4 - theta1 * I5](eta)/pi",
+                                     "thesis (6.24), (6.26)-(6.28)");
+  entry.arguments = {{"t", ArgumentKind::time, {}, {}},
+                     {"T", ArgumentKind::passing_time, {}, {}},
+                     {"t0", ArgumentKind::passing_time, {}, {}}};
+  append_sheet(entry.arguments);
+  entry.draw = [](Random& random) {
+    const auto sheet = draw_sheet(random);
+    const double unit = sheet[1] / sheet[0], t = random.log_uniform(1e-9, 50);
+    return joined({unit * t, unit * draw_passing_time(t, random), unit * draw_passing_time(t, random)},
+                  sheet);
+  };
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::Vn(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
+  };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Vn(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), Exact(x[4]),
+                   exact_of_material_at(x, 3), digits);
+  };
+  set_fast(entry,
+           [](Arguments x, Accuracy accuracy) { return load_at(x, 3, accuracy).Vn(x[0], x[1], x[2]); });
+  entry.envelope = [](Arguments x) {
+    const double way_per_time = x[3] / x[4];
+    return size_Vn(material_at(x, 3), way_per_time, started(x[0], x[1], way_per_time),
+                   started(x[0], x[2], way_per_time));
+  };
+  return entry;
+}
+
+Quantity entry_Un_steady() {
+  Quantity entry = moving_load_entry(
+      "Un_steady", "Un of a load that started infinitely long ago, at alpha half-thicknesses ahead of it",
+      "thesis (6.23) as t, T -> infinity");
+  entry.arguments = {{"alpha", ArgumentKind::nonzero_position, {}, {}}};
+  append_sheet(entry.arguments);
+  entry.draw = [](Random& random) { return joined({draw_distance(random)}, draw_sheet(random)); };
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::Un_steady(x[0], x[1], x[2], exact_at(x, 1), digits);
+  };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Un_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), exact_of_material_at(x, 1), digits);
+  };
+  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 1, accuracy).Un_steady(x[0]); });
+  entry.envelope = [](Arguments x) { return size_Un(material_at(x, 1), x[1] / x[2], steady(x[0])); };
+  return entry;
+}
+
+Quantity entry_Vn_steady() {
+  Quantity entry = moving_load_entry(
+      "Vn_steady",
+      "Vn of a load that started infinitely long ago, eta half-thicknesses behind the pinned point",
+      "thesis (6.24) as t, T, t0 -> infinity");
+  entry.arguments = {{"alpha", ArgumentKind::position, {}, {}}, {"eta", ArgumentKind::position, {}, {}}};
+  append_sheet(entry.arguments);
+  entry.draw = [](Random& random) {
+    return joined({draw_distance(random), draw_distance(random)}, draw_sheet(random));
+  };
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::Vn_steady(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
+  };
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::Vn_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2),
+                          digits);
+  };
+  set_fast(entry,
+           [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Vn_steady(x[0], x[1]); });
+  entry.envelope = [](Arguments x) {
+    return size_Vn(material_at(x, 2), x[2] / x[3], steady(x[0]), steady(x[1]));
+  };
+  return entry;
+}
+
+}  // namespace
+
+std::vector<Quantity> moving_load_entries() {
+  return {entry_Un(), entry_Vn(), entry_Un_steady(), entry_Vn_steady()};
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,118 @@
+#pragma once
+#include <array>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/verify/support/random.hpp>
+
+namespace nipref::verify {
+
+/// Values of a quantity's arguments, in its order.
+using Point = std::vector<double>;
+
+/// What an argument is; its domain in words and the way it is sampled follow from this.
+enum class ArgumentKind {
+  nonzero_position,  ///< distance/half-thickness at which the kernel is infinite at 0
+  position,          ///< distance/half-thickness
+  young,             ///< Young's modulus, unit of stress
+  poisson,           ///< Poisson's ratio
+  index,             ///< number of a root
+  rate,              ///< 1/time
+  amplitude,         ///< constant of a material function
+  time,              ///< since a load started
+  passing_time,      ///< at which a load passes a point
+  positive,          ///< speed, half-thickness, modulus, relaxation time
+  nonnegative,       ///< speed, coefficient of friction
+  degrees,           ///< an angle
+  choice             ///< one of a few: on the command line a name, in a Point its number
+};
+
+struct Argument {
+  std::string name;
+  ArgumentKind kind;
+  std::optional<std::string> default_text;  ///< none: the argument must be given
+  std::vector<double>
+      hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
+  std::vector<std::string_view> choices = {};  ///< names of a choice, in the order of their numbers
+
+  [[nodiscard]] std::string_view choice(double number) const {
+    return choices[static_cast<std::size_t>(number)];
+  }
+};
+
+/// Domain of an argument, in words that continue "must be ...".
+std::string domain(const Argument& argument);
+
+/// One way, not ours, to compute a quantity of one argument in double; timed beside fast.
+struct Peer {
+  std::string method;
+  /// Makes the evaluator; what may be reused between arguments is made here, once.
+  std::function<std::function<double(double)>()> make;
+};
+
+/// One way, not ours, to compute a quantity of one argument to a given number of digits.
+struct MultiprecisionPeer {
+  std::string method;
+  /// Decimal text of the value at a decimal argument; only the numbers of digits in bench's ladder are
+  /// available.
+  std::function<std::string(const std::string& argument, int digits)> evaluate;
+};
+
+/// A formula of the seed that is wrong or was evaluated coarsely, for those who compare with it; in double.
+struct SeedForm {
+  std::string name;     ///< printed: the equation as it stands; table: what the seed's table was made with
+  std::string differs;  ///< from what is right, one line
+  std::function<double(std::span<const double> arguments)> value;
+};
+
+/// An entry of the catalogue: everything that the verbs need to know about one quantity.
+struct Quantity {
+  std::string name;
+  std::string definition;  ///< one line
+  std::string source;      ///< seed and equation number
+  std::string scale;       ///< what errors are measured against, in words
+  std::vector<Argument> arguments;
+  double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
+
+  std::function<ref::Enclosure(std::span<const ref::Exact> arguments, int digits)> by_ref;
+  /// The reference at what fast makes of doubles, where the way into fast rounds (cosines of angles in
+  /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
+  std::function<ref::Enclosure(std::span<const double> arguments, int digits)> by_ref_of_doubles;
+  std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
+  /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
+  /// (empty where there is none).
+  using Columns = std::span<const std::span<const double>>;
+  std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_loop;
+  std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_batch;
+  /// The size that the value would have away from its zeros, unit of the quantity; 0 where it is the value
+  /// itself.
+  std::function<double(std::span<const double> arguments)> envelope;
+
+  /// Where the audit looks, if the arguments depend on each other so much that it cannot draw each for
+  /// itself.
+  std::function<Point(Random&)> draw;
+  /// Moves a point off a place where the quantity is infinite and that depends on several arguments.
+  std::function<void(Point&)> keep_off;
+  /// False where a value by itself costs the making of a material too: `bench rolling` times such quantities.
+  bool timed_alone = true;
+  std::size_t audit_points = 20'000;  ///< unless the caller says how many
+
+  std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
+  std::vector<Peer> peers;
+  std::vector<MultiprecisionPeer> multiprecision_peers;
+};
+
+/// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.
+double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
+
+/// ref's value at exactly these doubles, as fast takes them.
+ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits);
+
+}  // namespace nipref::verify

@@ -1,0 +1,45 @@
+#include <cmath>
+#include <limits>
+
+#include <nipref/fast/sheet/branch_points.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using Limits = std::numeric_limits<double>;
+
+/// The value and its neighbours. Signs alternate: half as many points as with both, and neither sign is left
+/// out.
+void add_with_neighbours(std::vector<double>& values, double value) {
+  for (const double near : {std::nextafter(value, 0.0), value, std::nextafter(value, Limits::infinity())}) {
+    values.push_back(values.size() % 2 == 0 ? near : -near);
+  }
+}
+
+/// fast's own branch points, the ends of the number range and of the kernels' range (e^(-2.106 x) becomes
+/// subnormal at 336 and vanishes at 354).
+std::vector<double> hard_positions() {
+  std::vector<double> values;
+  for (const double branch : fast::branch_points()) add_with_neighbours(values, branch);
+  for (const double extreme : {2 * Limits::denorm_min(), Limits::min(), 1e-300, 1e-160, 1e-16, 1e-8, 0.5, 1.0,
+                               336.0, 345.0, 353.0, 354.0, 355.0, 400.0, 700.0}) {
+    add_with_neighbours(values, extreme);
+  }
+  return values;
+}
+
+}  // namespace
+
+Argument nonzero_position_argument(std::string name) {
+  return {std::move(name), ArgumentKind::nonzero_position, std::nullopt, hard_positions()};
+}
+
+Argument position_argument(std::string name) {
+  Argument argument{std::move(name), ArgumentKind::position, std::nullopt, hard_positions()};
+  argument.hard_values.push_back(0.0);
+  argument.hard_values.push_back(-0.0);
+  return argument;
+}
+
+}  // namespace nipref::verify

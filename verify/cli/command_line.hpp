@@ -1,0 +1,29 @@
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/catalogue/arguments.hpp>
+
+namespace nipref::verify {
+
+/// A command line taken apart. Values are still text: whoever uses them checks them.
+struct CommandLine {
+  std::string verb;
+  std::vector<std::string> words;  ///< names of quantities, tables or files
+  Assignments assignments;         ///< name=value pairs that are no options
+  std::map<std::string, std::string>
+      options;  ///< path, digits, rtol, points, given as --name value or as name=value
+  bool json = false;
+  bool list = false;
+  std::optional<std::string> help;  ///< set if help was asked for: the text to print
+
+  /// The option's text, or nothing.
+  [[nodiscard]] std::optional<std::string> option(const std::string& name) const;
+};
+
+/// BadInput in one line for an unknown verb, an unknown or repeated option, and whatever else cannot be read.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+}  // namespace nipref::verify

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/print_json.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+using Json = nlohmann::ordered_json;
+
+constexpr auto right_form = "corrected";
+constexpr long default_digits = 50;
+
+/// One path's answer, as it is printed.
+struct Answer {
+  std::string path;  ///< or the name of the seed's form
+  std::string value;
+  std::optional<std::string> error_bound;  ///< none of the seed's forms
+  int digits;                              ///< ref: as asked for; fast: as promised
+  double seconds;
+};
+
+/// What was asked for, checked as far as it can be without evaluating anything.
+struct Request {
+  const Quantity* quantity;
+  ParsedArguments arguments;
+  const SeedForm* form;  ///< null: the right one
+  bool by_ref;
+  bool by_fast;
+  int digits;
+  fast::Accuracy accuracy;
+};
+
+const Quantity& quantity_of(const CommandLine& line) {
+  if (line.words.size() > 1) {
+    throw BadInput("argument", line.words[1], "unexpected: eval takes one quantity and name=value pairs");
+  }
+  return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
+}
+
+std::string path_of(const CommandLine& line) {
+  const std::string path = line.option("path").value_or("both");
+  if (path != "ref" && path != "fast" && path != "both")
+    throw BadInput("path", path, "must be ref, fast or both");
+  return path;
+}
+
+int digits_of(const CommandLine& line) {
+  const auto text = line.option("digits");
+  const long digits = text ? parse_integer("digits", *text) : default_digits;
+  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
+  return static_cast<int>(digits);
+}
+
+/// Null for the right one.
+const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
+  const std::string form = line.option("form").value_or(right_form);
+  if (form == right_form) return nullptr;
+  std::vector<std::string> known{right_form};
+  for (const SeedForm& candidate : quantity.seed_forms) {
+    if (candidate.name == form && line.option("path"))
+      throw BadInput("path", path_of(line), "must be left out with form=" + form + ": that is no path's");
+    if (candidate.name == form) return &candidate;
+    known.push_back(candidate.name);
+  }
+  throw BadInput("form", form, fmt::format("must be {} of {}", fmt::join(known, " or "), quantity.name));
+}
+
+Request request_of(const CommandLine& line) {
+  const Quantity& quantity = quantity_of(line);
+  const std::string path = path_of(line);
+  const SeedForm* form = form_of(line, quantity);
+  return {&quantity,
+          parse_arguments(quantity, line.assignments),
+          form,
+          form == nullptr && path != "fast",
+          form == nullptr && path != "ref",
+          digits_of(line),
+          accuracy_option(line)};
+}
+
+Answer answer_of_ref(const Request& request) {
+  std::optional<ref::Enclosure> found;
+  const double seconds =
+      seconds_of([&] { found = request.quantity->by_ref(request.arguments.exact, request.digits); });
+  return {"ref", found->value_text(), found->bound_text(), request.digits, seconds};
+}
+
+Answer answer_of_fast(const Request& request) {
+  const Quantity& quantity = *request.quantity;
+  const Point point = request.arguments.nearest(quantity);
+  double value = 0;
+  const double seconds = seconds_of([&] { value = quantity.by_fast(point, request.accuracy); });
+  const double scale = std::max(std::fabs(value), quantity.envelope(point));
+  const double rtol = request.accuracy.rtol();
+  const double tolerated = rtol > fast::Accuracy::kBest ? rtol * scale : 0;
+  const double bound = std::max(quantity.promise * ulp_of(scale), tolerated);
+  return {"fast", fmt::format("{}", value), fmt::format("{:.1e}", bound), static_cast<int>(-std::log10(rtol)),
+          seconds};
+}
+
+Answer answer_of_seed(const Request& request) {
+  const Point point = request.arguments.nearest(*request.quantity);
+  static_cast<void>(
+      request.quantity->by_fast(point, request.accuracy));  // refuses what it cannot be asked for
+  double value = 0;
+  const double seconds = seconds_of([&] { value = request.form->value(point); });
+  if (!std::isfinite(value))
+    throw BadInput("form", request.form->name, "must be corrected here: the seed's form gives no number");
+  return {request.form->name, fmt::format("{}", value), std::nullopt, std::numeric_limits<double>::digits10,
+          seconds};
+}
+
+std::vector<Answer> answers_to(const Request& request) {
+  std::vector<Answer> answers;
+  if (request.form != nullptr) answers.push_back(answer_of_seed(request));
+  if (request.by_ref) answers.push_back(answer_of_ref(request));
+  if (request.by_fast) answers.push_back(answer_of_fast(request));
+  return answers;
+}
+
+Json to_json(const Request& request, const std::vector<Answer>& answers) {
+  Json json{{"quantity", request.quantity->name}};
+  json["arguments"] = Json::object();
+  for (std::size_t i = 0; i < request.arguments.text.size(); ++i) {
+    json["arguments"][request.quantity->arguments[i].name] = request.arguments.text[i];
+  }
+  json["results"] = Json::array();
+  for (const Answer& answer : answers) {
+    json["results"].push_back({{"path", answer.path},
+                               {"value", answer.value},
+                               {"error_bound", answer.error_bound ? Json(*answer.error_bound) : Json()},
+                               {"digits", answer.digits},
+                               {"seconds", answer.seconds}});
+  }
+  return json;
+}
+
+void print_text(const Request& request, const std::vector<Answer>& answers, std::ostream& out) {
+  fmt::print(out, "{} = {}\n", request.quantity->name, request.quantity->definition);
+  for (std::size_t i = 0; i < request.arguments.text.size(); ++i) {
+    fmt::print(out, "  {} = {}\n", request.quantity->arguments[i].name, request.arguments.text[i]);
+  }
+  for (const Answer& answer : answers) {
+    fmt::print(out, "{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
+               answer.seconds, answer.value);
+    if (answer.error_bound) fmt::print(out, "  error bound  {}\n", *answer.error_bound);
+  }
+  if (request.form != nullptr) fmt::print(out, "not the quantity itself: {}\n", request.form->differs);
+  if (request.by_fast)
+    fmt::print(out,
+               "fast takes each argument rounded to the nearest double; its bound is for that argument.\n");
+}
+
+}  // namespace
+
+int eval_verb(const CommandLine& line, std::ostream& out) {
+  const Request request = request_of(line);
+  const std::vector<Answer> answers = answers_to(request);
+  if (line.json) {
+    print_json(to_json(request, answers), out);
+  } else {
+    print_text(request, answers, out);
+  }
+  return 0;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,30 @@
+#pragma once
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+
+namespace nipref::verify {
+
+// Options that several verbs read. Each gives the default if the option is not there, and BadInput naming it
+// if it is wrong.
+
+fast::Accuracy accuracy_option(const CommandLine& line);
+std::size_t points_option(const CommandLine& line, std::size_t otherwise);
+
+/// What the words name: quantities of the catalogue, and groups that are not in it; all of it if there are
+/// none.
+struct Selection {
+  std::vector<const Quantity*> quantities;
+  std::vector<std::string_view> groups;
+
+  [[nodiscard]] bool has(std::string_view group) const;
+};
+/// BadInput for words that are neither a quantity nor one of `groups`.
+Selection selection(const CommandLine& line, std::initializer_list<std::string_view> groups);
+
+}  // namespace nipref::verify

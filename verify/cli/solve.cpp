@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/internal/print_json.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+constexpr long default_digits = 30;
+
+std::string scene_file_of(const CommandLine& line) {
+  if (line.words.empty()) throw BadInput("scene", "(missing)", "must be the name of a TOML file");
+  if (line.words.size() > 1) throw BadInput("argument", line.words[1], "unexpected: solve takes one scene");
+  return line.words.front();
+}
+
+int digits_of(const CommandLine& line) {
+  const auto text = line.option("digits");
+  const long digits = text ? parse_integer("digits", *text) : default_digits;
+  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
+  return static_cast<int>(digits);
+}
+
+template <class Number>
+void print(const SceneSolution<Number>& solution, bool json, std::ostream& out) {
+  if (json) {
+    print_json(solution_json(solution), out);
+  } else {
+    fmt::print(out, "{}", solution_text(solution));
+  }
+}
+
+}  // namespace
+
+int solve_verb(const CommandLine& line, std::ostream& out) {
+  const std::string path = line.option("path").value_or("fast");
+  if (path != "ref" && path != "fast") throw BadInput("path", path, "must be ref or fast");
+  const int digits = digits_of(line);
+  const data::Scene scene = data::load_scene(scene_file_of(line));
+  if (path == "ref") {
+    print(solve_by_ref(scene, digits), line.json, out);
+  } else {
+    print(solve(scene), line.json, out);
+  }
+  return 0;
+}
+
+}  // namespace nipref::verify

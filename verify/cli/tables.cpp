@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/known_misses.hpp>
+#include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/support/internal/print_json.hpp>
+
+namespace nipref::verify {
+namespace {
+
+int list_tables(const TablesRequest& request, std::ostream& out) {
+  std::vector<data::TableSummary> summaries;
+  if (request.ids.empty()) summaries = data::summarize_tables();
+  for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
+  if (request.json) {
+    print_json(table_list_json(summaries), out);
+  } else {
+    fmt::print(out, "{}", table_list_text(summaries));
+  }
+  return 0;
+}
+
+bool has_doubtful_length(const Replay& replay, std::size_t row) {
+  return replay.table.has_column("L") && replay.table.cell(row, "L").is_doubtful();
+}
+
+/// Unexplained though the table speaks against neither the printed number nor the length its row is replayed
+/// from, and not known to be so.
+bool falls_short(const Replay& replay, const ReplayedCell& cell) {
+  const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
+  return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&
+         !has_doubtful_length(replay, cell.row) && !is_known_miss(replay, cell);
+}
+
+}  // namespace
+
+int tables_verb(const TablesRequest& request, std::ostream& out) {
+  if (request.list) return list_tables(request, out);
+  std::vector<Replay> replays;
+  for (const std::string& id : request.ids.empty() ? replayable_tables() : request.ids) {
+    replays.push_back(replay_table(id));
+    correct(replays.back());
+  }
+  if (request.json) {
+    print_json(tables_json(replays), out);
+  } else {
+    fmt::print(out, "{}", tables_text(replays, request.compact));
+  }
+  const bool short_fall = std::ranges::any_of(replays, [](const Replay& replay) {
+    return std::ranges::any_of(replay.cells,
+                               [&](const ReplayedCell& cell) { return falls_short(replay, cell); });
+  });
+  return short_fall ? 1 : 0;
+}
+
+}  // namespace nipref::verify

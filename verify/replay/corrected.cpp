@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_corrected.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/row.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr double accuracy = 1e-9;
+
+RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, double load) {
+  const fast::ConvergedContact contact = fast::converged_for_load(nip, friction, load, accuracy);
+  fast::LineLoadSolution numbers{contact.contact_length().value,    contact.indentation().value,
+                                 contact.edge_displacement().value, contact.load().value,
+                                 contact.peak_pressure().value,     {}};
+  if (friction == data::Friction::full) numbers.peak_shear = contact.peak_shear().value;
+  return row_values(nip, numbers, contact.creep_ratio().value);
+}
+
+/// The row's replay, from the inputs as they stand.
+RowValues line_load_row(const Replay& replay, const data::ElasticNip& nip, const LineLoadTable& how,
+                        std::size_t row) {
+  const auto input = [&](const std::string& column) {
+    return std::ranges::find_if(
+               replay.cells,
+               [&](const ReplayedCell& cell) { return cell.row == row && cell.column == column; })
+        ->value;
+  };
+  return how.friction == data::Friction::none
+             ? row_values(nip, fast::line_loads_for_length(nip, how.elements_per_side, input("L")), 0)
+             : row_values(nip,
+                          fast::gripped_line_loads_for_length(nip, how.elements_per_side, input("L"),
+                                                              input("creep")),
+                          input("creep"));
+}
+
+void correct_elastic(Replay& replay) {
+  const LineLoadTable& how = line_load_table(replay.table.id);
+  const data::ElasticNip nip = nip_of_the_tables(replay.table);
+  std::vector<RowValues> corrected;
+  std::vector<RowValues> line_loads;
+  std::vector<RowValues> truth;
+  for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+    corrected.push_back(converged_row(nip, how.friction, replay.table.cell(row, "W").number->value));
+    line_loads.push_back(line_load_row(replay, nip, how, row));
+    truth.push_back(converged_row(nip, how.friction, line_loads.back().at("W")));
+  }
+  for (ReplayedCell& cell : replay.cells) cell.corrected = corrected[cell.row].at(cell.column);
+  replay.costs = {{"discretisation", "against the continuous contact of the same load",
+                   deviations({"L", "d0", "p_max"}, line_loads, truth)}};
+}
+
+}  // namespace
+
+std::vector<Deviation> deviations(std::initializer_list<const char*> columns,
+                                  const std::vector<RowValues>& rows, const std::vector<RowValues>& truth) {
+  std::vector<Deviation> result;
+  for (const char* column : columns) {
+    Deviation deviation{column, 0, 0};
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      const double relative = rows[row].at(column) / truth[row].at(column) - 1;
+      deviation.mean += std::abs(relative) / static_cast<double>(rows.size());
+      if (std::abs(relative) > std::abs(deviation.largest)) deviation.largest = relative;
+    }
+    result.push_back(std::move(deviation));
+  }
+  return result;
+}
+
+void correct(Replay& replay) {
+  if (is_half_space_table(replay.table.id)) return;  // comes with its corrected values
+  if (find_rolling_table(replay.table.id) != nullptr) {
+    correct_rolling(replay);
+  } else {
+    correct_elastic(replay);
+  }
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,233 @@
+// Tables 1 to 3 of brock2013: an elastic sphere on a transversely isotropic half-space.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/replay/internal/half_space_cells.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// The paper's C11/mu_0, a slip for 0.18005, with which its c_plus and c_minus were made.
+constexpr double printed_d1 = 0.1803;
+
+data::Interval only(double value) { return {value, value}; }
+
+/// The two bodies as the table's header states them, GPa and kg/m^3.
+struct Bodies {
+  data::IsotropicSolid sphere;
+  data::TransverselyIsotropicSolid half_space;
+  ScaledModuli scaled;
+
+  explicit Bodies(const data::Table& table) {
+    const auto value = [&](const char* name) { return table.parameter(name).value; };
+    const double c_d = value("c_D");
+    const double mu0 = value("mu0");
+    sphere = {mu0, (c_d * c_d - 2) / (2 * (c_d * c_d - 1)), value("rho0")};
+    half_space = {value("C11"), value("C33"), value("C13"), value("C55"), value("C66"), value("rho")};
+    scaled = {half_space.c11 / mu0,
+              half_space.c33 / mu0,
+              half_space.c13 / mu0,
+              half_space.c44 / mu0,
+              half_space.c66 / mu0,
+              std::sqrt(half_space.density / sphere.density),
+              c_d};
+  }
+
+  /// v_0, the sphere's shear wave speed.
+  [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
+
+  /// Both bodies together, by the angle from the motion; c0 is speed over that of the sphere's shear waves.
+  /// The patch moves in the sphere, as the paper has it.
+  [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
+                                                 double c0) const {
+    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
+        half_space, axis, motion, c0 * speed_unit());
+    return [=, sphere = sphere](fast::Direction from_motion) -> fast::LineResponse {
+      const fast::LineResponse lower = surface->along(turned(from_motion, motion));
+      const fast::LineResponse upper = fast::isotropic_response(sphere, c0, from_motion);
+      return fast::in_contact(lower, upper);
+    };
+  }
+};
+
+double key_of(const data::Table& table, std::size_t row) {
+  return table.cell(row, table.columns.front().name).number->value;
+}
+
+/// K(phi)/K(0) by the table's form of (43), and by the right one.
+class InPlaneSpans {
+ public:
+  explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
+
+  [[nodiscard]] double tabulated(double phi, double speed) const {
+    return ratio(phi, [&](fast::Direction line, double cosine) {
+      return in_plane_compliance_as_tabulated(bodies_.scaled, line, cosine, speed) +
+             sphere_compliance(bodies_.scaled, cosine, speed);
+    });
+  }
+  [[nodiscard]] double printed(double phi, double speed) const {
+    return ratio(phi, [&](fast::Direction line, double cosine) {
+      return in_plane_compliance_as_printed(bodies_.scaled, line, cosine, speed) +
+             sphere_compliance(bodies_.scaled, cosine, speed);
+    });
+  }
+  [[nodiscard]] double corrected(double phi, double speed) const {
+    return contact(speed).by_rule.span_ratio(direction_of_degrees(phi));
+  }
+  [[nodiscard]] double exact(double phi, double speed) const {
+    const fast::EllipticContact& ellipse = contact(speed).exact;
+    return ellipse.radius_ratio(direction_of_degrees(phi)) / ellipse.radius_ratio({1, 0});
+  }
+
+ private:
+  struct Contact {
+    fast::SlidingContact by_rule;
+    fast::EllipticContact exact;
+  };
+  [[nodiscard]] const Contact& contact(double speed) const {
+    const auto found = contacts_.find(speed);
+    if (found != contacts_.end()) return found->second;
+    const auto surface =
+        bodies_.in_contact(data::SymmetryAxis::in_plane, direction_of_degrees(theta_), speed);
+    return contacts_
+        .emplace(speed, Contact{fast::sliding_for_span(surface, {1, 1}, 0, {1, 0}, 1),
+                                fast::EllipticContact(surface, {1, 1})})
+        .first->second;
+  }
+  template <class Compliance>
+  [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
+    const double across = compliance(direction_of_degrees(theta_ + phi), direction_of_degrees(phi).cosine);
+    return across / compliance(direction_of_degrees(theta_), 1);
+  }
+
+  Bodies bodies_;
+  double theta_;
+  mutable std::map<double, Contact> contacts_;  ///< one for each column
+};
+
+/// Where the table itself, by the symmetry of K, shows that a cell is wrong.
+std::string in_plane_proof(const data::Table& table, std::size_t row, const std::string& column) {
+  const double phi = key_of(table, row);
+  const data::TableCell& cell = table.cell(row, column);
+  const data::TableCell& opposite = table.cell(0, column);
+  if (phi == -90) {
+    return fmt::format(
+        "K depends on psi through sin^2, cos^2 and c_X only, and c_X = 0 at phi = +-90, so this must equal "
+        "the "
+        "{} of phi = 90 (one wrong K(-90) in all columns; the second term of M without its sin^2(psi) comes "
+        "within "
+        "3 units of it)",
+        opposite.printed);
+  }
+  if (phi == 90 && cell.number->rounding.lower > 1) {
+    return "L_90/L_X = K at rest/K_X < 1 because c_X = 0 at phi = 90, K is the same at 45 and 135 degrees, "
+           "and "
+           "K_X grows with speed: the column's K_X is too small";
+  }
+  return "";
+}
+
+/// The table's formula with the K_X that the column's first cell, phi = 90, was divided by.
+data::Interval with_the_columns_unit(const data::Table& table, const std::string& column, double tabulated,
+                                     double tabulated_at_90) {
+  const data::Interval& cell = table.cell(0, column).number->rounding;
+  const double factor = tabulated / tabulated_at_90;
+  return {cell.lower * factor, cell.upper * factor};
+}
+
+}  // namespace
+
+std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
+  const Bodies bodies(table);
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double friction = key_of(table, row);
+    for (const data::TableColumn& column : table.columns) {
+      if (column.is_key) continue;
+      const double speed = *column.coordinate;
+      const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
+      const double corrected =
+          fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1});
+      const fast::EllipticContact ellipse(surface, {1, 1});
+      const std::string error = fmt::format(
+          "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
+          "circle demands 1; and (25c) adds the couplings, which subtract",
+          sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
+      cells.push_back({row,
+                       column.name,
+                       corrected,
+                       {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
+                         Verdict::seed_error, "reproduced so"}},
+                       error,
+                       error,
+                       ellipse.radius_ratio({0, 1}) / ellipse.radius_ratio({1, 0})});
+    }
+  }
+  return cells;
+}
+
+std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
+  const Bodies bodies(table);
+  data::TransverselyIsotropicSolid with_printed_d1 = bodies.half_space;
+  with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const fast::Direction motion = direction_of_degrees(key_of(table, row));
+    const double unit = bodies.speed_unit();
+    const std::string print =
+        fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,
+                    bodies.scaled.c11, branch_radicand_as_printed(bodies.scaled, motion));
+    const auto cell = [&](const char* column, fast::BranchWave wave,
+                          const data::TransverselyIsotropicSolid& made_with, const std::string& how) {
+      const double right = fast::branch_speed(wave, bodies.half_space, motion) / unit;
+      const double made = fast::branch_speed(wave, made_with, motion) / unit;
+      return HalfSpaceCell{row, column, right, {{only(made), Verdict::match, how}}, ""};
+    };
+    cells.push_back(cell("c_56", fast::BranchWave::transverse, bodies.half_space, ""));
+    cells.push_back(cell("c_plus", fast::BranchWave::quasi_longitudinal, with_printed_d1, print));
+    cells.push_back(cell("c_minus", fast::BranchWave::quasi_transverse, with_printed_d1, print));
+  }
+  return cells;
+}
+
+std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table) {
+  const InPlaneSpans spans(table);
+  std::vector<HalfSpaceCell> cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const double phi = key_of(table, row);
+    if (phi == 0) continue;
+    for (const data::TableColumn& column : table.columns) {
+      if (column.is_key) continue;
+      const double speed = *column.coordinate;
+      const double tabulated = spans.tabulated(phi, speed);
+      HalfSpaceCell cell{
+          row,
+          column.name,
+          spans.corrected(phi, speed),
+          {{only(tabulated), Verdict::match, "reproduced so"}},
+          fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
+                      "wrong too, {:.4f}",
+                      spans.printed(phi, speed)),
+          in_plane_proof(table, row, column.name),
+          spans.exact(phi, speed)};
+      if (std::fabs(phi) != 90) {
+        cell.attempts.push_back(
+            {with_the_columns_unit(table, column.name, tabulated, spans.tabulated(90, speed)),
+             Verdict::seed_error, "with the K_X by which the column's cell of phi = 90 was divided"});
+      }
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr int most_elements_tried = 12;
+
+const data::TableCell& cell_of(const MissedCell& missed) {
+  return missed.table.cell(missed.row, missed.column);
+}
+
+bool meets(const MissedCell& missed, const data::Interval& range) {
+  const data::Interval& printed = cell_of(missed).number->rounding;
+  return printed.lower <= range.upper && range.lower <= printed.upper;
+}
+
+data::Interval range_with(const MissedCell& missed, const RowInput& input,
+                          const fast::LineLoadMethod& method) {
+  return replay_row(missed.nip, method, input).range(missed.column);
+}
+
+double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
+
+std::string other_digit(const MissedCell& missed) {
+  return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
+}
+
+/// Where L and L/B are printed both and differ.
+std::string other_length(const MissedCell& missed) {
+  if (!missed.table.cell(missed.row, "L").is_doubtful()) return "";
+  const data::Interval& ratio = missed.table.cell(missed.row, "L/B").number->rounding;
+  RowInput input = missed.input;
+  input.length = {ratio.lower * missed.nip.sheet_thickness, ratio.upper * missed.nip.sheet_thickness};
+  return fmt::format("the row's L and L/B contradict each other; {} at the L of L/B",
+                     meets(missed, range_with(missed, input, missed.method)) ? "met" : "not met either");
+}
+
+/// The input's value, linearly extrapolated, at which the cell would be met.
+double needed(const MissedCell& missed, double low, double at_low, double high, double at_high) {
+  const data::Interval& printed = cell_of(missed).number->rounding;
+  const double goal = at_low < printed.lower ? printed.lower : printed.upper;
+  return low + (goal - at_low) / (at_high - at_low) * (high - low);
+}
+
+/// One point of an interval, as an interval.
+data::Interval only(double value) { return {value, value}; }
+
+/// The inputs at the middle of their intervals.
+RowInput centre(const MissedCell& missed) {
+  RowInput input = missed.input;
+  input.length = only(middle(input.length));
+  if (input.creep) input.creep = only(middle(*input.creep));
+  return input;
+}
+
+double value_with(const MissedCell& missed, const RowInput& input) {
+  return replay_row(missed.nip, missed.method, input).at_centre.at(missed.column);
+}
+
+std::string needed_length(const MissedCell& missed) {
+  const auto [low, high] = missed.input.length;
+  const auto value = [&](double length) {
+    RowInput input = centre(missed);
+    input.length = only(length);
+    return value_with(missed, input);
+  };
+  return fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed, low, value(low), high, value(high)));
+}
+
+std::string needed_creep(const MissedCell& missed) {
+  if (!missed.input.creep) return "";
+  const auto [low, high] = *missed.input.creep;
+  const auto value = [&](double creep) {
+    RowInput input = centre(missed);
+    input.creep = only(creep);
+    return value_with(missed, input);
+  };
+  return fmt::format("or creep = {:.7g}e-4", 1e4 * needed(missed, low, value(low), high, value(high)));
+}
+
+std::string other_elements(const MissedCell& missed) {
+  std::string met;
+  for (int elements = 1; elements <= most_elements_tried; ++elements) {
+    if (meets(missed, range_with(missed, missed.input, elements))) met += fmt::format(" {}", elements);
+  }
+  return met.empty() ? "no other number of elements up to 12 meets it"
+                     : fmt::format("met by chance with elements a side:{}", met);
+}
+
+/// The element whose shear is nearest to the print, if that is not the largest.
+std::string other_shear(const MissedCell& missed) {
+  if (missed.column != "q_max") return "";
+  const auto solution = fast::gripped_line_loads_for_length(
+      missed.nip, missed.method, middle(missed.input.length), middle(*missed.input.creep));
+  const double printed = cell_of(missed).number->value;
+  const auto shear = [&](double load) { return std::abs(load) / solution.element_width(); };
+  const auto nearest = std::ranges::min_element(solution.shear_loads, {},
+                                                [&](double load) { return std::abs(shear(load) - printed); });
+  if (shear(*nearest) == solution.peak_shear) return "";
+  return fmt::format("not the largest: element {} of {} has {:.6g}",
+                     nearest - solution.shear_loads.begin() + 1, solution.shear_loads.size(),
+                     shear(*nearest));
+}
+
+}  // namespace
+
+std::string one_digit(const data::Table& table, std::size_t row, const std::string& name,
+                      const data::Interval& range) {
+  const data::TableColumn& column = table.columns[table.column_index(name)];
+  const std::string& text = table.cell(row, name).read_as;
+  for (std::size_t place = text.size(); place-- > 0;) {
+    for (char digit = '0'; digit <= '9'; ++digit) {
+      std::string reading = text;
+      if (std::isdigit(static_cast<unsigned char>(reading[place])) == 0) break;
+      reading[place] = digit;
+      const auto number = data::read_printed_number(reading, column.scale_exponent);
+      if (number && number->rounding.lower <= range.upper && range.lower <= number->rounding.upper) {
+        return fmt::format("one digit from {}", reading);
+      }
+    }
+  }
+  return "";
+}
+
+std::string attempts(const MissedCell& missed) {
+  std::string text;
+  for (const auto& attempt :
+       {other_length, other_shear, other_digit, needed_length, needed_creep, other_elements}) {
+    const std::string outcome = attempt(missed);
+    if (!outcome.empty()) text += (text.empty() ? "" : "; ") + outcome;
+  }
+  return text;
+}
+
+}  // namespace nipref::verify

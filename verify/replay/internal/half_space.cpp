@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/half_space_cells.hpp>
+
+namespace nipref::verify {
+namespace {
+
+struct HalfSpaceTable {
+  std::vector<HalfSpaceCell> (*cells)(const data::Table&);
+  std::string_view method;
+};
+
+constexpr std::array<std::string_view, 5> ids{"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2",
+                                              "brock2013-3"};
+
+constexpr std::array<HalfSpaceTable, 5> tables{
+    {{sliding_die_cells,
+      "(brock2012 35) with sqrt(c_D^4 + gamma^2)/2 and without friction in Delta_1 and Q_1"},
+     {rolling_sphere_cells, "(brock2012 53b) without the c_D under its root"},
+     {sphere_on_normal_axis_cells, "(brock2013 35) with (25c), both as printed"},
+     {branch_speed_cells, "(brock2013 46) with P6 corrected; in c_plus and c_minus d1 = 0.1803"},
+     {sphere_on_axis_in_plane_cells,
+      "(brock2013 48) with a minus sign before the first term of (43b), the last term of M still missing"}}};
+
+const HalfSpaceTable& half_space_table(std::string_view id) {
+  return tables[static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin())];
+}
+
+/// The cells that are 1 because the table's numbers are divided by them.
+std::vector<ReplayedCell> units(const data::Table& table) {
+  std::vector<ReplayedCell> cells;
+  if (!table.has_column("phi")) return cells;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    if (table.cell(row, "phi").number->value != 0) continue;
+    for (const data::TableColumn& column : table.columns) {
+      if (column.is_key) continue;
+      ReplayedCell cell{row, column.name, 1, {1, 1}, Verdict::input, "1 by definition (brock2013 48)"};
+      cell.corrected = 1;
+      cells.push_back(std::move(cell));
+    }
+  }
+  return cells;
+}
+
+std::vector<Deviation> deviations_from_corrected(const Replay& replay) {
+  std::vector<Deviation> columns;
+  for (const data::TableColumn& column : replay.table.columns) {
+    if (column.is_key) continue;
+    Deviation deviation{column.name, 0, 0};
+    double cells = 0;
+    for (const ReplayedCell& cell : replay.cells) {
+      if (cell.column != column.name || cell.verdict == Verdict::input) continue;
+      const double relative = cell.value / *cell.corrected - 1;
+      deviation.mean += std::fabs(relative);
+      cells += 1;
+      if (std::fabs(relative) > std::fabs(deviation.largest)) deviation.largest = relative;
+    }
+    deviation.mean /= cells;
+    columns.push_back(std::move(deviation));
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::span<const std::string_view> half_space_tables() { return ids; }
+
+bool is_half_space_table(std::string_view id) { return std::ranges::find(ids, id) != ids.end(); }
+
+Replay replay_half_space(data::Table table) {
+  const HalfSpaceTable& how = half_space_table(table.id);
+  Replay replay{std::move(table), std::string(how.method), {}, {}};
+  for (const HalfSpaceCell& cell : how.cells(replay.table)) {
+    replay.cells.push_back(judge_half_space(replay.table, cell));
+  }
+  std::ranges::move(units(replay.table), std::back_inserter(replay.cells));
+  std::ranges::stable_sort(replay.cells, {}, &ReplayedCell::row);
+  replay.costs = {{"formula", "against the corrected formula in the same contour rule",
+                   deviations_from_corrected(replay)}};
+  return replay;
+}
+
+}  // namespace nipref::verify

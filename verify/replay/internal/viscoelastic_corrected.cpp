@@ -1,0 +1,77 @@
+#include <vector>
+
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_corrected.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr double accuracy = 1e-6;
+
+RowValues continuous(const data::ViscoelasticNip& nip, double load) {
+  const fast::RollingContact contact = fast::rolling_for_load(nip, load, accuracy);
+  return rolling_row_values(
+      nip, {contact.load().value, contact.leading_length().value, contact.trailing_length().value,
+            contact.indentation().value, contact.peak_pressure().value, contact.creep_ratio().value,
+            contact.rolling_resistance().value});
+}
+
+/// All that is computed for one row.
+struct CorrectedRow {
+  RowValues corrected, with_seed_material;              ///< at the table's load
+  RowValues replayed, exact_kernels, mesh, no_mistake;  ///< at the replay's load
+};
+
+CorrectedRow correct_row(const Replay& replay, std::size_t row, const RollingTable& how) {
+  const auto defined = rolling_nip_of_the_tables(replay.table, row, true);
+  const auto printed = rolling_nip_of_the_tables(replay.table, row, false);
+  const double stated = replay.table.parameter("W").value;
+  fast::RollingLineLoadMethod method = rolling_method(how);
+  const RollingRowInput input = rolling_row_input(replay.table, row, printed, method);
+  method.trailing_elements = input.trailing_elements;
+  CorrectedRow result;
+  result.corrected = continuous(defined, stated);
+  result.with_seed_material = continuous(printed, stated);
+  result.replayed = replay_rolling_row(printed, method, input.leading_length).at_centre;
+  const double load = result.replayed.at("W");
+  method.residue_terms = 0;
+  result.exact_kernels =
+      rolling_row_values(printed, method, fast::rolling_line_loads_for_load(printed, method, load));
+  result.mesh = continuous(printed, load);
+  result.no_mistake = continuous(defined, load);
+  return result;
+}
+
+std::vector<RowValues> each(const std::vector<CorrectedRow>& rows, RowValues CorrectedRow::*which) {
+  std::vector<RowValues> values;
+  for (const CorrectedRow& row : rows) values.push_back(row.*which);
+  return values;
+}
+
+}  // namespace
+
+void correct_rolling(Replay& replay) {
+  const RollingTable& how = *find_rolling_table(replay.table.id);
+  std::vector<CorrectedRow> rows(replay.table.rows.size());
+  parallel_for(rows.size(), [&](std::size_t row) { rows[row] = correct_row(replay, row, how); }, {});
+  for (ReplayedCell& cell : replay.cells) {
+    cell.corrected = rows[cell.row].corrected.at(cell.column);
+    cell.corrected_with_seed_material = rows[cell.row].with_seed_material.at(cell.column);
+  }
+  const auto cost = [&](RowValues CorrectedRow::*wrong, RowValues CorrectedRow::*right) {
+    return deviations({"L", "d0", "p_max", "muR"}, each(rows, wrong), each(rows, right));
+  };
+  replay.costs = {
+      {"truncation", "500 residue terms against exact kernels, same elements and load",
+       cost(&CorrectedRow::replayed, &CorrectedRow::exact_kernels)},
+      {"discretisation", "line loads with exact kernels against the continuous contact of the same load",
+       cost(&CorrectedRow::exact_kernels, &CorrectedRow::mesh)},
+      {"exponent", "theta2 with e^(-2t/tau) against e^(-t/tau), continuous contacts of the same load",
+       cost(&CorrectedRow::mesh, &CorrectedRow::no_mistake)}};
+}
+
+}  // namespace nipref::verify

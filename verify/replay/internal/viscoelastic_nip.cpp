@@ -1,0 +1,185 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/replay/internal/attempts.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr int residue_terms = 500;
+
+constexpr std::array<RollingTable, 16> tables{{{"thesis-XI", 2, 24},
+                                               {"thesis-XII", 2, 24},
+                                               {"thesis-XIII", 2, 24},
+                                               {"thesis-XIV", 2, 24},
+                                               {"thesis-XV", 5, 24},
+                                               {"thesis-XVI", 5, 24},
+                                               {"thesis-XVII", 5, 24},
+                                               {"thesis-XVIII", 5, 24},
+                                               {"thesis-XIX", 5, 24},
+                                               {"thesis-XX", 5, 24},
+                                               {"thesis-XXI", 5, 24},
+                                               {"thesis-XXII", 5, 24},
+                                               {"thesis-XXIII", 10, 24},
+                                               {"thesis-XXIV", 10, 60},
+                                               {"thesis-XXV", 10, 60},
+                                               {"thesis-XXVI", 10, 60}}};
+
+/// theta(t) = compliance (delta(t) + e^(-rate t)/relaxation_time).
+data::MaterialFunction relaxing(double compliance, double relaxation_time, double rate) {
+  return {compliance, {{compliance / relaxation_time, rate}}};
+}
+
+class RollingRowReplay {
+ public:
+  RollingRowReplay(const data::Table& table, std::size_t row, const RollingTable& how)
+      : table_(table),
+        row_(row),
+        nip_(rolling_nip_of_the_tables(table, row, false)),
+        method_(rolling_method(how)),
+        input_(rolling_row_input(table, row, nip_, method_)) {
+    method_.trailing_elements = input_.trailing_elements;
+    replayed_ = replay_rolling_row(nip_, method_, input_.leading_length);
+  }
+
+  [[nodiscard]] ReplayedCell cell(const std::string& column) const {
+    const data::TableCell& cell = table_.cell(row_, column);
+    const data::Interval range = replayed_.range(column);
+    ReplayedCell result{row_, column, replayed_.at_centre.at(column), range, judge(cell, range), ""};
+    if (column == input_.column) result.verdict = Verdict::input;
+    if (input_.column.empty()) {
+      result.verdict = Verdict::unexplained;
+      result.note = "no length of the row is legible; this is at the table's load";
+      return result;
+    }
+    if (result.verdict == Verdict::unexplained && column == "creep" &&
+        judge(cell, replayed_.range(std::string(underflown_creep))) != Verdict::unexplained) {
+      result.verdict = Verdict::seed_error;
+      result.note = fmt::format(
+          "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
+          "thesis's "
+          "machine: {:.6g}e-3 then",
+          1e3 * replayed_.at_centre.at(std::string(underflown_creep)));
+      return result;
+    }
+    result.note = note(result, cell);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] std::string note(const ReplayedCell& replayed, const data::TableCell& cell) const {
+    if (replayed.verdict == Verdict::match) return "";
+    if (replayed.verdict == Verdict::input) return input_note();
+    if (replayed.verdict == Verdict::misprint || !cell.is_readable()) {
+      return cell.erratum ? cell.erratum->reason : "nothing legible";
+    }
+    const std::string tried = attempts(replayed);
+    return cell.erratum ? cell.erratum->reason + "; " + tried : tried;
+  }
+
+  [[nodiscard]] std::string input_note() const {
+    const double stated = table_.parameter("W").value;
+    const double load = replayed_.at_centre.at("W");
+    return fmt::format(
+        "{} elements on the trailing side; replay's load at this length {:.4g} for {:g} ({:+.2f} %)",
+        input_.trailing_elements, load, stated, 100 * (load / stated - 1));
+  }
+
+  [[nodiscard]] std::string attempts(const ReplayedCell& missed) const {
+    std::string text = one_digit(table_, missed.row, missed.column, missed.range);
+    if (!text.empty()) text += "; ";
+    return text + needed_length(missed) + "; " + other_elements(missed);
+  }
+
+  [[nodiscard]] std::string needed_length(const ReplayedCell& missed) const {
+    const auto [low, high] = input_.leading_length;
+    const double at_low = replayed_.corners.front().at(missed.column);
+    const double at_high = replayed_.corners.back().at(missed.column);
+    const double goal = table_.cell(row_, missed.column).number->value;
+    return fmt::format("it would take L1 = {:.6g}e-3",
+                       1e3 * (low + (goal - at_low) / (at_high - at_low) * (high - low)));
+  }
+
+  /// With up to one leading element more or less.
+  [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
+    std::string met;
+    fast::RollingLineLoadMethod other = method_;
+    for (const int change : {-1, 0, 1}) {
+      other.leading_elements = method_.leading_elements + change;
+      for (other.trailing_elements = 1; other.trailing_elements <= other.leading_elements;
+           ++other.trailing_elements) {
+        const data::Interval range =
+            replay_rolling_row(nip_, other, input_.leading_length).range(missed.column);
+        if (judge(table_.cell(row_, missed.column), range) != Verdict::unexplained)
+          met += fmt::format(" {}+{}", other.leading_elements, other.trailing_elements);
+      }
+    }
+    return met.empty() ? "no other numbers of elements near these meet it"
+                       : "met by chance with elements:" + met;
+  }
+
+  const data::Table& table_;
+  std::size_t row_;
+  data::ViscoelasticNip nip_;
+  fast::RollingLineLoadMethod method_;
+  RollingRowInput input_;
+  ReplayedRow replayed_;
+};
+
+}  // namespace
+
+std::span<const RollingTable> rolling_tables() { return tables; }
+
+const RollingTable* find_rolling_table(std::string_view id) {
+  const auto* found = std::ranges::find(tables, id, &RollingTable::id);
+  return found == tables.end() ? nullptr : found;
+}
+
+fast::RollingLineLoadMethod rolling_method(const RollingTable& how) {
+  return {how.leading_elements, how.leading_elements, how.approach, residue_terms};
+}
+
+double relaxation_length(const data::Table& table, std::size_t row) {
+  return table.cell(row, "F0_tau").number->value;
+}
+
+data::ViscoelasticNip rolling_nip_of_the_tables(const data::Table& table, std::size_t row, bool as_defined) {
+  const data::ElasticNip elastic = nip_of_the_tables(table);
+  const double time = relaxation_length(table, row);  // at unit speed
+  return {elastic.roller_radius,
+          elastic.sheet_thickness,
+          {relaxing(elastic.material.theta1(), time, 1 / time),
+           relaxing(elastic.material.theta2(), time, (as_defined ? 1 : 2) / time)},
+          1};
+}
+
+Replay replay_rolling(data::Table table, const RollingTable& how) {
+  const data::ElasticNip nip = nip_of_the_tables(table);
+  Replay replay{
+      std::move(table),
+      fmt::format("line loads (7.6)-(7.17), {} elements on the leading side, {} residue terms, started {:g} "
+                  "half-thicknesses before the nip, E = {:.6g} psi, poisson = {:g}, theta2 with e^(-2t/tau)",
+                  how.leading_elements, residue_terms, how.approach, nip.material.young,
+                  nip.material.poisson),
+      {}};
+  std::vector<std::vector<ReplayedCell>> rows(replay.table.rows.size());
+  parallel_for(rows.size(),
+               [&](std::size_t row) {
+                 const RollingRowReplay one(replay.table, row, how);
+                 for (const data::TableColumn& column : replay.table.columns) {
+                   if (!column.is_key) rows[row].push_back(one.cell(column.name));
+                 }
+               },
+               {});
+  for (const auto& row : rows) replay.cells.insert(replay.cells.end(), row.begin(), row.end());
+  return replay;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// One printed length and what it says of L1, given m2/m1.
+struct PrintedLength {
+  std::string column;
+  data::Interval rounding;  ///< in
+  bool is_doubtful;         ///< contradicted by its row
+
+  [[nodiscard]] data::Interval leading(double ratio) const {
+    const double share = column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio);
+    return {rounding.lower * share, rounding.upper * share};
+  }
+};
+
+/// In the order in which they are trusted.
+std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t row, double thickness) {
+  std::vector<PrintedLength> lengths;
+  for (const char* column : {"L1", "L", "L2"}) {
+    const data::TableCell& cell = table.cell(row, column);
+    if (cell.is_readable() && cell.is_printed())
+      lengths.push_back({column, cell.number->rounding, cell.is_doubtful()});
+  }
+  const data::TableCell& ratio = table.cell(row, "L/B");
+  if (ratio.is_readable() && ratio.is_printed()) {
+    const data::Interval& rounding = ratio.number->rounding;
+    lengths.push_back({"L/B", {rounding.lower * thickness, rounding.upper * thickness}, ratio.is_doubtful()});
+  }
+  std::ranges::stable_partition(lengths, [](const PrintedLength& length) { return !length.is_doubtful; });
+  return lengths;
+}
+
+/// Of the lengths' intervals for L1, how many meet the first's.
+std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
+  const data::Interval first = lengths.front().leading(ratio);
+  return static_cast<std::size_t>(std::ranges::count_if(lengths, [&](const PrintedLength& length) {
+    const data::Interval other = length.leading(ratio);
+    return other.lower <= first.upper && first.lower <= other.upper;
+  }));
+}
+
+double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
+
+/// What the memory of the sign terms adds to v at the time t, by the loads that pass at T_j, as far as
+/// e^(-rate t) underflows: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j) e^(-rate
+/// (t - T_j))].
+double underflown(const data::MaterialFunction& function, const std::vector<double>& loads, double t,
+                  double first_T, double step) {
+  constexpr double smallest = 180.2;
+  double sum = 0;
+  for (const data::RelaxationTerm& term : function.terms) {
+    const double rate = term.rate.real();
+    if (rate * t <= smallest) continue;
+    double bracket = 0;
+    for (std::size_t j = 0; j < loads.size(); ++j) {
+      const double T = first_T + static_cast<double>(j) * step;
+      bracket += loads[j] * (T > t ? 1 : 2 * std::exp(-rate * (t - T)) - 1);
+    }
+    sum += term.amplitude.real() / rate * bracket / 4;
+  }
+  return sum;
+}
+
+/// At the leading end less at the trailing one.
+double underflown_memory(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
+                         const fast::RollingLineLoads& loads) {
+  const double step = loads.element_width() / nip.speed;
+  const double start = method.approach * nip.half_thickness() / nip.speed;
+  const auto at = [&](double t) {
+    return underflown(nip.material.theta1, loads.loads, t, start + step / 2, step) -
+           underflown(nip.material.theta2, loads.loads, t, start + step / 2, step);
+  };
+  return at(start) - at(start + loads.contact_length() / nip.speed);
+}
+
+RowValues solve(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method, double length) {
+  const fast::RollingLineLoads loads = fast::rolling_line_loads_for_length(nip, method, length);
+  RowValues values = rolling_row_values(nip, method, loads);
+  values[std::string(underflown_creep)] =
+      values.at("creep") - underflown_memory(nip, method, loads) / values.at("L");
+  return values;
+}
+
+/// The L1 at which the trailing end's displacement is d2, by secants from `guess`.
+double length_with(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method, double d2,
+                   double guess) {
+  const auto excess = [&](double length) {
+    return fast::rolling_line_loads_for_length(nip, method, length).trailing_displacement - d2;
+  };
+  double last = 1.01 * guess, at_last = excess(last), length = guess;
+  for (int step = 0; step < 12; ++step) {
+    const double here = excess(length);
+    if (here == at_last) break;
+    const double next = length - here * (length - last) / (here - at_last);
+    last = length;
+    at_last = here;
+    length = next;
+  }
+  return length;
+}
+
+/// Where no length is legible: from d2 if that is, otherwise from the table's load.
+RollingRowInput without_length(const data::Table& table, std::size_t row, const data::ViscoelasticNip& nip,
+                               fast::RollingLineLoadMethod method) {
+  const fast::RollingLineLoads found =
+      fast::rolling_line_loads_by_search(nip, method, table.parameter("W").value);
+  method.trailing_elements = static_cast<int>(found.loads.size()) - method.leading_elements;
+  const data::TableCell& d2 = table.cell(row, "d2");
+  if (!d2.is_readable() || !d2.is_printed())
+    return {"", {found.leading_length, found.leading_length}, method.trailing_elements};
+  const data::Interval& rounding = d2.number->rounding;
+  return {"d2",
+          {length_with(nip, method, rounding.lower, found.leading_length),
+           length_with(nip, method, rounding.upper, found.leading_length)},
+          method.trailing_elements};
+}
+
+}  // namespace
+
+RollingRowInput rolling_row_input(const data::Table& table, std::size_t row, const data::ViscoelasticNip& nip,
+                                  fast::RollingLineLoadMethod method) {
+  const auto lengths = printed_lengths(table, row, nip.sheet_thickness);
+  if (lengths.empty()) return without_length(table, row, nip, method);
+  std::optional<RollingRowInput> best;
+  std::size_t most = 0;
+  for (method.trailing_elements = method.leading_elements; method.trailing_elements > 0;
+       --method.trailing_elements) {
+    const double ratio = static_cast<double>(method.trailing_elements) / method.leading_elements;
+    const std::size_t agree = agreeing(lengths, ratio);
+    if (agree < most) continue;
+    const data::Interval leading = lengths.front().leading(ratio);
+    if (agree > most || !best) {
+      most = agree;
+      best = {lengths.front().column, leading, method.trailing_elements};
+    } else {
+      const auto presses = [&](int trailing_elements, double length) {
+        fast::RollingLineLoadMethod other = method;
+        other.trailing_elements = trailing_elements;
+        return fast::rolling_line_loads_for_length(nip, other, length).presses_everywhere();
+      };
+      if (!presses(best->trailing_elements, middle(best->leading_length)) &&
+          presses(method.trailing_elements, middle(leading)))
+        best = {lengths.front().column, leading, method.trailing_elements};
+    }
+  }
+  return *best;
+}
+
+RowValues rolling_row_values(const data::ViscoelasticNip& nip, const RollingNumbers& numbers) {
+  const double thickness = nip.sheet_thickness;
+  const double length = numbers.leading_length + numbers.trailing_length;
+  const double d0 = numbers.indentation;
+  const double d1 = d0 - std::pow(numbers.leading_length, 2) / (2 * nip.roller_radius);
+  const double d2 = d0 - std::pow(numbers.trailing_length, 2) / (2 * nip.roller_radius);
+  return {{"W", numbers.load},
+          {"L1", numbers.leading_length},
+          {"L2", numbers.trailing_length},
+          {"L", length},
+          {"d0", d0},
+          {"d1", d1},
+          {"d2", d2},
+          {"L/B", length / thickness},
+          {"d0/B", d0 / thickness},
+          {"d1/B", d1 / thickness},
+          {"d2/B", d2 / thickness},
+          {"d1/d0", d1 / d0},
+          {"d2/d0", d2 / d0},
+          {"p_max", numbers.peak_pressure},
+          {"creep", numbers.creep_ratio},
+          {"muR", numbers.rolling_resistance}};
+}
+
+RowValues rolling_row_values(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
+                             const fast::RollingLineLoads& loads) {
+  return rolling_row_values(
+      nip, {loads.load, loads.leading_length, loads.trailing_length, loads.indentation, loads.peak_pressure,
+            fast::creep_ratio(nip, loads, method), loads.rolling_resistance});
+}
+
+ReplayedRow replay_rolling_row(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
+                               const data::Interval& leading_length) {
+  return {solve(nip, method, middle(leading_length)),
+          {solve(nip, method, leading_length.lower), solve(nip, method, leading_length.upper)}};
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,40 @@
+#include <algorithm>
+
+#include <nipref/data/table/index.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/replay.hpp>
+
+namespace nipref::verify {
+std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
+
+std::size_t Replay::count(Verdict verdict) const {
+  return static_cast<std::size_t>(std::ranges::count(cells, verdict, &ReplayedCell::verdict));
+}
+
+Verdict judge(const data::TableCell& cell, const data::Interval& range) {
+  if (!cell.is_readable()) return Verdict::unexplained;
+  const data::Interval& printed = cell.number->rounding;
+  const bool meets = printed.lower <= range.upper && range.lower <= printed.upper;
+  if (!meets) return Verdict::unexplained;
+  return cell.read_as == cell.printed ? Verdict::match : Verdict::misprint;
+}
+
+std::vector<std::string> replayable_tables() {
+  std::vector<std::string> ids;
+  for (const LineLoadTable& table : line_load_tables()) ids.emplace_back(table.id);
+  for (const RollingTable& table : rolling_tables()) ids.emplace_back(table.id);
+  for (const std::string_view id : half_space_tables()) ids.emplace_back(id);
+  return ids;
+}
+
+Replay replay_table(const std::string& id) {
+  data::Table table = data::load_table_by_id(id);
+  if (is_half_space_table(id)) return replay_half_space(std::move(table));
+  if (const RollingTable* rolling = find_rolling_table(id)) return replay_rolling(std::move(table), *rolling);
+  const LineLoadTable& how = line_load_table(id);
+  return replay_line_loads(std::move(table), how.friction, how.elements_per_side);
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,73 @@
+#include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/symmetry.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::ConvergedContact;
+using fast::Estimate;
+
+const std::map<std::string_view, Estimate (ConvergedContact::*)() const> numbers{
+    {"contact_length", &ConvergedContact::contact_length},
+    {"load", &ConvergedContact::load},
+    {"indentation", &ConvergedContact::indentation},
+    {"edge_displacement", &ConvergedContact::edge_displacement},
+    {"creep_ratio", &ConvergedContact::creep_ratio},
+    {"peak_pressure", &ConvergedContact::peak_pressure},
+    {"peak_shear", &ConvergedContact::peak_shear},
+};
+
+const std::map<std::string_view, Estimate (ConvergedContact::*)(double) const> profiles{
+    {"pressure", &ConvergedContact::pressure},
+    {"shear", &ConvergedContact::shear},
+    {"normal_displacement", &ConvergedContact::normal_displacement},
+    {"tangential_displacement", &ConvergedContact::tangential_displacement},
+};
+
+class Converged : public SolvedContact<Estimate> {
+ public:
+  explicit Converged(ConvergedContact contact) : contact_(std::move(contact)) {}
+
+  [[nodiscard]] Estimate number(std::string_view name) const override {
+    if (const auto same = by_symmetry(*this, name)) return *same;
+    return std::invoke(numbers.at(name), contact_);
+  }
+  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
+    return std::invoke(profiles.at(name), contact_, y);
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {0, contact_.contact_length().value / 2};
+  }
+  [[nodiscard]] fast::ContactWork work() const override { return contact_.work(); }
+
+ private:
+  ConvergedContact contact_;
+};
+
+struct Solve {
+  const data::ElasticNipProblem& problem;
+  double accuracy;
+
+  ConvergedContact operator()(const data::GivenLoad& load) const {
+    return fast::converged_for_load(problem.nip, problem.friction, load.per_length, accuracy);
+  }
+  ConvergedContact operator()(const data::GivenLength& length) const {
+    return fast::converged_for_length(problem.nip, problem.friction, length.contact_length, accuracy);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<Estimate>> solve_converged(const data::ElasticNipProblem& problem,
+                                                         double accuracy) {
+  return std::make_unique<Converged>(std::visit(Solve{problem, accuracy}, problem.given));
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,148 @@
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/symmetry.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::ContactWork;
+using fast::Estimate;
+using fast::LineLoadMethod;
+using fast::LineLoadSolution;
+
+/// Of the continuous contact that line loads are set against: they are no closer than about 1e-3.
+constexpr double truth_accuracy = 1e-5;
+
+const std::map<std::string_view, double LineLoadSolution::*> numbers{
+    {"contact_length", &LineLoadSolution::contact_length},
+    {"load", &LineLoadSolution::load},
+    {"indentation", &LineLoadSolution::indentation},
+    {"edge_displacement", &LineLoadSolution::edge_displacement},
+    {"peak_pressure", &LineLoadSolution::peak_pressure},
+    {"peak_shear", &LineLoadSolution::peak_shear},
+};
+
+/// The load that is given, or the length, without friction.
+struct SolveFrictionless {
+  const data::ElasticNip& nip;
+  const LineLoadMethod& method;
+  ContactWork* work;
+
+  LineLoadSolution operator()(const data::GivenLoad& load) const {
+    return fast::line_loads_for_load(nip, method, load.per_length, {}, work);
+  }
+  LineLoadSolution operator()(const data::GivenLength& length) const {
+    return fast::line_loads_for_length(nip, method, length.contact_length, work);
+  }
+};
+
+/// The same with full friction and a given creep.
+struct SolveAtCreep {
+  const data::ElasticNip& nip;
+  const LineLoadMethod& method;
+  double creep;
+  ContactWork* work;
+
+  LineLoadSolution operator()(const data::GivenLoad& load) const {
+    return fast::gripped_line_loads_for_load(nip, method, load.per_length, creep, {}, work);
+  }
+  LineLoadSolution operator()(const data::GivenLength& length) const {
+    return fast::gripped_line_loads_for_length(nip, method, length.contact_length, creep, work);
+  }
+};
+
+/// The same with the creep that the thesis would choose, if there is one.
+struct SolveAtThesisCreep {
+  const data::ElasticNip& nip;
+  const LineLoadMethod& method;
+  ContactWork* work;
+
+  LineLoadSolution operator()(const data::GivenLoad& load) const {
+    auto solution = fast::thesis_line_loads_for_load(nip, method, load.per_length, {}, work);
+    if (!solution) refuse("load", load.per_length);
+    return *std::move(solution);
+  }
+  LineLoadSolution operator()(const data::GivenLength& length) const {
+    auto solution = fast::thesis_line_loads_for_length(nip, method, length.contact_length, work);
+    if (!solution) refuse("contact_length", length.contact_length);
+    return *std::move(solution);
+  }
+  [[noreturn]] static void refuse(const char* argument, double value) {
+    throw data::BadInput(
+        argument, value,
+        "no creep meets the thesis's conditions here: friction.creep_ratio must be given, or "
+        "other elements");
+  }
+};
+
+LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const LineLoadMethod& method,
+                             ContactWork& work) {
+  if (problem.friction == data::Friction::none) {
+    return std::visit(SolveFrictionless{problem.nip, method, &work}, problem.given);
+  }
+  if (problem.creep_ratio) {
+    return std::visit(SolveAtCreep{problem.nip, method, *problem.creep_ratio, &work}, problem.given);
+  }
+  return std::visit(SolveAtThesisCreep{problem.nip, method, &work}, problem.given);
+}
+
+class LineLoadContact : public SolvedContact<Estimate> {
+ public:
+  LineLoadContact(const data::ElasticNipProblem& problem, LineLoadMethod method)
+      : truth_(solve_converged(problem, truth_accuracy)),
+        nip_(problem.nip),
+        method_(std::move(method)),
+        solution_(solve_loads(problem, method_, work_)) {}
+
+  [[nodiscard]] Estimate number(std::string_view name) const override {
+    if (const auto same = by_symmetry(*this, name)) return *same;
+    const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
+                                               : solution_.*numbers.at(name);
+    return beside(value, truth_->number(name));
+  }
+  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
+    return beside(profile(name, y), truth_->at(name, y));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
+  [[nodiscard]] ContactWork work() const override { return work_; }
+  [[nodiscard]] ContactWork error_work() const override { return truth_->work(); }
+
+ private:
+  static Estimate beside(double value, const Estimate& truth) {
+    return {value, std::fabs(value - truth.value) + truth.error};
+  }
+  [[nodiscard]] double profile(std::string_view name, double y) const {
+    if (name == "pressure") return fast::element_pressure(solution_, y);
+    if (name == "shear") return fast::element_shear(solution_, y);
+    if (name == "normal_displacement") {
+      return fast::normal_displacement(nip_, solution_, method_, y, &work_);
+    }
+    return fast::tangential_displacement(nip_, solution_, method_, y, &work_);
+  }
+
+  std::unique_ptr<SolvedContact<Estimate>> truth_;
+  data::ElasticNip nip_;
+  LineLoadMethod method_;
+  mutable ContactWork work_;  ///< grows with what is asked for
+  LineLoadSolution solution_;
+};
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<Estimate>> solve_line_loads(const data::ElasticNipProblem& problem,
+                                                          const data::LineLoads& loads, double accuracy) {
+  return std::make_unique<LineLoadContact>(
+      problem, LineLoadMethod(loads.leading_elements, loads.residue_terms, fast::Accuracy(accuracy)));
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,32 @@
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include <nipref/verify/solve/internal/collect_results.hpp>
+
+namespace nipref::verify {
+namespace {
+
+struct PlacePoints {
+  const ProfileExtent& extent;
+
+  std::vector<double> operator()(const data::Positions& positions) const { return positions.y; }
+  std::vector<double> operator()(const data::EvenlySpaced& spacing) const {
+    std::vector<double> y;
+    const auto [first, last] = extent;
+    for (int i = 0; i < spacing.points; ++i)
+      y.push_back(std::lerp(first, last, static_cast<double>(i) / (spacing.points - 1)));
+    return y;
+  }
+};
+
+}  // namespace
+
+std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
+                                      const ProfileExtent& extent) {
+  const bool wanted = std::ranges::any_of(
+      scene.wanted, [](const std::string& name) { return data::find_scene_result(name)->is_profile; });
+  return wanted ? std::visit(PlacePoints{extent}, *profile) : std::vector<double>{};
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,51 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nipref/verify/solve/internal/solved_contact.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+namespace nipref::verify {
+
+/// Where the scene's profiles are wanted, evenly spaced ones over `extent`; nothing if none is wanted.
+std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
+                                      const ProfileExtent& extent);
+
+template <class Number>
+std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
+                               const std::vector<double>& positions, const data::SceneOrigin& origin) {
+  std::vector<Number> numbers;
+  for (const double y : positions) {
+    try {
+      numbers.push_back(contact.at(name, y));
+    } catch (const data::BadInput& error) {
+      origin.refuse_as("profile.positions[" + std::to_string(numbers.size()) + "]", error);
+    }
+  }
+  return numbers;
+}
+
+/// Asks the contact for everything that the scene wants, and for nothing else.
+template <class Number>
+SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
+                                      const SolvedContact<Number>& contact) {
+  SceneSolution<Number> solution;
+  solution.title = scene.title;
+  solution.positions = profile_positions(scene, profile, contact.profile_extent());
+  for (const std::string& name : scene.wanted) {
+    const data::SceneResult* what = data::find_scene_result(name);
+    if (what->is_profile) {
+      solution.results.push_back({what, profile_of(contact, name, solution.positions, scene.origin)});
+    } else {
+      solution.results.push_back({what, {contact.number(name)}});
+    }
+  }
+  solution.work = contact.work();
+  solution.error_work = contact.error_work();
+  return solution;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,27 @@
+#pragma once
+#include <memory>
+
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/fast/number/estimate.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
+
+namespace nipref::verify {
+
+// The elastic nip solved in double by each method. `accuracy` is the scene's. BadInput naming "load" or
+// "contact_length" if the contact's length is not allowed.
+
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_converged(const data::ElasticNipProblem& problem,
+                                                               double accuracy);
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_line_loads(const data::ElasticNipProblem& problem,
+                                                                const data::LineLoads& loads,
+                                                                double accuracy);
+
+// The rolling viscoelastic nip likewise.
+
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling(const data::ViscoelasticNipProblem& problem,
+                                                             double accuracy);
+/// Without accuracy: their kernels are as good as double allows, or the series that the scene asks for.
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::RollingLineLoads& loads);
+
+}  // namespace nipref::verify

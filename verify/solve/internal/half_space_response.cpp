@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <variant>
+
+#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+#include <nipref/verify/solve/internal/half_space_response.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::Direction;
+using fast::SurfaceResponse;
+
+double shear_speed(const data::IsotropicSolid& solid) { return std::sqrt(solid.shear / solid.density); }
+
+Direction motion_of(const data::HalfSpaceProblem& problem) { return direction_of_degrees(problem.direction); }
+
+struct CriticalSpeedOf {
+  Direction motion;
+
+  double operator()(const data::IsotropicSolid& solid) const {
+    return shear_speed(solid) * fast::isotropic_rayleigh_speed(solid.poisson);
+  }
+  double operator()(const data::TransverselyIsotropicBody& body) const {
+    return fast::critical_speed(body.solid, body.axis, motion).speed;
+  }
+};
+
+struct ResponseOf {
+  const data::HalfSpaceProblem& problem;
+
+  SurfaceResponse operator()(const data::IsotropicSolid& solid) const {
+    const double speed = problem.speed / shear_speed(solid);
+    return
+        [solid, speed](Direction from_motion) { return fast::isotropic_response(solid, speed, from_motion); };
+  }
+  SurfaceResponse operator()(const data::TransverselyIsotropicBody& body) const {
+    const Direction motion = motion_of(problem);
+    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(body.solid, body.axis,
+                                                                                      motion, problem.speed);
+    return [surface, motion](Direction from_motion) { return surface->along(turned(from_motion, motion)); };
+  }
+};
+
+struct BodyResponse {
+  double speed;
+
+  SurfaceResponse operator()(const data::ElasticSphere& sphere) const {
+    const double c0 = sphere.moving_patch ? speed / shear_speed(sphere.solid) : 0;
+    return [solid = sphere.solid, c0](Direction from_motion) {
+      return fast::isotropic_response(solid, c0, from_motion);
+    };
+  }
+  /// Rigid.
+  template <class Body>
+  SurfaceResponse operator()(const Body&) const {
+    return {};
+  }
+};
+
+void refuse_supercritical(const data::HalfSpaceProblem& problem, double limit, std::string_view of,
+                          const data::SceneOrigin& origin) {
+  if (problem.speed < limit) return;
+  const bool rolls = std::holds_alternative<data::RigidRollingSphere>(problem.body);
+  origin.refuse(rolls ? "rolling.speed" : "sliding.speed", problem.speed,
+                fmt::format("must be below {:.6g}, where the line along the motion is critical: the Rayleigh "
+                            "speed of the {}",
+                            limit, of));
+}
+
+}  // namespace
+
+HalfSpaceResponse::HalfSpaceResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin)
+    : problem_(&problem) {
+  if (const auto* solid = std::get_if<data::IsotropicSolid>(&problem.half_space))
+    refuse_supercritical(problem, CriticalSpeedOf{motion_of(problem)}(*solid), "half-space", origin);
+  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body); sphere && sphere->moving_patch)
+    refuse_supercritical(problem, CriticalSpeedOf{motion_of(problem)}(sphere->solid), "sphere", origin);
+  try {
+    half_space_ = std::visit(ResponseOf{problem}, problem.half_space);
+    body_ = std::visit(BodyResponse{problem.speed}, problem.body);
+  } catch (const data::BadInput& error) {
+    origin.refuse_as("sliding.speed", error);
+  }
+}
+
+fast::LineResponse HalfSpaceResponse::operator()(Direction from_motion) const {
+  ++*evaluations_;
+  const fast::LineResponse half_space = half_space_(from_motion);
+  return body_ ? fast::in_contact(half_space, body_(from_motion)) : half_space;
+}
+
+double HalfSpaceResponse::critical_speed() const {
+  const CriticalSpeedOf critical{motion_of(*problem_)};
+  const auto* sphere = std::get_if<data::ElasticSphere>(&problem_->body);
+  const double of_body =
+      sphere && sphere->moving_patch ? critical(sphere->solid) : std::numeric_limits<double>::infinity();
+  return std::min(std::visit(critical, problem_->half_space), of_body);
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,33 @@
+#pragma once
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+namespace nipref::verify {
+
+// The elastic nip solved by the reference. Each `check_` throws BadInput for what the reference does not
+// have, naming the scene's key; each `solve_` throws BadInput naming "load" or "contact_length" if that is
+// not allowed.
+
+void check_ref_converged(const data::Scene& scene, const data::ElasticNipProblem& problem);
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
+                                                                 int digits);
+
+void check_ref_line_loads(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                          const data::LineLoads& loads);
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
+                                                                  const data::LineLoads& loads, int digits);
+
+/// Refuses whatever the scene wants beside `known`.
+void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known);
+
+inline LongEstimate long_estimate(const ref::Enclosure& enclosure) {
+  return {enclosure.value_text(), enclosure.bound_text()};
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,34 @@
+#include <fmt/format.h>
+
+#include <string_view>
+#include <variant>
+
+#include <nipref/verify/solve/internal/refuse_given.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// What was given: its key, its value, and what the solvers call it.
+struct Given {
+  const char* key;
+  double value;
+  std::string_view argument;
+};
+
+struct NameGiven {
+  Given operator()(const data::GivenLoad& load) const { return {"load.per_length", load.per_length, "load"}; }
+  Given operator()(const data::GivenLength& length) const {
+    return {"contact.length", length.contact_length, "contact_length"};
+  }
+};
+
+}  // namespace
+
+void refuse_given(const data::Scene& scene, const data::Given& given, const data::BadInput& error) {
+  const auto [key, value, argument] = std::visit(NameGiven{}, given);
+  const std::string_view message = error.what();
+  if (message.starts_with(fmt::format("{} = ", argument))) scene.origin.refuse_as(key, error);
+  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", message));
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include <nipref/verify/solve/render.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
+std::string error_text(const fast::Estimate& number) { return fmt::format("{:.1e}", number.error); }
+std::string value_text(const LongEstimate& number) { return number.value; }
+std::string error_text(const LongEstimate& number) { return number.error; }
+
+template <class Number>
+ordered_json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
+  if (!result.what->is_profile) return result.numbers.front().*member;
+  ordered_json list = ordered_json::array();
+  for (const Number& number : result.numbers) list.push_back(number.*member);
+  return list;
+}
+
+/// Counts that were not kept are left out, here and below.
+ordered_json work_json(const fast::ContactWork& work) {
+  ordered_json json = ordered_json::object();
+  const bool counted = work.kernel_evaluations != fast::ContactWork{}.kernel_evaluations;
+  for (std::size_t k = 0; counted && k < work.kernel_evaluations.size(); ++k) {
+    json["kernel_evaluations"][fmt::format("I{}", k + 1)] = work.kernel_evaluations[k];
+  }
+  if (work.terms > 0) json["terms"] = work.terms;
+  if (work.unknowns > 0) json["unknowns"] = work.unknowns;
+  if (work.systems > 0) json["systems"] = work.systems;
+  if (work.line_responses > 0) json["line_responses"] = work.line_responses;
+  return json;
+}
+
+bool is_empty(const fast::ContactWork& work) { return work.unknowns == 0; }
+
+std::string work_text(const fast::ContactWork& work) {
+  if (work.line_responses > 0) return fmt::format("the response of {} lines", work.line_responses);
+  if (is_empty(work)) return "closed forms";
+  std::string text;
+  for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k) {
+    if (work.kernel_evaluations[k] == 0) continue;
+    text += fmt::format("{} values of I{}, ", work.kernel_evaluations[k], k + 1);
+  }
+  if (work.terms > 0) text += fmt::format("{} series terms, ", work.terms);
+  if (work.systems > 0) text += fmt::format("{} systems of up to ", work.systems);
+  return text + fmt::format("{} unknowns", work.unknowns);
+}
+
+template <class Number>
+void append_number(const typename SceneSolution<Number>::Result& result, std::string& text) {
+  const Number& number = result.numbers.front();
+  fmt::format_to(std::back_inserter(text), "  {:<21} {:<22} error {:<8} {:<12}  {}\n", result.what->name,
+                 value_text(number), error_text(number), result.what->unit, result.what->meaning);
+}
+
+template <class Number>
+void append_profile(const typename SceneSolution<Number>::Result& result,
+                    const std::vector<double>& positions, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
+                 result.what->unit);
+  const char* where = result.what->kind == data::SceneKind::half_space ? "psi" : "Y";
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "    {} = {:<22} {:<22} error {}\n", where, positions[i],
+                   value_text(result.numbers[i]), error_text(result.numbers[i]));
+  }
+}
+
+}  // namespace
+
+template <class Number>
+std::string solution_text(const SceneSolution<Number>& solution) {
+  std::string text = solution.title + "\n";
+  for (const auto& result : solution.results) {
+    if (result.what->is_profile) {
+      append_profile<Number>(result, solution.positions, text);
+    } else {
+      append_number<Number>(result, text);
+    }
+  }
+  text += fmt::format("work: {}\n", work_text(solution.work));
+  if (!is_empty(solution.error_work))
+    text += fmt::format("for the error estimates: {}\n", work_text(solution.error_work));
+  return text + fmt::format("{:.2g} s\n", solution.seconds);
+}
+
+template <class Number>
+ordered_json solution_json(const SceneSolution<Number>& solution) {
+  ordered_json json{{"title", solution.title}};
+  json["results"] = ordered_json::object();
+  json["error_estimate"] = ordered_json::object();
+  for (const auto& result : solution.results) {
+    json["results"][result.what->name] = values_json(result, &Number::value);
+    json["error_estimate"][result.what->name] = values_json(result, &Number::error);
+  }
+  if (!solution.positions.empty()) json["positions"] = solution.positions;
+  json["work"] = work_json(solution.work);
+  if (!is_empty(solution.error_work)) json["error_work"] = work_json(solution.error_work);
+  json["seconds"] = solution.seconds;
+  return json;
+}
+
+template std::string solution_text(const SceneSolution<fast::Estimate>&);
+template std::string solution_text(const SceneSolution<LongEstimate>&);
+template ordered_json solution_json(const SceneSolution<fast::Estimate>&);
+template ordered_json solution_json(const SceneSolution<LongEstimate>&);
+
+}  // namespace nipref::verify

@@ -1,0 +1,21 @@
+#pragma once
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include <nipref/verify/solve/solve.hpp>
+
+namespace nipref::verify {
+
+/// For people: numbers with units and error estimates, profiles as a table, the work in one line.
+/// Instantiated for fast::Estimate and LongEstimate.
+template <class Number>
+std::string solution_text(const SceneSolution<Number>& solution);
+
+/// {"title", "results": {name: number, or list of numbers for a profile}, "error_estimate": {the same keys},
+/// "positions": of the profiles, if any is wanted, "work": {"kernel_evaluations": {"I1": ..., "I7": ...},
+/// "terms", "unknowns", "systems"}, "error_work": the same, if there was any, "seconds"}. The reference's
+/// numbers are strings.
+template <class Number>
+nlohmann::ordered_json solution_json(const SceneSolution<Number>& solution);
+
+}  // namespace nipref::verify

@@ -1,0 +1,68 @@
+#include <variant>
+
+#include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/half_space.hpp>
+#include <nipref/verify/solve/internal/refuse_given.hpp>
+#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using Solved = std::unique_ptr<SolvedContact<fast::Estimate>>;
+
+struct SolveRollingByMethod {
+  const data::ViscoelasticNipProblem& problem;
+  double accuracy;
+
+  Solved operator()(const data::ConvergedMethod&) const { return solve_rolling(problem, accuracy); }
+  Solved operator()(const data::RollingLineLoads& loads) const {
+    return solve_rolling_line_loads(problem, loads);
+  }
+};
+
+struct SolveByMethod {
+  const data::ElasticNipProblem& problem;
+  double accuracy;
+
+  Solved operator()(const data::ConvergedMethod&) const { return solve_converged(problem, accuracy); }
+  Solved operator()(const data::LineLoads& loads) const { return solve_line_loads(problem, loads, accuracy); }
+};
+
+struct SolveSystem {
+  const data::Scene& scene;
+
+  Solved operator()(const data::ElasticNipProblem& problem) const {
+    return naming_given(problem.given, SolveByMethod{problem, scene.accuracy}, problem.method);
+  }
+  Solved operator()(const data::ViscoelasticNipProblem& problem) const {
+    return naming_given(problem.given, SolveRollingByMethod{problem, scene.accuracy}, problem.method);
+  }
+  Solved operator()(const data::HalfSpaceProblem& problem) const { return solve_half_space(scene, problem); }
+
+ private:
+  template <class Solve, class Method>
+  Solved naming_given(const data::Given& given, const Solve& solve, const Method& method) const {
+    try {
+      return std::visit(solve, method);
+    } catch (const data::BadInput& error) {
+      refuse_given(scene, given, error);
+    }
+  }
+};
+
+}  // namespace
+
+SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
+  scene.check();
+  SceneSolution<fast::Estimate> solution;
+  const auto solve_system = [&](const auto& problem) {
+    solution = collect_results(scene, problem.profile, *SolveSystem{scene}(problem));
+  };
+  const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
+  solution.seconds = seconds;
+  return solution;
+}
+
+}  // namespace nipref::verify

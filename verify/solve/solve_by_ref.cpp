@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <string>
+#include <variant>
+
+#include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/refuse_given.hpp>
+#include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using Solved = std::unique_ptr<SolvedContact<LongEstimate>>;
+
+struct CheckMethod {
+  const data::Scene& scene;
+  const data::ElasticNipProblem& problem;
+
+  void operator()(const data::ConvergedMethod&) const { check_ref_converged(scene, problem); }
+  void operator()(const data::LineLoads& loads) const { check_ref_line_loads(scene, problem, loads); }
+};
+
+struct SolveByMethod {
+  const data::ElasticNipProblem& problem;
+  int digits;
+
+  Solved operator()(const data::ConvergedMethod&) const { return solve_ref_converged(problem, digits); }
+  Solved operator()(const data::LineLoads& loads) const {
+    return solve_ref_line_loads(problem, loads, digits);
+  }
+};
+
+Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem, int digits) {
+  try {
+    return std::visit(SolveByMethod{problem, digits}, problem.method);
+  } catch (const data::BadInput& error) {
+    if (std::string_view(error.what()).starts_with("digits = ")) throw;
+    refuse_given(scene, problem.given, error);
+  }
+}
+
+SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                          int digits) {
+  std::visit(CheckMethod{scene, problem}, problem.method);
+  return collect_results(scene, problem.profile, *solve_named(scene, problem, digits));
+}
+
+struct SolveSystem {
+  const data::Scene& scene;
+  int digits;
+
+  SceneSolution<LongEstimate> operator()(const data::ElasticNipProblem& problem) const {
+    return solve_elastic(scene, problem, digits);
+  }
+  SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem&) const {
+    scene.origin.refuse("rolling", "(a table)", "must be left out: the reference solves elastic nips only");
+  }
+  SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem&) const {
+    scene.origin.refuse("half_space", "(a table)",
+                        "must be left out: the reference solves elastic nips only");
+  }
+};
+
+}  // namespace
+
+void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known) {
+  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
+    if (std::ranges::find(known, scene.wanted[i]) != known.end()) continue;
+    scene.origin.refuse(
+        fmt::format("wanted[{}]", i), scene.wanted[i],
+        fmt::format("must be one of what the reference has here: {}", fmt::join(known, ", ")));
+  }
+}
+
+SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits) {
+  scene.check();
+  SceneSolution<LongEstimate> solution;
+  const double seconds = seconds_of([&] { solution = std::visit(SolveSystem{scene, digits}, scene.system); });
+  solution.seconds = seconds;
+  return solution;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,109 @@
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/verify/solve/internal/fast_methods.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::ContactWork;
+using fast::Estimate;
+using fast::RollingLineLoadMethod;
+using fast::RollingLineLoads;
+
+/// Of the continuous contact that line loads are set against, as in the elastic nip.
+constexpr double truth_accuracy = 1e-5;
+
+const std::map<std::string_view, double RollingLineLoads::*> numbers{
+    {"leading_length", &RollingLineLoads::leading_length},
+    {"trailing_length", &RollingLineLoads::trailing_length},
+    {"load", &RollingLineLoads::load},
+    {"indentation", &RollingLineLoads::indentation},
+    {"edge_displacement", &RollingLineLoads::leading_displacement},
+    {"trailing_displacement", &RollingLineLoads::trailing_displacement},
+    {"rolling_resistance", &RollingLineLoads::rolling_resistance},
+    {"peak_pressure", &RollingLineLoads::peak_pressure},
+};
+
+struct Solve {
+  const data::ViscoelasticNip& nip;
+  const RollingLineLoadMethod& method;
+  bool search;  ///< for the number of trailing elements
+
+  RollingLineLoads operator()(const data::GivenLoad& load) const {
+    return search ? fast::rolling_line_loads_by_search(nip, method, load.per_length)
+                  : fast::rolling_line_loads_for_load(nip, method, load.per_length);
+  }
+  RollingLineLoads operator()(const data::GivenLength& length) const {
+    const double leading_part =
+        static_cast<double>(method.leading_elements) / (method.leading_elements + method.trailing_elements);
+    return fast::rolling_line_loads_for_length(nip, method, length.contact_length * leading_part);
+  }
+};
+
+class LineLoadRolling : public SolvedContact<Estimate> {
+ public:
+  LineLoadRolling(const data::ViscoelasticNipProblem& problem, const data::RollingLineLoads& loads)
+      : truth_(solve_rolling(problem, truth_accuracy)),
+        nip_(problem.nip),
+        method_{loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
+                loads.residue_terms},
+        solution_(std::visit(Solve{nip_, method_, !loads.trailing_elements}, problem.given)) {
+    // A search leaves its own number.
+    method_.trailing_elements = static_cast<int>(solution_.loads.size()) - method_.leading_elements;
+  }
+
+  [[nodiscard]] Estimate number(std::string_view name) const override {
+    return beside(value(name), truth_->number(name));
+  }
+  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
+    return beside(profile(name, y), truth_->at(name, y));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {-solution_.trailing_length, solution_.leading_length};
+  }
+  [[nodiscard]] ContactWork work() const override {
+    ContactWork work;
+    work.systems = static_cast<std::uint64_t>(solution_.systems);
+    work.unknowns = static_cast<int>(solution_.loads.size()) + 1;
+    return work;
+  }
+  [[nodiscard]] ContactWork error_work() const override { return truth_->work(); }
+
+ private:
+  static Estimate beside(double value, const Estimate& truth) {
+    return {value, std::fabs(value - truth.value) + truth.error};
+  }
+  [[nodiscard]] double value(std::string_view name) const {
+    if (name == "peak_shear") return 0;  // without friction
+    if (name == "contact_length") return solution_.contact_length();
+    if (name == "creep_ratio") return fast::creep_ratio(nip_, solution_, method_);
+    return solution_.*numbers.at(name);
+  }
+  [[nodiscard]] double profile(std::string_view name, double y) const {
+    if (name == "shear") return 0;
+    if (name == "pressure") return fast::element_pressure(solution_, y);
+    if (name == "normal_displacement") return fast::normal_displacement(nip_, solution_, method_, y);
+    return fast::tangential_displacement(nip_, solution_, method_, y);
+  }
+
+  std::unique_ptr<SolvedContact<Estimate>> truth_;
+  data::ViscoelasticNip nip_;
+  RollingLineLoadMethod method_;
+  RollingLineLoads solution_;
+};
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<Estimate>> solve_rolling_line_loads(const data::ViscoelasticNipProblem& problem,
+                                                                  const data::RollingLineLoads& loads) {
+  return std::make_unique<LineLoadRolling>(problem, loads);
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <chrono>
+
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// A round: `passes` times the first `count` evaluations.
+struct Round {
+  std::size_t count;
+  std::size_t passes;
+};
+
+/// The round that fits into the time; the runs made on the way also warm the caches. Quick contenders make
+/// several passes, so that what the others left in the caches does not count.
+Round plan(const Contender& contender, double seconds) {
+  std::size_t count = std::min(contender.least, contender.most);
+  double taken = seconds_of([&] { contender.run(count); });
+  while (count < contender.most && taken < seconds / 2) {
+    count = std::min(2 * count, contender.most);
+    taken = seconds_of([&] { contender.run(count); });
+  }
+  return {count, std::max<std::size_t>(1, static_cast<std::size_t>(seconds / taken))};
+}
+
+double seconds_per_evaluation(const Contender& contender, const Round& round) {
+  const double seconds = seconds_of([&] {
+    for (std::size_t pass = 0; pass < round.passes; ++pass) contender.run(round.count);
+  });
+  return seconds / static_cast<double>(round.count * round.passes);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, int rounds,
+                                     double seconds_per_round) {
+  std::vector<Round> plans;
+  for (const Contender& contender : contenders) plans.push_back(plan(contender, seconds_per_round));
+  std::vector<std::vector<double>> samples(contenders.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t i = 0; i < contenders.size(); ++i) {
+      samples[i].push_back(seconds_per_evaluation(contenders[i], plans[i]));
+    }
+  }
+  std::vector<Timing> timings;
+  for (std::size_t i = 0; i < contenders.size(); ++i) timings.push_back({median(samples[i]), plans[i].count});
+  return timings;
+}
+
+}  // namespace nipref::verify
