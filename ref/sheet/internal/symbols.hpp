@@ -28,7 +28,7 @@ enum class Parity { even, odd };
 enum class OriginPole { none = 0, simple = 1, twofold = 2 };
 
 /// Constants that bound a symbol in the strip |Im z| <= 2, each proven on an interval mesh by
-/// tests/test_ref_symbols.cpp.
+/// tests/ref/sheet/symbols.cpp.
 struct SymbolBounds {
   std::string_view name;
   Parity parity;

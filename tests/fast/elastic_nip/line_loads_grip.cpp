@@ -1,0 +1,139 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+
+#include "support/line_load_sums.hpp"
+
+using namespace nipref;
+using fast::LineLoadSolution;
+using line_load_tests::displacement;
+
+namespace {
+
+const data::ElasticNip thick{6.0, 1.0, {1.45e5, 1.0 / 3}};
+const data::ElasticNip middling{6.0, 0.0625, {1.45e5, 1.0 / 3}};
+const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
+
+}  // namespace
+
+TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m + 1 points, both sides") {
+  for (const data::ElasticNip& nip : {thick, middling, thin}) {
+    for (const int m : {1, 2, 5, 30}) {
+      const double length = 1.3 * nip.sheet_thickness;
+      const double creep = 2e-3;
+      CAPTURE(nip.sheet_thickness);
+      CAPTURE(m);
+      const LineLoadSolution solution = fast::gripped_line_loads_for_length(nip, m, length, creep);
+      for (int i = -m; i <= m; ++i) {
+        const double y = i * length / (2 * m);
+        const auto [u, v] = displacement(nip, solution, y);
+        const double scale =
+            std::abs(solution.indentation) + solution.peak_pressure / nip.material.young * length;
+        CHECK(u == doctest::Approx(solution.indentation - y * y / (2 * nip.roller_radius))
+                       .epsilon(1e-10)
+                       .scale(scale));
+        CHECK(v == doctest::Approx(creep * y).epsilon(1e-10).scale(creep * length));
+      }
+      CHECK(solution.edge_displacement ==
+            doctest::Approx(displacement(nip, solution, length / 2).u).epsilon(1e-9).scale(0));
+      CHECK(*solution.gripped_creep == creep);
+    }
+  }
+}
+
+TEST_CASE("displacements between, outside and at the end are those of all loads together") {
+  const double length = 0.1;
+  const LineLoadSolution gripped = fast::gripped_line_loads_for_length(middling, 5, length, 1e-3);
+  const LineLoadSolution slipping = fast::line_loads_for_length(middling, 5, length);
+  for (const double y : {0.0, 0.013, -0.041, 0.05, 0.0501, -0.08, 1.5}) {
+    CAPTURE(y);
+    for (const LineLoadSolution& solution : {gripped, slipping}) {
+      const auto [u, v] = displacement(middling, solution, y);
+      const double scale = solution.indentation;
+      CHECK(fast::normal_displacement(middling, solution, 5, y) ==
+            doctest::Approx(u).epsilon(1e-11).scale(scale));
+      CHECK(fast::tangential_displacement(middling, solution, 5, y) ==
+            doctest::Approx(v).epsilon(1e-11).scale(scale));
+    }
+  }
+  CHECK(fast::tangential_displacement(middling, gripped, 5, length / 2) ==
+        doctest::Approx(1e-3 * length / 2).epsilon(1e-11).scale(0));
+  CHECK_THROWS_AS(fast::normal_displacement(middling, slipping, 5, 0.005), data::BadInput);
+  CHECK_THROWS_AS(fast::tangential_displacement(middling, gripped, 5, std::nan("")), data::BadInput);
+}
+
+TEST_CASE("an element's tractions are its loads over its width, opposite shear on the other side") {
+  const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick, 3, 0.12, -1e-3);
+  const double width = 0.02;
+  CHECK(fast::element_pressure(solution, 0.021) ==
+        doctest::Approx(solution.line_loads[1] / width).epsilon(1e-14).scale(0));
+  CHECK(fast::element_pressure(solution, -0.021) == fast::element_pressure(solution, 0.021));
+  CHECK(fast::element_shear(solution, 0.06) ==
+        doctest::Approx(solution.shear_loads[2] / width).epsilon(1e-14).scale(0));
+  CHECK(fast::element_shear(solution, -0.06) == -fast::element_shear(solution, 0.06));
+  CHECK(fast::element_pressure(solution, 0.0601) == 0);
+  CHECK(fast::element_shear(fast::line_loads_for_length(thick, 3, 0.12), 0.01) == 0);
+  CHECK_THROWS_AS(fast::element_pressure(solution, std::nan("")), data::BadInput);
+}
+
+TEST_CASE("the loads are affine in the creep") {
+  const auto at = [](double creep) { return fast::gripped_line_loads_for_length(middling, 4, 0.07, creep); };
+  const LineLoadSolution low = at(-1e-3);
+  const LineLoadSolution middle = at(0);
+  const LineLoadSolution high = at(1e-3);
+  CHECK(high.load != doctest::Approx(low.load).epsilon(1e-3).scale(0));
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(low.line_loads[k] + high.line_loads[k] ==
+          doctest::Approx(2 * middle.line_loads[k]).epsilon(1e-11).scale(0));
+    CHECK(low.shear_loads[k] + high.shear_loads[k] ==
+          doctest::Approx(2 * middle.shear_loads[k]).epsilon(1e-9).scale(0));
+  }
+}
+
+TEST_CASE("an incompressible sheet much thicker than the contact couples pressure and shear no more") {
+  // Half-space of poisson = 1/2: normal loads move its surface normally only.
+  const data::ElasticNip nip{1.0, 1.0, {1.0, 0.5}};
+  double last_shear = 1;
+  for (const double length : {1e-2, 1e-3, 1e-4}) {
+    const LineLoadSolution gripped = fast::gripped_line_loads_for_length(nip, 6, length, 0.0);
+    const LineLoadSolution slipping = fast::line_loads_for_length(nip, 6, length);
+    CAPTURE(length);
+    // Shear follows the pressure by a factor of order L/B, and the pressure feels it by as much again.
+    CHECK(gripped.load == doctest::Approx(slipping.load).epsilon(20 * length * length).scale(0));
+    const double shear = gripped.peak_shear / gripped.peak_pressure;
+    CHECK(shear < 5 * length);
+    CHECK(shear < 0.2 * last_shear);
+    last_shear = shear;
+  }
+}
+
+TEST_CASE("length for a load and load for a length are inverse with full friction, over twelve decades") {
+  for (double length = 1e-6; length < 2; length *= 10) {
+    CAPTURE(length);
+    // The creep of a thick nip is proportional to its length.
+    const double creep = -1e-2 * length;
+    const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick, 4, length, creep);
+    const LineLoadSolution again = fast::gripped_line_loads_for_load(thick, 4, solution.load, creep);
+    CHECK(again.load == doctest::Approx(solution.load).epsilon(1e-12).scale(0));
+    CHECK(again.contact_length == doctest::Approx(length).epsilon(1e-9).scale(0));
+  }
+}
+
+TEST_CASE("bad input to the gripped contact is refused") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH_AS(fast::gripped_line_loads_for_length(thick, 2, 0.1, nan), "creep = nan: must be finite",
+                       data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, 2, -0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, {2, -1}, 0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, {2, 501}, 0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick, 2, 0, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick, 2, 1, 0, {.tolerance = 0}), data::BadInput);
+  CHECK_THROWS_AS(fast::thesis_line_loads_for_length(thick, 0, 0.1), data::BadInput);
+  // Elements so wide that their loads no longer reach the next matching point.
+  CHECK_THROWS_AS(fast::line_loads_for_length(thin, 1, 301 * 2 * 0.005), data::BadInput);
+}

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
+
+#include "support/kernels.hpp"
+
+using namespace fast_tests;
+using nipref::data::BadInput;
+
+TEST_SUITE_BEGIN("fast sheet kernels");
+
+namespace {
+/// All regimes and both signs, mixed.
+std::vector<double> mixed_arguments(int count, unsigned seed) {
+  std::vector<double> x = log_uniform(1e-5, 500, count, seed);
+  for (std::size_t i = 0; i < x.size(); i += 3) x[i] = -x[i];
+  return x;
+}
+}  // namespace
+
+TEST_CASE("batches agree with single values, for every size up to several blocks") {
+  for (const int size : {0, 1, 7, 8, 9, 15, 511, 512, 513, 2000}) {
+    const std::vector<double> x = mixed_arguments(size, 11);
+    for (const Kernel& kernel : kernels()) {
+      for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::kBest}) {
+        std::vector<double> value(x.size(), -1);
+        kernel.batch(x, value, Accuracy(rtol));
+        double worst = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+          const double single = kernel.scalar(x[i], Accuracy(rtol));
+          const double units = std::fabs(value[i] - single) / ulp(kernel.scale(x[i], single));
+          worst = units <= worst ? worst : units;
+        }
+        CAPTURE(kernel.name);
+        CAPTURE(size);
+        CHECK(worst <= 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("I6 in batches agrees with single values") {
+  const std::vector<double> a = mixed_arguments(1300, 12);
+  const std::vector<double> e = mixed_arguments(1300, 13);
+  std::vector<double> value(a.size());
+  for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::kBest}) {
+    nipref::fast::I6(a, e, value, Accuracy(rtol));
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double single = nipref::fast::I6(a[i], e[i], Accuracy(rtol));
+      CHECK(std::fabs(value[i] - single) <= ulp(I6_scale(a[i], e[i], single)));
+    }
+  }
+}
+
+TEST_CASE("a batch of one regime only, and one in place") {
+  for (const double x : {1e-3, 2.0, 30.0}) {
+    std::vector<double> values(600, x);
+    nipref::fast::I1(values, values);
+    for (const double value : values) CHECK(value == doctest::Approx(nipref::fast::I1(x)).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("a batch with one bad element names it and writes nothing") {
+  std::vector<double> x = mixed_arguments(700, 14);
+  x[613] = std::nan("");
+  std::vector<double> value(x.size(), 42);
+  for (const Kernel& kernel : kernels()) CHECK_THROWS_AS(kernel.batch(x, value, {}), BadInput);
+  CHECK_THROWS_WITH(nipref::fast::I1(x, value), "alpha[613] = nan: must be a finite number");
+  CHECK_THROWS_AS(nipref::fast::I6(x, x, value), BadInput);
+  CHECK_THROWS_AS(nipref::fast::I2(x, value), BadInput);
+  x[613] = 0;
+  CHECK_THROWS_WITH(nipref::fast::I1(x, value),
+                    "alpha[613] = 0: must be nonzero: the kernel is infinite there");
+  std::vector<double> other(x.size());
+  CHECK_NOTHROW(nipref::fast::I3(x, other));
+  for (const double untouched : value) CHECK(untouched == 42);
+  value.pop_back();
+  CHECK_THROWS_WITH(nipref::fast::I7(x, value), "value.size() = 699: must equal eta.size() = 700");
+}
+
+TEST_CASE("the code for every instruction set of this processor keeps the promise") {
+  namespace internal = nipref::fast::internal;
+  const std::vector<double> x = mixed_arguments(4000, 15);
+  for (int set = 0; set < internal::kInstructionSetCount; ++set) {
+    const internal::SheetCode* code = internal::sheet_code_for(set);
+    if (code == nullptr) continue;
+    CAPTURE(set);
+    for (std::size_t k = 0; k < kernels().size(); ++k) {
+      const Kernel& kernel = kernels()[k];
+      CAPTURE(kernel.name);
+      std::vector<double> batch(x.size());
+      code->batch[k][internal::kFullTier](x.data(), batch.data(), x.size());
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const double chosen = kernel.scalar(x[i], {});
+        const double allowed = 2 * ulp(kernel.scale(x[i], chosen));
+        CHECK(std::fabs(code->scalar[k][internal::kFullTier](x[i]) - chosen) <= allowed);
+        CHECK(std::fabs(batch[i] - chosen) <= allowed);
+      }
+    }
+  }
+}
+
+TEST_SUITE_END();

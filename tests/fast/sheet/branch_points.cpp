@@ -1,0 +1,125 @@
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/branch_points.hpp>
+
+#include "support/kernels.hpp"
+
+using namespace fast_tests;
+using nipref::data::BadInput;
+
+TEST_SUITE_BEGIN("fast sheet kernels");
+
+namespace {
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+}  // namespace
+
+TEST_CASE("even kernels are even and odd ones odd, to the last bit") {
+  for (const Kernel& kernel : kernels()) {
+    for (const double x : log_uniform(1e-300, 700, 500, 4)) {
+      const double value = kernel.scalar(x, {});
+      CHECK(kernel.scalar(-x, {}) == (kernel.residues.odd ? -value : value));
+    }
+  }
+  for (const double x : log_uniform(1e-3, 30, 200, 5)) {
+    const double value = nipref::fast::I6(x, 1.5 * x);
+    CHECK(nipref::fast::I6(-x, 1.5 * x) == value);
+    CHECK(nipref::fast::I6(x, -1.5 * x) == value);
+  }
+}
+
+TEST_CASE("no jump at any branch point") {
+  // Neighbouring doubles may differ by the slope, taken from points far enough to see it, and by twice the
+  // promised error.
+  for (const Kernel& kernel : kernels()) {
+    CAPTURE(kernel.name);
+    for (const double x : nipref::fast::branch_points()) {
+      const double left = std::nextafter(x, 0.0);
+      const double right = std::nextafter(x, kLargest);
+      const double reach = x * 0x1p-12;
+      const double slope = (kernel.scalar(x + reach, {}) - kernel.scalar(x - reach, {})) / (2 * reach);
+      const double at = kernel.scalar(x, {});
+      const double allowed = 4 * ulp(kernel.scale(x, at));
+      CAPTURE(x);
+      CHECK(std::fabs(at - kernel.scalar(left, {}) - slope * (x - left)) <= allowed);
+      CHECK(std::fabs(kernel.scalar(right, {}) - at - slope * (right - x)) <= allowed);
+    }
+  }
+}
+
+TEST_CASE("branch points ascend") {
+  const auto points = nipref::fast::branch_points();
+  REQUIRE(points.size() > 500);
+  CHECK(points.front() > 0);
+  CHECK(std::is_sorted(points.begin(), points.end()));
+  for (const double regime : {0.5, 1.0, 12.0})
+    CHECK(std::binary_search(points.begin(), points.end(), regime));
+}
+
+TEST_CASE("odd kernels vanish at zero, linearly down to the denormal numbers") {
+  for (const Kernel& kernel : kernels()) {
+    if (!kernel.residues.odd) continue;
+    CAPTURE(kernel.name);
+    CHECK(kernel.scalar(0.0, {}) == 0);
+    CHECK(kernel.scalar(-0.0, {}) == 0);
+    const double slope = kernel.scalar(0x1p-40, {}) * 0x1p40;
+    for (const double x : log_uniform(1e-307, 1e-12, 300, 6)) {
+      CHECK(std::fabs(kernel.scalar(x, {}) - slope * x) <= 3 * ulp(slope * x));
+    }
+    CHECK(kernel.scalar(100 * kSmallest, {}) == std::nearbyint(100 * slope) * kSmallest);
+  }
+}
+
+TEST_CASE("logarithmic kernels down to the denormal numbers") {
+  // I1 = -ln x - 0.35167539261870... + O(x^2), notes/thesis.md; I6(a, e) - I1(a) does not depend on a as a ->
+  // 0.
+  const double difference = nipref::fast::I6(1e-20, 0.7) - nipref::fast::I1(1e-20);
+  for (const double x : {kSmallest, 3 * kSmallest, 0x1p-1022, 1e-300, 1e-100, 1e-20, 1e-9}) {
+    CAPTURE(x);
+    const double value = nipref::fast::I1(x);
+    CHECK(std::fabs(value + std::log(x) + 0.3516753926187) <= 4 * ulp(value) + 1e-13);
+    CHECK(std::fabs(nipref::fast::I6(x, 0.7) - value - difference) <= 6 * ulp(value));
+  }
+}
+
+TEST_CASE("limits at infinity") {
+  for (const Kernel& kernel : kernels()) {
+    const double limit = kernel.residues.odd ? std::numbers::pi / 4 : 0;
+    for (const double x : {400.0, 1e3, 1e20, kLargest}) CHECK(kernel.scalar(x, {}) == limit);
+    CHECK(kernel.scalar(350.0, {}) != (kernel.residues.odd ? 0 : limit));  // still representable
+  }
+  using nipref::fast::I6;
+  CHECK(I6(1e20, 3e20) == doctest::Approx(std::numbers::pi / 2 * 1e20).epsilon(1e-15));
+  CHECK(I6(1e20, 1e20) == 0);
+  CHECK(I6(kLargest, 1.0) == -std::numbers::pi / 4 * kLargest);
+  CHECK(I6(1.0, kLargest) == std::numbers::pi / 4 * kLargest);
+}
+
+TEST_CASE("I2 is the step") {
+  using nipref::fast::I2;
+  CHECK(I2(kSmallest) == std::numbers::pi / 2);
+  CHECK(I2(-7.0) == -std::numbers::pi / 2);
+  CHECK(I2(0.0) == 0);
+  CHECK_THROWS_AS(I2(std::nan("")), BadInput);
+}
+
+TEST_CASE("arguments outside the domain are refused by name") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Kernel& kernel : kernels()) {
+    CAPTURE(kernel.name);
+    for (const double bad : {std::nan(""), infinity, -infinity})
+      CHECK_THROWS_AS(kernel.scalar(bad, {}), BadInput);
+    if (kernel.infinite_at_zero) CHECK_THROWS_AS(kernel.scalar(-0.0, {}), BadInput);
+  }
+  using namespace nipref::fast;
+  CHECK_THROWS_WITH(I1(0.0), "alpha = 0: must be nonzero: the kernel is infinite there");
+  CHECK_THROWS_WITH(I1(std::nan("")), "alpha = nan: must be a finite number");
+  CHECK_THROWS_WITH(I6(1.0, infinity), "eta = inf: must be a finite number");
+  CHECK_THROWS_WITH(I6(0.0, 1.0), "alpha = 0: must be nonzero: the kernel is infinite there");
+  CHECK_NOTHROW(I6(1.0, 0.0));
+}
+
+TEST_SUITE_END();

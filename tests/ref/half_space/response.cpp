@@ -1,0 +1,405 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
+#include <nipref/ref/half_space/internal/impedance.hpp>
+#include <nipref/ref/half_space/response.hpp>
+
+#include "support/stroh.hpp"
+
+using namespace nipref;
+using ref::Enclosure;
+using ref::Exact;
+using ref::ExactStiffness;
+using ref::SurfaceDirection;
+using ref::SurfaceResponse;
+using stroh::Float;
+
+namespace {
+
+Float value(const Enclosure& x) {
+  Float result;
+  mpfr_set(result.backend().data(), x.value.get(), MPFR_RNDN);
+  return result;
+}
+
+Float bound(const Enclosure& x) {
+  Float result;
+  mpfr_set(result.backend().data(), x.error_bound.get(), MPFR_RNDN);
+  return result;
+}
+
+std::vector<Enclosure> all(const SurfaceResponse& x) {
+  return {x.compliance, x.coupling, x.coupling_across, x.shear_compliance, x.shear_compliance_across,
+          x.in_line,    x.across};
+}
+
+Float scale(const SurfaceResponse& x) {
+  return std::max(
+      {Float(abs(value(x.compliance))), Float(abs(value(x.in_line))), Float(abs(value(x.across)))});
+}
+
+/// Every component within the sum of the bounds, and these as narrow as promised.
+void check_agree(const SurfaceResponse& x, const SurfaceResponse& y, int digits, double factor = 1) {
+  const auto a = all(x);
+  const auto b = all(y);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    CAPTURE(k);
+    CHECK(abs(value(a[k]) - factor * value(b[k])) <= bound(a[k]) + factor * bound(b[k]));
+    CHECK(bound(a[k]) <= pow(Float(10), -digits) * scale(x));
+  }
+}
+
+SurfaceDirection degrees(double angle) { return SurfaceDirection::of_degrees(Exact(angle)); }
+SurfaceDirection pair(double cosine, double sine) { return {Exact(cosine), Exact(sine)}; }
+
+data::Stiffness random_solid(std::mt19937_64& generator) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::Matrix<double, 6, 6> root;
+  for (double& entry : root.reshaped()) entry = uniform(generator);
+  const Eigen::Matrix<double, 6, 6> matrix =
+      root * root.transpose() + 0.3 * Eigen::Matrix<double, 6, 6>::Identity();
+  data::Stiffness result{{}, 1 + 0.9 * uniform(generator)};
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      result.voigt[std::size_t(i)][std::size_t(k)] = matrix(std::max(i, k), std::min(i, k));
+    }
+  }
+  return result;
+}
+
+/// The solid turned about x3 by the angle whose cosine and sine are given, exactly.
+ExactStiffness turned(const ExactStiffness& solid, const mpq_class& cosine, const mpq_class& sine) {
+  constexpr std::size_t voigt[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+  const mpq_class axes[3][3] = {{cosine, -sine, 0}, {sine, cosine, 0}, {0, 0, 1}};
+  ExactStiffness result = solid;
+  for (std::size_t n = 0; n < 81; ++n) {
+    const std::size_t i = n / 27, j = n / 9 % 3, k = n / 3 % 3, l = n % 3;
+    mpq_class sum = 0;
+    for (std::size_t m = 0; m < 81; ++m) {
+      const std::size_t p = m / 27, q = m / 9 % 3, r = m / 3 % 3, s = m % 3;
+      sum += axes[i][p] * axes[j][q] * axes[k][r] * axes[l][s] * solid.voigt[voigt[p][q]][voigt[r][s]];
+    }
+    result.voigt[voigt[i][j]][voigt[k][l]] = sum;
+  }
+  return result;
+}
+
+/// The carbon fibre epoxy of brock2013 in units of the steel's shear modulus and density.
+const data::TransverselyIsotropicSolid composite{13.9 / 77.2, 160.7 / 77.2, 6.44 / 77.2,
+                                                 7.07 / 77.2, 3.5 / 77.2,   1688.0 / 7860};
+
+}  // namespace
+
+TEST_CASE("random anisotropic solids: Stroh's eigenvectors give the same response to 30 digits") {
+  std::mt19937_64 generator(6);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int sample = 0; sample < 110; ++sample) {
+    CAPTURE(sample);
+    const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
+    const double psi[] = {2 * uniform(generator) - 1, 2 * uniform(generator) - 1};
+    const double theta[] = {2 * uniform(generator) - 1, 2 * uniform(generator) - 1};
+    const auto line = pair(psi[0], psi[1]);
+    const auto motion = pair(theta[0], theta[1]);
+    const double speed = 0.98 * uniform(generator) * ref::limiting_speed(solid, motion, line, 16).to_double();
+    const auto response = ref::surface_response(solid, Exact(speed), motion, line, 30);
+    const Float cosine = (Float(psi[0]) * theta[0] + Float(psi[1]) * theta[1]) /
+                         sqrt((Float(psi[0]) * psi[0] + Float(psi[1]) * psi[1]) *
+                              (Float(theta[0]) * theta[0] + Float(theta[1]) * theta[1]));
+    const auto y = stroh::admittance(solid, Float(speed) * cosine, Float(psi[0]), Float(psi[1]));
+    const Float by_roots[] = {y[2][2].real(), -y[2][0].imag(), -y[2][1].imag(), y[2][0].real(),
+                              y[2][1].real(), y[0][0].real(),  y[1][1].real()};
+    const auto components = all(response);
+    for (std::size_t k = 0; k < components.size(); ++k) {
+      CAPTURE(k);
+      const Float rounding = Float("1e-45") * scale(response);
+      CHECK(abs(value(components[k]) - by_roots[k]) <= bound(components[k]) + rounding);
+      CHECK(bound(components[k]) <= Float("1e-30") * scale(response));
+    }
+    // Reciprocity.
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(abs(y[i][k] - conj(y[k][i])) < Float("1e-45") * scale(response));
+      }
+    }
+  }
+}
+
+TEST_CASE("isotropic solids: the closed form, in every direction") {
+  for (const double poisson : {-0.5, 0.0, 0.25, 0.3, 0.49}) {
+    for (const double speed : {1e-9, 0.1, 0.7, 0.85, 0.97, 0.999999}) {
+      CAPTURE(poisson);
+      CAPTURE(speed);
+      const data::IsotropicSolid solid{3.7, poisson, 3.7};
+      const auto response =
+          ref::surface_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(-8, 6), 30);
+      // cos(psi - theta) = 0: as at rest.
+      CHECK(abs(value(response.compliance) - (1 - Float(poisson)) / Float(3.7)) <=
+            bound(response.compliance));
+      const auto moving =
+          ref::surface_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(6, 8), 30);
+      const Float x = Float(speed) * speed;
+      const Float squared_ratio = (2 - 2 * Float(poisson)) / (1 - 2 * Float(poisson));
+      const Float shear = sqrt(1 - x);
+      const Float pressure = sqrt(1 - x / squared_ratio);
+      const Float rayleigh = (4 * shear * pressure - (x - 2) * (x - 2)) * Float(3.7);
+      const Float expected[] = {
+          x * pressure / rayleigh, (2 - x - 2 * shear * pressure) / rayleigh, 0, 0, 0, x * shear / rayleigh,
+          1 / (shear * Float(3.7))};
+      const auto components = all(moving);
+      for (std::size_t k = 0; k < components.size(); ++k) {
+        CAPTURE(k);
+        CHECK(abs(value(components[k]) - expected[k]) <=
+              bound(components[k]) + Float("1e-40") * scale(moving));
+      }
+    }
+  }
+}
+
+TEST_CASE("at rest an isotropic surface answers with (1 - nu)/mu, whatever its units") {
+  const data::IsotropicSolid steel{77.2e9, 0.25, 7860};
+  const auto response =
+      ref::surface_response(ref::exact_stiffness(steel), Exact(0.0), degrees(10), degrees(70), 50);
+  const Float truth = Float(0.75) / Float(77.2e9);
+  CHECK(abs(value(response.compliance) - truth) <= bound(response.compliance));
+  CHECK(bound(response.compliance) <= Float("1e-50") * truth);
+}
+
+TEST_CASE("an isotropic solid is the same transversely isotropic solid with either axis") {
+  const data::TransverselyIsotropicSolid as_transverse{3, 3, 1, 1, 1, 1};
+  const auto isotropic = ref::exact_stiffness(data::IsotropicSolid{1, 0.25, 1});
+  const auto reference = ref::surface_response(isotropic, Exact(0.8), degrees(20), degrees(50), 30);
+  for (const auto axis : {data::SymmetryAxis::normal, data::SymmetryAxis::in_plane}) {
+    check_agree(ref::surface_response(ref::exact_stiffness(as_transverse, axis), Exact(0.8), degrees(20),
+                                      degrees(50), 30),
+                reference, 30);
+  }
+}
+
+TEST_CASE("solid, motion and line turned together change nothing; directions need no norm") {
+  std::mt19937_64 generator(7);
+  const mpq_class cosine(5, 13);
+  const mpq_class sine(12, 13);
+  for (int sample = 0; sample < 5; ++sample) {
+    const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
+    const auto reference = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
+    const SurfaceDirection turned_motion(Exact{mpq_class(cosine)}, Exact{mpq_class(sine)});
+    const SurfaceDirection turned_line(Exact(mpq_class(2 * cosine - sine)),
+                                       Exact(mpq_class(2 * sine + cosine)));
+    check_agree(
+        ref::surface_response(turned(solid, cosine, sine), Exact(0.2), turned_motion, turned_line, 30),
+        reference, 30);
+    check_agree(ref::surface_response(solid, Exact(-0.2), pair(1e-300, 0), pair(3e200, 1.5e200), 30),
+                reference, 30);
+  }
+  const auto solid = ref::exact_stiffness(random_solid(generator));
+  check_agree(ref::surface_response(solid, Exact(0.1), degrees(0), degrees(45), 30),
+              ref::surface_response(solid, Exact(0.1), pair(1, 0), pair(1, 1), 30), 30);
+}
+
+TEST_CASE("a line read backwards keeps its compliance and turns the sign of its coupling") {
+  std::mt19937_64 generator(8);
+  const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
+  const auto there = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
+  const auto back = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(-2, -1), 30);
+  CHECK(abs(value(there.compliance) - value(back.compliance)) <= 2 * bound(there.compliance));
+  // tau turns its sign with n, and so does du3/dx: the coupling is left; the Hilbert transform turns, too.
+  CHECK(abs(value(there.coupling) - value(back.coupling)) <= 2 * bound(there.compliance) * 100);
+  CHECK(abs(value(there.shear_compliance) + value(back.shear_compliance)) <=
+        2 * bound(there.compliance) * 100);
+}
+
+TEST_CASE("half the stiffness answers with twice the compliance") {
+  std::mt19937_64 generator(9);
+  const data::Stiffness stiff = random_solid(generator);
+  data::Stiffness soft = stiff;
+  soft.density /= 1048576;
+  for (auto& row : soft.voigt) {
+    for (double& modulus : row) modulus /= 1048576;
+  }
+  check_agree(ref::surface_response(ref::exact_stiffness(soft), Exact(0.2), pair(1, 2), pair(2, 1), 30),
+              ref::surface_response(ref::exact_stiffness(stiff), Exact(0.2), pair(1, 2), pair(2, 1), 30), 30,
+              1048576);
+}
+
+TEST_CASE("doubling steps are the trapezoidal rule of Barnett and Lothe's integrals") {
+  std::mt19937_64 generator(10);
+  const auto solid = random_solid(generator);
+  const auto& c = solid.voigt;
+  Eigen::MatrixXd q(3, 3), r(3, 3), t(3, 3);  // psi = 0
+  q << c[0][0], c[0][5], c[0][4], c[5][0], c[5][5], c[5][4], c[4][0], c[4][5], c[4][4];
+  r << c[0][4], c[0][3], c[0][2], c[5][4], c[5][3], c[5][2], c[4][4], c[4][3], c[4][2];
+  t << c[4][4], c[4][3], c[4][2], c[3][4], c[3][3], c[3][2], c[2][4], c[2][3], c[2][2];
+  q -= 0.02 * Eigen::MatrixXd::Identity(3, 3);
+  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(3, 3);
+  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(3, 3);
+  constexpr int points = 512;
+  for (int k = 0; k < points; ++k) {
+    const double a = std::cos(std::numbers::pi * k / points);
+    const double b = std::sin(std::numbers::pi * k / points);
+    const Eigen::MatrixXd rotated_t = b * b * q - a * b * (r + r.transpose()) + a * a * t;
+    const Eigen::MatrixXd rotated_r = -a * b * q + a * a * r - b * b * r.transpose() + a * b * t;
+    h += rotated_t.inverse() / points;
+    s -= rotated_t.inverse() * rotated_r.transpose() / points;
+  }
+  const auto impedance = ref::barnett_lothe_impedance(q, r, t, 1e-8, 30);
+  REQUIRE(impedance.has_value());
+  CHECK((impedance->re - h.inverse()).norm() < 1e-11 * h.inverse().norm());
+  CHECK((impedance->im - h.inverse() * s).norm() < 1e-11 * h.inverse().norm());
+}
+
+TEST_CASE("a proven impedance contains the one that is known better, and is not wide") {
+  std::mt19937_64 generator(11);
+  for (int sample = 0; sample < 5; ++sample) {
+    const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
+    const auto at = [&](mpfr_prec_t precision) {
+      return ref::surface_impedance(ref::acoustic_matrices(solid, pair(1, 3), ref::Interval(0.05, precision)))
+          .value();
+    };
+    const auto rough = at(100);
+    const auto fine = at(300);
+    for (std::size_t k = 0; k < 9; ++k) {
+      CHECK(mpfi_is_inside(fine(k / 3, k % 3).real.get(), rough(k / 3, k % 3).real.get()) > 0);
+      CHECK(mpfi_is_inside(fine(k / 3, k % 3).imag.get(), rough(k / 3, k % 3).imag.get()) > 0);
+      CHECK(mpfr_get_d(rough(k / 3, k % 3).real.upper(), MPFR_RNDU) -
+                mpfr_get_d(rough(k / 3, k % 3).real.lower(), MPFR_RNDD) <
+            1e-14);
+    }
+  }
+}
+
+TEST_CASE("isotropic: the limiting speed is that of shear, the surface wave is Rayleigh's") {
+  for (const double poisson : {-0.3, 0.25, 0.45}) {
+    CAPTURE(poisson);
+    const auto solid = ref::exact_stiffness(data::IsotropicSolid{4, poisson, 1});
+    const auto limit = ref::limiting_speed(solid, degrees(0), degrees(0), 30);
+    CHECK(abs(value(limit) - 2) <= bound(limit));
+    const auto wave = ref::surface_wave_speed(solid, pair(1, 0), pair(3, 4), 30);
+    REQUIRE(wave.has_value());
+    const auto cubic = [&](const Float& speed) {
+      const Float x = pow(speed * Float(3) / 10, 2);  // cos(psi - theta) = 3/5
+      const Float inverse = (1 - 2 * Float(poisson)) / (2 - 2 * Float(poisson));
+      return ((x - 8) * x + (24 - 16 * inverse)) * x - 16 * (1 - inverse);
+    };
+    CHECK(cubic(value(*wave) - bound(*wave)) < 0);
+    CHECK(cubic(value(*wave) + bound(*wave)) > 0);
+    CHECK(bound(*wave) < Float("1e-30"));
+  }
+}
+
+TEST_CASE("the compliance has its pole at the surface wave, and there is no response beyond the limit") {
+  std::mt19937_64 generator(12);
+  const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
+  const auto wave = ref::surface_wave_speed(solid, pair(1, 0), pair(2, 1), 20);
+  REQUIRE(wave.has_value());
+  const auto compliance = [&](double speed) {
+    return ref::surface_response(solid, Exact(speed), pair(1, 0), pair(2, 1), 20).compliance.to_double();
+  };
+  CHECK(compliance(wave->to_double() * (1 - 1e-9)) > 1e6);
+  CHECK(compliance(wave->to_double() * (1 + 1e-9)) < -1e6);
+  const double limit = ref::limiting_speed(solid, pair(1, 0), pair(2, 1), 20).to_double();
+  CHECK_NOTHROW(compliance(limit * (1 - 1e-14)));
+  CHECK_THROWS_AS(compliance(limit * (1 + 1e-14)), data::BadInput);
+}
+
+TEST_CASE("the composite of brock2013: surface wave with the axis upright, critical speeds with it lying") {
+  // The horizontally polarised waves of the upright solid are slower than its surface wave.
+  const auto upright = ref::exact_stiffness(composite, data::SymmetryAxis::normal);
+  CHECK(!ref::surface_wave_speed(upright, degrees(0), degrees(0), 20).has_value());
+  CHECK(ref::limiting_speed(upright, degrees(0), degrees(0), 20).to_double() ==
+        doctest::Approx(std::sqrt(composite.c66 / composite.density)).epsilon(1e-14));
+  const auto sagittal = ref::sagittal_stiffness(composite);
+  const auto wave = ref::surface_wave_speed(sagittal, degrees(0), degrees(60), 20);
+  REQUIRE(wave.has_value());
+  CHECK(wave->to_double() == doctest::Approx(2 * 0.63882964015).epsilon(1e-10));
+  auto whole = ref::surface_response(upright, Exact(0.4), degrees(0), degrees(30), 30);
+  whole.across = ref::exact_zero(30);
+  auto part = ref::surface_response(sagittal, Exact(0.4), degrees(0), degrees(30), 30);
+  part.across = ref::exact_zero(30);
+  check_agree(whole, part, 30);
+  const auto lying = ref::exact_stiffness(composite, data::SymmetryAxis::in_plane);
+  CHECK(ref::limiting_speed(lying, degrees(45), degrees(45), 20).to_double() ==
+        doctest::Approx(0.56459743).epsilon(2e-8));
+  const auto along = ref::critical_speed(lying, degrees(0), 20);
+  CHECK(along.speed.to_double() == doctest::Approx(0.428350).epsilon(1e-6));
+  CHECK(std::fabs(along.psi_degrees) < 1e-6);
+  const auto oblique = ref::critical_speed(lying, degrees(45), 20);
+  CHECK(oblique.speed.to_double() == doctest::Approx(0.4989960517).epsilon(2e-10));
+  CHECK(oblique.psi_degrees == doctest::Approx(45 - 20.441).epsilon(2e-5));
+  for (const double aside : {-0.01, 0.01}) {
+    const auto there = ref::surface_wave_speed(lying, degrees(45), degrees(oblique.psi_degrees + aside), 20);
+    REQUIRE(there.has_value());
+    CHECK(value(*there) > value(oblique.speed));
+  }
+}
+
+TEST_CASE("data::Stiffness rounds what the exact stiffness holds") {
+  const data::IsotropicSolid isotropic{2, 0.3, 5};
+  const auto check_same = [](const data::Stiffness& rounded, const ExactStiffness& exact) {
+    CHECK_NOTHROW(rounded.check());
+    CHECK(rounded.density == exact.density.get_d());
+    for (std::size_t k = 0; k < 36; ++k) {
+      CHECK(rounded.voigt[k / 6][k % 6] ==
+            doctest::Approx(exact.voigt[k / 6][k % 6].get_d()).epsilon(1e-14).scale(1e-14));
+    }
+  };
+  check_same(data::Stiffness::of(isotropic), ref::exact_stiffness(isotropic));
+  for (const auto axis : {data::SymmetryAxis::normal, data::SymmetryAxis::in_plane}) {
+    check_same(data::Stiffness::of(composite, axis), ref::exact_stiffness(composite, axis));
+  }
+  // The axis along x2: Young's direction is stiff there, and 13 is the isotropic plane.
+  const auto lying = data::Stiffness::of(composite, data::SymmetryAxis::in_plane);
+  CHECK(lying.voigt[1][1] == composite.c33);
+  CHECK(lying.voigt[4][4] == composite.c66);
+  CHECK(lying.voigt[0][2] == composite.c11 - 2 * composite.c66);
+  CHECK(lying.voigt[0][1] == composite.c13);
+}
+
+TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by one clear line") {
+  const auto message = [](const auto& call) {
+    try {
+      call();
+    } catch (const data::BadInput& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  const auto starts = [](const std::string& text, const std::string& with) {
+    CAPTURE(text);
+    CHECK(text.rfind(with, 0) == 0);
+    CHECK(text.find('\n') == std::string::npos);
+  };
+  const auto good = data::Stiffness::of(composite, data::SymmetryAxis::normal);
+  auto bad = good;
+  bad.voigt[0][1] += 1e-9;
+  starts(message([&] { bad.check(); }), "stiffness = ");
+  bad = good;
+  bad.voigt[0][1] = bad.voigt[1][0] = 2 * good.voigt[0][0];
+  starts(message([&] { bad.check(); }), "stiffness = ");
+  bad = good;
+  bad.voigt[3][3] = NAN;
+  starts(message([&] { ref::exact_stiffness(bad); }), "stiffness = nan");
+  bad = good;
+  bad.density = 0;
+  starts(message([&] { bad.check(); }), "density = 0");
+  starts(message([&] { pair(0, 0); }), "direction = ");
+  const auto solid = ref::exact_stiffness(good);
+  const auto respond = [&](double speed, int digits) {
+    return message([&] { ref::surface_response(solid, Exact(speed), degrees(0), degrees(0), digits); });
+  };
+  CHECK(respond(0.1, 20) == "accepted");
+  starts(respond(5, 20), "speed = 5");
+  starts(respond(0.1, 15), "digits = 15");
+  starts(message([&] { Exact(NAN, "speed"); }), "speed = nan");
+  starts(message([&] { ref::limiting_speed(solid, pair(1, 0), pair(0, 1), 20); }), "psi = ");
+  starts(message([&] { ref::surface_wave_speed(solid, degrees(0), degrees(90), 20); }), "psi = ");
+  starts(message([&] { ref::critical_speed(solid, degrees(0), 1001); }), "digits = 1001");
+}

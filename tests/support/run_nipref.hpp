@@ -1,0 +1,31 @@
+#pragma once
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "support/scratch_file.hpp"
+
+struct Outcome {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program with these arguments, as a shell reads them.
+inline Outcome run(const std::string& arguments) {
+  const ScratchFile errors;
+  const std::string command =
+      std::string("'") + NIPREF_EXECUTABLE + "' " + arguments + " 2>'" + errors.path() + "'";
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::string out;
+  std::array<char, 4096> buffer{};
+  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    out.append(buffer.data(), count);
+  }
+  const int status = pclose(pipe);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, errors.text()};
+}

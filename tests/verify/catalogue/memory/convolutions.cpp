@@ -1,0 +1,74 @@
+// Catalogue entries of the viscoelastic sheet: fast against ref, the material by name, refusals.
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+
+#include "support/run_nipref.hpp"
+
+using namespace nipref;
+
+TEST_CASE("J1 to J6 keep their 4 units in the last place") {
+  for (const char* name : {"J1", "J2", "J3", "J4", "J5", "J6"}) {
+    CAPTURE(name);
+    const auto result = verify::audit(verify::find_quantity(name), {500, {}, {}});
+    CHECK(result.points >= 400);
+    CHECK(result.kept());
+    CHECK(result.max_error_ulp > 0);
+  }
+}
+
+TEST_CASE("Un and Vn, started and steady, keep their 8 units in the last place") {
+  for (const char* name : {"Un", "Vn", "Un_steady", "Vn_steady"}) {
+    CAPTURE(name);
+    const auto result = verify::audit(verify::find_quantity(name), {24, {}, {}});
+    CHECK(result.kept());
+    CHECK(result.max_error_ulp > 0);
+  }
+}
+
+TEST_CASE("passing times lie on both sides of the start and of the present, and near them") {
+  verify::Random random("passing times");
+  int behind = 0, ahead = 0, before = 0, close = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double T = verify::draw_passing_time(1, random);
+    CHECK(T != 1);
+    before += T < 0;
+    behind += T > 0 && T < 1;
+    ahead += T > 1;
+    close += std::fabs(T - 1) < 1e-10;
+  }
+  for (const int count : {behind, ahead, before, close}) CHECK(count > 50);
+}
+
+TEST_CASE("the solid is known by its name, on the command line and in JSON") {
+  const Outcome defined = run("eval Un t=3 T=2 tau=0.5 --json");
+  const Outcome thesis = run("eval Un t=3 T=2 tau=0.5 material=thesis --json");
+  CHECK(defined.status == 0);
+  CHECK(thesis.status == 0);
+  CHECK(defined.out.find("\"material\": \"standard-linear-solid\"") != std::string::npos);
+  CHECK(thesis.out.find("\"material\": \"thesis\"") != std::string::npos);
+}
+
+TEST_CASE("arguments of the moving load are refused in one line each") {
+  const auto refused = [](const std::string& arguments, const std::string& about) {
+    CAPTURE(about);
+    const Outcome outcome = run(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.find(about) != std::string::npos);
+    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+  };
+  refused("eval J1 lambda=-1 a=2 b=1 t=1 T=1", "lambda = -1");
+  refused("eval J2 lambda=1 a=2 b=1 t=-1 T=1", "t = -1");
+  refused("eval Un t=-1 T=1", "t = -1");
+  refused("eval Un t=1 T=2 tau=0", "tau = 0");
+  refused("eval Un t=1 T=2 tau=-0.1", "tau = -0.1");
+  refused("eval Un t=1 T=2 speed=0", "speed = 0");
+  refused("eval Un t=1 T=2 half_thickness=0", "half_thickness = 0");
+  refused("eval Un t=1 T=2 material=rubber", "material = rubber");
+  refused("eval Vn t=1 T=2", "t0 = (missing)");
+}

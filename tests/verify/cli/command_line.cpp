@@ -1,0 +1,170 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <nipref/verify/catalogue/catalogue.hpp>
+
+#include "support/run_nipref.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+/// Bad input: what is called, and what the message must name.
+struct BadCall {
+  const char* arguments;
+  const char* name;
+  const char* value;
+};
+
+constexpr BadCall bad_calls[] = {
+    {"", "verb", "missing"},
+    {"frobnicate", "verb", "frobnicate"},
+    {"eval", "quantity", "missing"},
+    {"eval I9 alpha=1", "quantity", "I9"},
+    {"eval I1", "alpha", "missing"},
+    {"eval I6 alpha=1", "eta", "missing"},
+    {"eval I1 alpha=abc", "alpha", "abc"},
+    {"eval I1 alpha=", "alpha", ""},
+    {"eval I1 alpha=nan", "alpha", "nan"},
+    {"eval I1 alpha=inf", "alpha", "inf"},
+    {"eval I1 alpha=0", "alpha", "0"},
+    {"eval I1 alpha=0 --path ref", "alpha", "0"},
+    {"eval I1 alpha=0 --path fast", "alpha", "0"},
+    {"eval I1 alpha=1 alpha=2", "alpha", "2"},
+    {"eval I1 alpha=1 beta=2", "beta", "2"},
+    {"eval I1 I2 alpha=1", "argument", "I2"},
+    {"eval I1 alpha=1 digits=5", "digits", "5"},
+    {"eval I1 alpha=1 --digits 5", "digits", "5"},
+    {"eval I1 alpha=1 digits=100000", "digits", "100000"},
+    {"eval I1 alpha=1 digits=many", "digits", "many"},
+    {"eval I1 alpha=1 digits=99999999999999999999", "digits", "99999999999999999999"},
+    {"eval I1 alpha=1 digits=20 --digits 30", "digits", "20"},
+    {"eval I1 alpha=1 rtol=0", "rtol", "0"},
+    {"eval I1 alpha=1 rtol=1e-20", "rtol", "1e-20"},
+    {"eval I1 alpha=1 rtol=nan", "rtol", "nan"},
+    {"eval I1 alpha=1 path=sideways", "path", "sideways"},
+    {"eval I1 alpha=1e-400", "alpha", "1e-400"},
+    {"eval I1 alpha=1 --frobnicate", "--frobnicate", "eval"},
+    {"eval I1 alpha=1 --digits", "--digits", "eval"},
+    {"eval root.re n=0", "n", "0"},
+    {"eval root.re n=1.5", "n", "must be"},
+    {"eval F1 eta=1 poisson=0.6", "poisson", "0.6"},
+    {"eval un alpha=1 poisson=0.3 young=-1", "young", "-1"},
+    {"audit I9", "quantity", "I9"},
+    {"audit I1 points=0", "points", "0"},
+    {"audit I1 alpha=3", "alpha", "3"},
+    {"bench I9", "quantity", "I9"},
+    {"list I1", "argument", "I1"},
+    {"list alpha=1", "alpha", "1"},
+    {"report points=none", "points", "none"},
+    {"--json", "verb", "--json"},
+};
+
+}  // namespace
+
+TEST_CASE("bad input: status 2, one line that names it, nothing on standard output") {
+  for (const BadCall& call : bad_calls) {
+    CAPTURE(call.arguments);
+    const Outcome outcome = run(call.arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CAPTURE(outcome.err);
+    CHECK(std::ranges::count(outcome.err, '\n') == 1);
+    CHECK(outcome.err.find(call.name) != std::string::npos);
+    CHECK(outcome.err.find(call.value) != std::string::npos);
+  }
+}
+
+TEST_CASE("a line break in bad input does not break the message") {
+  const Outcome outcome = run("eval I1 \"alpha=1\n2\"");
+  CHECK(outcome.status == 2);
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+}
+
+TEST_CASE("help is no error") {
+  for (const char* arguments : {"--help", "eval --help", "audit --help"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = run(arguments);
+    CHECK(outcome.status == 0);
+    CHECK_FALSE(outcome.out.empty());
+    CHECK(outcome.err.empty());
+  }
+}
+
+TEST_CASE("list names the whole catalogue, as text and as JSON") {
+  const Outcome text = run("list");
+  const json listed = json::parse(run("list --json").out).at("quantities");
+  CHECK(text.status == 0);
+  CHECK(listed.size() == nipref::verify::catalogue().size());
+  for (const auto& quantity : nipref::verify::catalogue())
+    CHECK(text.out.find(quantity.name) != std::string::npos);
+}
+
+TEST_CASE("eval as JSON has the agreed shape and both paths") {
+  const Outcome outcome = run("eval I1 alpha=0.73 --digits 50 --json");
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  const json answer = json::parse(outcome.out);
+  CHECK(answer.at("quantity") == "I1");
+  CHECK(answer.at("arguments") == json{{"alpha", "0.73"}});
+  REQUIRE(answer.at("results").size() == 2);
+  CHECK(answer["results"][0].at("path") == "ref");
+  CHECK(answer["results"][1].at("path") == "fast");
+  for (const json& result : answer["results"]) {
+    CHECK(result.size() == 5);
+    CHECK(result.at("value").is_string());
+    CHECK(result.at("error_bound").is_string());
+    CHECK(result.at("digits").is_number_integer());
+    CHECK(result.at("seconds").is_number());
+  }
+  CHECK(answer["results"][0]["digits"] == 50);
+  CHECK(std::stod(answer["results"][0]["error_bound"].get<std::string>()) <= 1e-50);
+  // The double nearest to 0.73 differs from 0.73 by up to 2^-54, and the slope of I1 there is about -1.
+  CHECK(std::stod(answer["results"][1]["value"].get<std::string>()) ==
+        doctest::Approx(std::stod(answer["results"][0]["value"].get<std::string>())).epsilon(1e-15));
+}
+
+TEST_CASE("options may be written as name=value") {
+  const json answer = json::parse(run("eval I4 eta=0x1p-1 digits=40 path=ref --json").out);
+  REQUIRE(answer.at("results").size() == 1);
+  CHECK(answer["results"][0].at("path") == "ref");
+  CHECK(answer["results"][0].at("digits") == 40);
+}
+
+TEST_CASE("ref takes the text exactly: 0.1 is not the double nearest to it") {
+  const auto value = [](const std::string& alpha) {
+    return json::parse(
+        run("eval I1 alpha=" + alpha + " path=ref digits=40 --json").out)["results"][0]["value"];
+  };
+  CHECK(value("0.1") == value("1e-1"));
+  CHECK(value("0.1") != value("0x1.999999999999ap-4"));
+  CHECK(value("0.5") == value("0x1p-1"));
+}
+
+TEST_CASE("fast's error bound follows rtol") {
+  const auto bound = [](const std::string& options) {
+    const json answer = json::parse(run("eval I1 alpha=0.73 path=fast --json " + options).out);
+    return std::stod(answer["results"][0]["error_bound"].get<std::string>());
+  };
+  CHECK(bound("") < 1e-15);
+  CHECK(bound("rtol=1e-3") > 1e-5);
+  CHECK(bound("rtol=1e-3") <= 1e-3);
+}
+
+TEST_CASE("audit as JSON has the agreed shape") {
+  const Outcome outcome = run("audit I3 points=500 --json");
+  CHECK(outcome.status == 0);
+  const json answer = json::parse(outcome.out);
+  REQUIRE(answer.at("rows").size() == 1);
+  const json& row = answer["rows"][0];
+  CHECK(row.size() == 5);
+  CHECK(row.at("quantity") == "I3");
+  CHECK(row.at("points").is_number_integer());
+  CHECK(row.at("max_error_ulp").is_number());
+  CHECK(row.at("mean_error_ulp").is_number());
+  CHECK(row.at("worst").at("alpha").get<std::string>().find("0x") != std::string::npos);
+}

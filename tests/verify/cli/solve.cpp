@@ -1,0 +1,103 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "support/run_nipref.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+std::string example(const std::string& name) {
+  return std::string("'") + NIPREF_SOURCE_DIR + "/data/scenes/" + name + ".toml'";
+}
+
+void check_refused(const std::string& arguments, const std::string& says) {
+  CAPTURE(arguments);
+  const Outcome outcome = run(arguments);
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(std::ranges::count(outcome.err, '\n') == 1);
+  CHECK(outcome.err.find(says) != std::string::npos);
+}
+
+std::set<std::string> keys_of(const json& object) {
+  std::set<std::string> keys;
+  for (const auto& [key, value] : object.items()) keys.insert(key);
+  return keys;
+}
+
+}  // namespace
+
+TEST_CASE("solve as JSON has the agreed shape: results, their errors, the work") {
+  const Outcome outcome = run("solve --json " + example("intermediate-frictionless"));
+  CHECK(outcome.status == 0);
+  CHECK(outcome.err.empty());
+  const json answer = json::parse(outcome.out);
+  CHECK(keys_of(answer) ==
+        std::set<std::string>{"title", "results", "error_estimate", "positions", "work", "seconds"});
+  CHECK(keys_of(answer.at("results")) ==
+        std::set<std::string>{"contact_length", "indentation", "edge_displacement", "peak_pressure",
+                              "creep_ratio", "pressure", "normal_displacement", "tangential_displacement"});
+  CHECK(keys_of(answer.at("results")) == keys_of(answer.at("error_estimate")));
+  CHECK(answer["results"]["contact_length"].is_number());
+  CHECK(answer["results"]["pressure"].size() == answer["positions"].size());
+  CHECK(answer["error_estimate"]["pressure"].size() == answer["positions"].size());
+  CHECK(keys_of(answer["work"]) ==
+        std::set<std::string>{"kernel_evaluations", "terms", "unknowns", "systems"});
+  CHECK(keys_of(answer["work"]["kernel_evaluations"]) ==
+        std::set<std::string>{"I1", "I2", "I3", "I4", "I5", "I6", "I7"});
+  CHECK(answer["seconds"].is_number());
+}
+
+TEST_CASE("solve for people names every result with its unit, and the work") {
+  const Outcome outcome = run("solve " + example("thick-full-friction"));
+  CHECK(outcome.status == 0);
+  for (const char* part :
+       {"contact_length", "creep_ratio", "peak_shear", "stress", "values of I6", "unknowns"})
+    CHECK(outcome.out.find(part) != std::string::npos);
+}
+
+TEST_CASE("solve by ref gives its numbers as text, with the digits that are asked for") {
+  const Outcome outcome = run("solve --json --path ref --digits 40 " + example("thick-frictionless"));
+  CHECK(outcome.status == 0);
+  const json answer = json::parse(outcome.out);
+  for (const auto& [name, value] : answer.at("results").items()) {
+    CHECK(value.get<std::string>().size() > 40);
+    CHECK(std::stod(answer.at("error_estimate").at(name).get<std::string>()) <=
+          1e-40 * std::stod(value.get<std::string>()));
+  }
+  const json fast = json::parse(run("solve --json " + example("thick-frictionless")).out);
+  CHECK(std::stod(answer["results"]["contact_length"].get<std::string>()) ==
+        doctest::Approx(fast["results"]["contact_length"].get<double>()).epsilon(1e-12));
+}
+
+TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") {
+  check_refused("solve", "scene = (missing)");
+  check_refused("solve /nowhere.toml", "/nowhere.toml: scene = /nowhere.toml");
+  check_refused("solve " + example("thick-frictionless") + " two.toml", "argument = two.toml");
+  check_refused("solve " + example("thick-frictionless") + " --path both",
+                "path = both: must be ref or fast");
+  check_refused("solve " + example("thick-frictionless") + " rtol=1e-3", "rtol = 1e-3");
+  check_refused("solve " + example("thick-frictionless") + " path=ref digits=15", "digits = 15");
+  check_refused("solve " + example("thick-full-friction") + " path=ref", "friction.model = full");
+}
+
+TEST_CASE("a bad scene: status 2, one line with file, line, key and value") {
+  const ScratchFile scene("title = \"x\"\n[roller]\nradius = 0\n");
+  check_refused("solve " + scene.path(), scene.path() + ": wanted = (missing)");
+  const ScratchFile two_lines("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n");
+  check_refused("solve " + two_lines.path(), two_lines.path() + ":5: material.model = ela stic: ");
+}
+
+TEST_CASE("a load whose contact would be longer than the radius is refused at its line") {
+  const ScratchFile scene(
+      "title = \"too much\"\nwanted = [\"load\"]\n[roller]\nradius = 1\n[sheet]\nthickness = 1\n[material]\n"
+      "model = \"elastic\"\nyoung = 1\npoisson = 0.3\n[load]\nper_length = 10\n[friction]\nmodel = \"none\"\n"
+      "[method]\nkind = \"converged\"\n");
+  check_refused("solve " + scene.path(), scene.path() + ":12: load.per_length = 10: ");
+}

@@ -1,0 +1,177 @@
+// The replay of the viscoelastic tables: what is met, what the seed's mistakes explain, what they cost.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+
+#include "support/replayed.hpp"
+
+using namespace nipref;
+using verify::Replay;
+using verify::ReplayedCell;
+using verify::Verdict;
+
+namespace {
+
+std::size_t legible(const Replay& replay) {
+  return static_cast<std::size_t>(std::ranges::count_if(replay.cells, [&](const ReplayedCell& cell) {
+    return cell.verdict != Verdict::input && replay.table.cell(cell.row, cell.column).is_readable();
+  }));
+}
+
+const ReplayedCell& cell_of(const Replay& replay, std::size_t row, const std::string& column) {
+  return *std::ranges::find_if(
+      replay.cells, [&](const ReplayedCell& cell) { return cell.row == row && cell.column == column; });
+}
+
+const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5, 20.0}}}}, 1};
+
+}  // namespace
+
+TEST_CASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
+  for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
+    CAPTURE(id);
+    const Replay& replay = replayed(id);
+    const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
+    CHECK(static_cast<double>(met) >= 0.9 * static_cast<double>(legible(replay)));
+    CHECK(static_cast<double>(met + replay.count(Verdict::seed_error)) >=
+          0.94 * static_cast<double>(legible(replay)));
+    for (const ReplayedCell& cell : replay.cells) {
+      if (cell.verdict != Verdict::match) CHECK_FALSE(cell.note.empty());
+    }
+  }
+}
+
+TEST_CASE("the notes' rows come out to their printed digits") {
+  const Replay& replay = replayed("thesis-XV");
+  CHECK(cell_of(replay, 5, "d0").value == doctest::Approx(575.042e-6).scale(0).epsilon(1e-5));
+  CHECK(cell_of(replay, 5, "muR").value == doctest::Approx(702.36e-6).scale(0).epsilon(1e-5));
+  CHECK(cell_of(replay, 5, "d0").verdict == Verdict::match);
+  // m2 = 4 of m1 = 5 follows from the printed lengths.
+  CHECK(cell_of(replay, 4, "L1").value / cell_of(replay, 4, "L2").value ==
+        doctest::Approx(1.25).epsilon(1e-9));
+}
+
+TEST_CASE("a row without a legible length is replayed from d2, one with a doubtful L1 from L2") {
+  const Replay& replay = replayed("thesis-XII");
+  for (std::size_t row = 5; row < 10; ++row) {
+    CAPTURE(row);
+    CHECK(replay.table.cell(row, "L1").is_readable() == false);
+    CHECK(cell_of(replay, row, "d2").verdict == Verdict::input);
+    CHECK(cell_of(replay, row, "d2").value ==
+          doctest::Approx(replay.table.cell(row, "d2").number->value).scale(0).epsilon(1e-9));
+    CHECK(cell_of(replay, row, "d2/B").verdict == Verdict::misprint);
+  }
+  CHECK(cell_of(replay, 9, "muR").verdict == Verdict::match);
+  CHECK(replay.table.cell(4, "L1").is_doubtful());
+  CHECK(cell_of(replay, 4, "L1").value == doctest::Approx(77.402e-3).scale(0).epsilon(1e-9));
+  CHECK(cell_of(replay, 4, "d2").verdict == Verdict::match);
+}
+
+TEST_CASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as many as its print allows") {
+  struct Bound {
+    std::string_view id;
+    double met;  // of its legible cells
+  };
+  std::size_t all_met = 0, all_legible = 0;
+  for (const Bound& bound : {Bound{"thesis-XI", 0.94},
+                             {"thesis-XII", 0.92},
+                             {"thesis-XIII", 0.89},
+                             {"thesis-XIV", 0.92},
+                             {"thesis-XV", 0.94},
+                             {"thesis-XVI", 0.95},
+                             {"thesis-XVII", 0.94},
+                             {"thesis-XVIII", 0.92},
+                             {"thesis-XIX", 0.94},
+                             {"thesis-XX", 0.95},
+                             {"thesis-XXI", 0.93},
+                             {"thesis-XXII", 0.91},
+                             {"thesis-XXIII", 0.90},
+                             {"thesis-XXIV", 0.91},
+                             {"thesis-XXV", 0.84},
+                             {"thesis-XXVI", 0.88}}) {
+    CAPTURE(bound.id);
+    const Replay& replay = replayed(std::string(bound.id));
+    const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
+    CHECK(static_cast<double>(met) >= bound.met * static_cast<double>(legible(replay)));
+    all_met += met;
+    all_legible += legible(replay);
+  }
+  CHECK(static_cast<double>(all_met) >= 0.92 * static_cast<double>(all_legible));
+}
+
+TEST_CASE("the creep of short relaxation times lacks what underflowed") {
+  const Replay& replay = replayed("thesis-XXIV");
+  const ReplayedCell& short_time = cell_of(replay, 8, "creep");
+  CHECK(short_time.verdict == Verdict::seed_error);
+  CHECK(short_time.note.find("underflows") != std::string::npos);
+  CHECK(cell_of(replay, 0, "creep").verdict == Verdict::match);
+}
+
+TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
+  Replay replay = replayed("thesis-XI");
+  verify::correct(replay);
+  REQUIRE(replay.costs.size() == 3);
+  const auto largest = [&](std::size_t cost, std::size_t column) {
+    return std::fabs(replay.costs[cost].columns[column].largest);
+  };
+  // L, d0, p_max, muR: the truncation is the smallest evil, the mesh of two elements the greatest.
+  for (std::size_t column = 0; column < 4; ++column) {
+    CHECK(largest(0, column) > 0);
+    CHECK(largest(0, column) < 0.01);
+    CHECK(largest(1, column) > largest(0, column));
+  }
+  CHECK(largest(2, 3) > 0.1);
+  // The corrected value carries the table's load with the solid as it was defined.
+  const auto solid = verify::rolling_nip_of_the_tables(replay.table, 3, true);
+  const auto contact = fast::rolling_for_load(solid, 50, 1e-9);
+  const ReplayedCell& d0 = cell_of(replay, 3, "d0");
+  CHECK(*d0.corrected == doctest::Approx(contact.indentation().value).scale(0).epsilon(1e-6));
+  CHECK(*d0.corrected_with_seed_material != doctest::Approx(*d0.corrected).scale(0).epsilon(1e-3));
+}
+
+TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact kernels") {
+  const fast::RollingLineLoadMethod method{5, 5, 30, 300};
+  SUBCASE("without relaxation they are the elastic line loads") {
+    const data::ElasticNip elastic{6, 0.25, {1.45e5, 0.3}};
+    const data::ViscoelasticNip rolling{
+        6, 0.25, {{elastic.material.theta1(), {}}, {elastic.material.theta2(), {}}}, 1};
+    const auto found = fast::rolling_line_loads_for_length(rolling, {5, 5, 3, 200}, 0.05);
+    const auto expected = fast::line_loads_for_length(elastic, {5, 200}, 0.1);
+    CHECK(found.load == doctest::Approx(expected.load).scale(0).epsilon(1e-10));
+    CHECK(found.indentation == doctest::Approx(expected.indentation).scale(0).epsilon(1e-10));
+    CHECK(found.peak_pressure == doctest::Approx(expected.peak_pressure).scale(0).epsilon(1e-10));
+    CHECK(std::fabs(found.rolling_resistance) < 1e-12);
+  }
+  SUBCASE("the load search inverts the load") {
+    const auto at_length = fast::rolling_line_loads_for_length(nip, method, 0.05);
+    const auto at_load = fast::rolling_line_loads_for_load(nip, method, at_length.load);
+    CHECK(at_load.leading_length == doctest::Approx(0.05).scale(0).epsilon(1e-9));
+  }
+  SUBCASE("the search for m2 ends at the first that leaves no tension") {
+    const auto found = fast::rolling_line_loads_by_search(nip, {10, 10, 30, 300}, 50);
+    const int trailing = static_cast<int>(found.loads.size()) - 10;
+    CHECK(found.presses_everywhere());
+    REQUIRE(trailing < 10);
+    CHECK_FALSE(fast::rolling_line_loads_for_load(nip, {10, trailing + 1, 30, 300}, 50).presses_everywhere());
+  }
+  SUBCASE("with exact kernels and more elements they approach the continuous contact") {
+    const auto converged = fast::rolling_for_load(nip, 50, 1e-9);
+    const auto error = [&](int elements) {
+      const auto found = fast::rolling_line_loads_by_search(nip, {elements, elements, 30, 0}, 50);
+      return std::fabs(found.rolling_resistance / converged.rolling_resistance().value - 1);
+    };
+    CHECK(error(40) < 0.5 * error(10));
+    CHECK(error(40) < 0.05);
+  }
+}

@@ -1,0 +1,60 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+namespace fs = std::filesystem;
+
+TEST_CASE("the scene in the README is read and solved") {
+  std::ostringstream readme;
+  readme << std::ifstream(fs::path(NIPREF_SOURCE_DIR) / "README.md").rdbuf();
+  const std::string text = readme.str();
+  const std::string fence = "```toml\n";
+  const std::size_t begin = text.find(fence);
+  REQUIRE(begin != std::string::npos);
+  const std::size_t first = begin + fence.size();
+  const ScratchFile file(text.substr(first, text.find("```", first) - first));
+  const auto solution = verify::solve(data::load_scene(file.path()));
+  CHECK(solution.profile("pressure").size() == 11);
+  CHECK(solution.profile("pressure").front().value > solution.profile("pressure")[9].value);
+}
+
+TEST_CASE("the scenes that come with the library are found by name") {
+  CHECK(data::load_scene(data::example_scene("thick-full-friction")).wanted.size() == 6);
+  CHECK_THROWS_AS((void)data::example_scene("thick-treacle"), data::BadInput);
+}
+
+TEST_CASE("every scene in data/scenes is solved, and gives all that it wants within its error estimates") {
+  int scenes = 0;
+  for (const auto& entry : fs::directory_iterator(fs::path(NIPREF_SOURCE_DIR) / "data/scenes")) {
+    CAPTURE(entry.path().filename().string());
+    const data::Scene scene = data::load_scene(entry.path());
+    const auto solution = verify::solve(scene);
+    ++scenes;
+    // Only rolling spheres are closed forms all through.
+    const bool counted = solution.work.systems > 0 || solution.work.line_responses > 0;
+    CHECK(counted == (entry.path().stem() != "half-space-rolling-sphere"));
+    REQUIRE(solution.results.size() == scene.wanted.size());
+    for (const auto& result : solution.results) {
+      CAPTURE(std::string(result.what->name));
+      CHECK(result.numbers.size() == (result.what->is_profile ? solution.positions.size() : 1));
+      for (const fast::Estimate& number : result.numbers) {
+        CHECK(std::isfinite(number.value));
+        CHECK(number.error >= 0);
+        CHECK(std::isfinite(number.error));
+      }
+    }
+  }
+  CHECK(scenes >= 22);
+}

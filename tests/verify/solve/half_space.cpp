@@ -1,0 +1,154 @@
+// Scenes of bodies on half-spaces: what they give, and what is refused.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+#include "support/refused_scene.hpp"
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+
+namespace {
+
+const std::string isotropic =
+    "[half_space]\nmodel = \"isotropic\"\nshear = 3.0\npoisson = 0.25\ndensity = 2.0\n";
+const std::string isotropic_as_transversely =
+    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 9.0\nc33 = 9.0\nc13 = "
+    "3.0\nc44 = "
+    "3.0\nc66 = 3.0\ndensity = 2.0\n";
+const std::string graphite_epoxy =
+    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\nc13 "
+    "= "
+    "6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
+const std::string die = "[die]\nradius_along = 1.0\nradius_across = 1.0\n";
+const std::string rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 0.3\n";
+const std::string load = "[load]\nnormal_force = 1e-3\n";
+const std::string exact = "[method]\nkind = \"exact\"\n", rule = "[method]\nkind = \"stationary-force\"\n";
+
+std::string sliding(const std::string& speed, const std::string& more = "") {
+  return "[sliding]\nspeed = " + speed + "\n" + more;
+}
+
+std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = [" + names + "]\n"; }
+
+const std::string spans = wanting(R"("span_along", "span_across", "normal_force", "peak_pressure")");
+
+verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
+  const ScratchFile file(text);
+  return verify::solve(data::load_scene(file.path()));
+}
+
+void check_same(const std::string& a, const std::string& b, double tolerance) {
+  const auto x = solved(a), y = solved(b);
+  for (std::size_t i = 0; i < x.results.size(); ++i) {
+    CAPTURE(std::string(x.results[i].what->name));
+    CHECK(x.results[i].numbers[0].value ==
+          doctest::Approx(y.results[i].numbers[0].value).epsilon(tolerance).scale(0));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a sphere at rest is Hertz's") {
+  const auto contact = solved(wanting(R"("span_along", "approach", "peak_pressure", "axis_ratio")") +
+                              isotropic + die + sliding("0.0") + load + exact);
+  const double radius = contact["span_along"].value / 2;
+  const double modulus = 2 * 3.0 / (1 - 0.25);
+  CHECK(4.0 / 3 * modulus * std::pow(radius, 3) == doctest::Approx(1e-3).epsilon(1e-12).scale(0));
+  CHECK(contact["approach"].value == doctest::Approx(radius * radius).epsilon(1e-12).scale(0));
+  CHECK(contact["axis_ratio"].value == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("force and span lead to the same contact, by either rule") {
+  for (const std::string& method : {exact, rule}) {
+    const auto by_force = solved(spans + isotropic + die + sliding("0.9") + load + method);
+    char span[40];
+    std::snprintf(span, sizeof span, "%.17g", by_force["span_along"].value);
+    check_same(spans + isotropic + die + sliding("0.9") + load + method,
+               spans + isotropic + die + sliding("0.9") + "[contact]\nspan_along = " + span + "\n" + method,
+               1e-13);
+  }
+}
+
+TEST_CASE("an isotropic solid is the same by all five of its constants") {
+  for (const std::string& method : {exact, rule}) {
+    const std::string rest = die + sliding("0.9", "direction = 30.0\n") + load + method;
+    check_same(spans + isotropic + rest, spans + isotropic_as_transversely + rest, 1e-12);
+  }
+}
+
+TEST_CASE("a die turns with its motion, the material does not") {
+  const std::string slender = "[die]\nradius_along = 3.0\nradius_across = 1.0\n";
+  const auto turned = [&](const std::string& half_space, const std::string& angle) {
+    return wanting(R"("span_along", "orientation", "peak_pressure")") + half_space + slender +
+           sliding("0.5", "direction = " + angle + "\n") + load + exact;
+  };
+  const auto straight = solved(turned(isotropic, "0.0")), askew = solved(turned(isotropic, "60.0"));
+  CHECK(straight["span_along"].value == doctest::Approx(askew["span_along"].value).epsilon(1e-12).scale(0));
+  CHECK(std::fabs(straight["orientation"].value) < 1e-9);
+  CHECK(askew["orientation"].value == doctest::Approx(60).epsilon(1e-12));
+  const auto along = solved(turned(graphite_epoxy, "0.0")), across = solved(turned(graphite_epoxy, "90.0"));
+  CHECK(along["span_along"].value != doctest::Approx(across["span_along"].value).epsilon(1e-3).scale(0));
+}
+
+TEST_CASE("a patch that moves in its sphere softens it") {
+  const std::string sphere = "[sphere]\nradius = 0.01\nshear = 77.2e9\npoisson = 0.3\ndensity = 7860.0\n";
+  const std::string rest = sliding("1200.0") + load + exact;
+  const auto fixed = solved(spans + graphite_epoxy + sphere + rest);
+  const auto moving = solved(spans + graphite_epoxy + sphere + "patch = \"moving\"\n" + rest);
+  CHECK(moving["peak_pressure"].value < fixed["peak_pressure"].value);
+  CHECK(moving["peak_pressure"].value > 0.98 * fixed["peak_pressure"].value);
+}
+
+TEST_CASE("speeds that are not subcritical are refused with the line and the limit") {
+  check_refused(spans + isotropic + die + sliding("1.2") + load + exact,
+                "sliding.speed = 1.2: must be below 1.126");  // Rayleigh: 0.9194 sqrt(3/2)
+  check_refused(spans + graphite_epoxy + die + sliding("1600.0", "direction = 45.0\n") + load + exact,
+                "sliding.speed = 1600: ");
+  check_refused(spans + graphite_epoxy + die + sliding("1600.0", "direction = 45.0\n") + load + exact,
+                "psi = 24.55");  // 20.44 degrees from the motion
+  check_refused(spans + isotropic + "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 2.0\n" + load + rule,
+                "rolling.speed = 2: must be below 1.126");
+  check_refused(spans + isotropic + die + sliding("-1.0") + load + exact, "sliding.speed = -1: ");
+}
+
+TEST_CASE("solids that cannot be are refused at their keys") {
+  const auto with = [](std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+  };
+  const std::string rest = die + sliding("0.1") + load + exact;
+  check_refused(spans + with(isotropic, "0.25", "0.5") + rest, ":6: half_space.poisson = 0.5: ");
+  check_refused(spans + with(isotropic, "0.25", "-1.0") + rest, ":6: half_space.poisson = -1: ");
+  check_refused(spans + with(isotropic, "shear = 3.0", "shear = -3.0") + rest, ":5: half_space.shear = -3: ");
+  check_refused(spans + with(graphite_epoxy, "c13 = 6.44e9", "c13 = 60.0e9") + rest, ":8: half_space.c13 = ");
+  check_refused(spans + with(graphite_epoxy, "c66 = 3.5e9", "c66 = 0.0") + rest, ":10: half_space.c66 = 0: ");
+  check_refused(spans + with(graphite_epoxy, "in-plane", "oblique") + rest,
+                ":5: half_space.axis = oblique: ");
+}
+
+TEST_CASE("what does not fit together is refused at its key") {
+  check_refused(spans + isotropic + die + sliding("0.1", "friction = -0.1\n") + load + rule,
+                "sliding.friction = -0.1: ");
+  check_refused(spans + isotropic + die + sliding("0.1", "friction = 0.1\n") + load + exact,
+                "sliding.friction = 0.1: must be 0");
+  check_refused(spans + isotropic + die + sliding("0.1", "direction = 91.0\n") + load + rule,
+                "sliding.direction = 91: ");
+  check_refused(spans + isotropic + rolling + load + exact, "method.kind = exact: must be stationary-force");
+  check_refused(spans + graphite_epoxy + rolling + load + rule, "half_space.model = ");
+  check_refused(spans + isotropic + die + rolling + load + rule, "die = (beside another body): ");
+  check_refused(spans + isotropic + sliding("0.1") + load + rule, "die = (missing): ");
+  check_refused(spans + isotropic + die + sliding("0.1") + rule, "load = (missing): ");
+  check_refused(spans + isotropic + die + sliding("0.1") + "[contact]\nspan_along = 1.1\n" + rule,
+                "contact.span_along = 1.1: ");
+  check_refused(wanting("\"approach\"") + isotropic + die + sliding("0.1") + load + rule,
+                ":2: wanted[0] = approach: must be wanted of the exact method only");
+  check_refused(wanting("\"contact_length\"") + isotropic + die + sliding("0.1") + load + rule,
+                ":2: wanted[0] = contact_length: ");
+  check_refused(spans + isotropic + die + "[roller]\nradius = 1.0\n" + sliding("0.1") + load + rule,
+                "roller = ");
+  check_refused(spans + isotropic + die + sliding("0.1") + load + exact, "half_space = ", " --path ref");
+}
