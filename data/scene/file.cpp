@@ -77,12 +77,12 @@ ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& or
   return problem;
 }
 
-std::variant<ConvergedMethod, RollingLineLoads> read_rolling_method(const SceneTable& method) {
+std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const SceneTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
   method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms", "approach_lengths"});
-  RollingLineLoads loads{.leading_elements = method.whole("leading_elements"),
-                         .trailing_elements = {},
-                         .approach_lengths = method.number("approach_lengths")};
+  ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
+                              .trailing_elements = {},
+                              .approach_lengths = method.number("approach_lengths")};
   if (method.has("trailing_elements")) loads.trailing_elements = method.whole("trailing_elements");
   if (method.has("residue_terms")) loads.residue_terms = method.whole("residue_terms");
   return loads;
@@ -112,7 +112,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const S
                                  .method = {},
                                  .profile = {}};
   read_no_friction(file.table("friction"), origin);
-  problem.method = read_rolling_method(file.table("method"));
+  problem.method = read_viscoelastic_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
   return problem;
 }

@@ -16,7 +16,7 @@ namespace nipref::data {
 namespace {
 
 constexpr int most_elements = 10000;
-constexpr int most_rolling_elements = 500;
+constexpr int most_viscoelastic_elements = 500;
 constexpr int most_terms = 500;
 constexpr int most_points = 100'000;
 
@@ -91,10 +91,11 @@ struct MethodCheck {
         loads.trailing_elements,
         fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
   }
-  void operator()(const RollingLineLoads& loads) const {
-    check_whole(loads.leading_elements, 1, most_rolling_elements, origin, "method.leading_elements");
+  void operator()(const ViscoelasticLineLoads& loads) const {
+    check_whole(loads.leading_elements, 1, most_viscoelastic_elements, origin, "method.leading_elements");
     if (loads.trailing_elements)
-      check_whole(*loads.trailing_elements, 0, most_rolling_elements, origin, "method.trailing_elements");
+      check_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
+                  "method.trailing_elements");
     check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
     require(is_positive(loads.approach_lengths), origin, "method.approach_lengths", loads.approach_lengths,
             "must be finite and > 0");
@@ -102,8 +103,8 @@ struct MethodCheck {
 };
 
 /// The thesis searches for m2 at a given load only, and its sums are for real rates.
-void check_rolling_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
-  const auto* loads = std::get_if<RollingLineLoads>(&problem.method);
+void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
+  const auto* loads = std::get_if<ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) return;
   if (!loads->trailing_elements && std::holds_alternative<GivenLength>(problem.given)) {
     origin.refuse("method.trailing_elements", "(missing)",
@@ -157,7 +158,7 @@ struct SystemCheck {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     std::visit(MethodCheck{origin}, problem.method);
-    check_rolling_line_loads(problem, origin);
+    check_viscoelastic_line_loads(problem, origin);
     if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
   }
   void operator()(const HalfSpaceProblem& problem) const {

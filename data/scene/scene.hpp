@@ -42,7 +42,7 @@ struct LineLoads {
 
 /// The same in a viscoelastic nip, which has no symmetry: line loads that started all at once some way before
 /// the nip. (thesis 7.1-7.17)
-struct RollingLineLoads {
+struct ViscoelasticLineLoads {
   int leading_elements;  ///< on the entry side, 1 to 500; method.leading_elements
   /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
   /// 2.5), which needs a given load.
@@ -70,7 +70,7 @@ struct ElasticNipProblem {
 struct ViscoelasticNipProblem {
   ViscoelasticNip nip;
   Given given;
-  std::variant<ConvergedMethod, RollingLineLoads> method;
+  std::variant<ConvergedMethod, ViscoelasticLineLoads> method;
   /// Needed if a profile is wanted.
   std::optional<Profile> profile;
 };

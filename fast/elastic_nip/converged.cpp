@@ -21,15 +21,15 @@ double checked_position(double y) {
 
 }  // namespace
 
-struct ConvergedContact::Implementation {
-  Implementation(const data::ElasticNip& nip, data::Friction friction, ContactLadder solved)
+struct ConvergedElasticNip::Implementation {
+  Implementation(const data::ElasticNip& nip, data::Friction friction, ElasticNipLadder solved)
       : units(units_of(nip)),
         surface{friction, nip.material.theta2() / nip.material.normal_compliance(), solved.tolerance()},
         ladder(std::move(solved)) {}
 
   ContactUnits units;
   SurfaceDisplacements surface;
-  ContactLadder ladder;
+  ElasticNipLadder ladder;
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length; }
   [[nodiscard]] Estimate traction_at(double y, double Traction::*component, double scale) const {
@@ -44,30 +44,30 @@ struct ConvergedContact::Implementation {
   }
 };
 
-ConvergedContact::ConvergedContact(std::unique_ptr<Implementation> implementation)
+ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
-ConvergedContact::ConvergedContact(ConvergedContact&&) noexcept = default;
-ConvergedContact::~ConvergedContact() = default;
+ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = default;
+ConvergedElasticNip::~ConvergedElasticNip() = default;
 
-Estimate ConvergedContact::contact_length() const {
+Estimate ConvergedElasticNip::contact_length() const {
   const auto& [units, surface, ladder] = *implementation_;
   return times(2 * units.length,
                ladder.estimate([](const HalfContact& contact) { return contact.half_length; }));
 }
 
-Estimate ConvergedContact::load() const {
+Estimate ConvergedElasticNip::load() const {
   const auto& [units, surface, ladder] = *implementation_;
   return times(units.load, ladder.estimate([](const HalfContact& contact) { return contact.load; }));
 }
 
-Estimate ConvergedContact::indentation() const {
+Estimate ConvergedElasticNip::indentation() const {
   const auto& [units, surface, ladder] = *implementation_;
   return times(units.displacement, ladder.estimate([](const HalfContact& contact) {
     return contact.edge_displacement + contact.half_length * contact.half_length;
   }));
 }
 
-Estimate ConvergedContact::edge_displacement() const {
+Estimate ConvergedElasticNip::edge_displacement() const {
   const auto& [units, surface, ladder] = *implementation_;
   const double parabola = std::pow(implementation_->half_length(), 2);
   return times(
@@ -75,14 +75,14 @@ Estimate ConvergedContact::edge_displacement() const {
       ladder.estimate([](const HalfContact& contact) { return contact.edge_displacement; }, parabola));
 }
 
-Estimate ConvergedContact::creep_ratio() const {
+Estimate ConvergedElasticNip::creep_ratio() const {
   const auto& [units, surface, ladder] = *implementation_;
   const double size = implementation_->half_length();
   if (surface.friction == data::Friction::full) {
     return times(units.creep,
                  ladder.estimate([](const HalfContact& contact) { return contact.creep; }, size));
   }
-  ContactKernels kernels = ladder.kernels();
+  CountedKernels kernels = ladder.kernels();
   const auto stretch = [&](const HalfContact& contact) {
     const double end = contact.half_length;
     return fast::tangential_displacement(contact, end, surface, kernels) / end;
@@ -90,12 +90,12 @@ Estimate ConvergedContact::creep_ratio() const {
   return times(units.creep, ladder.estimate(stretch, size));
 }
 
-Estimate ConvergedContact::pressure(double y) const {
+Estimate ConvergedElasticNip::pressure(double y) const {
   const Estimate middle = implementation_->traction_at(0, &Traction::pressure, 0);
   return implementation_->traction_at(y, &Traction::pressure, middle.value / implementation_->units.pressure);
 }
 
-Estimate ConvergedContact::shear(double y) const {
+Estimate ConvergedElasticNip::shear(double y) const {
   if (implementation_->surface.friction == data::Friction::none) {
     checked_position(y);
     return {0, 0};
@@ -104,21 +104,21 @@ Estimate ConvergedContact::shear(double y) const {
   return implementation_->traction_at(y, &Traction::shear, scale);
 }
 
-Estimate ConvergedContact::peak_pressure() const {
+Estimate ConvergedElasticNip::peak_pressure() const {
   const auto& [units, surface, ladder] = *implementation_;
   return times(units.pressure, ladder.estimate(fast::peak_pressure));
 }
 
-Estimate ConvergedContact::peak_shear() const {
+Estimate ConvergedElasticNip::peak_shear() const {
   const auto& [units, surface, ladder] = *implementation_;
   if (surface.friction == data::Friction::none) return {0, 0};
   return times(units.pressure, ladder.estimate(fast::peak_shear));
 }
 
-Estimate ConvergedContact::normal_displacement(double y) const {
+Estimate ConvergedElasticNip::normal_displacement(double y) const {
   const auto& [units, surface, ladder] = *implementation_;
   const double position = checked_position(y) / units.length;
-  ContactKernels kernels = ladder.kernels();
+  CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
     return fast::normal_displacement(contact, position, surface, kernels);
   };
@@ -126,10 +126,10 @@ Estimate ConvergedContact::normal_displacement(double y) const {
                ladder.estimate(displacement, std::pow(implementation_->half_length(), 2)));
 }
 
-Estimate ConvergedContact::tangential_displacement(double y) const {
+Estimate ConvergedElasticNip::tangential_displacement(double y) const {
   const auto& [units, surface, ladder] = *implementation_;
   const double position = checked_position(y) / units.length;
-  ContactKernels kernels = ladder.kernels();
+  CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
     return fast::tangential_displacement(contact, position, surface, kernels);
   };
@@ -137,29 +137,29 @@ Estimate ConvergedContact::tangential_displacement(double y) const {
   return times(std::copysign(units.creep * units.length, y), ladder.estimate(displacement, scale));
 }
 
-ContactWork ConvergedContact::work() const { return implementation_->ladder.work(); }
+Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }
 
-ConvergedContact converged_for_length(const data::ElasticNip& nip, data::Friction friction,
-                                      double contact_length, double accuracy) {
+ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,
+                                         double contact_length, double accuracy) {
   nip.check();
   check_contact_accuracy(accuracy);
   check_contact_length(shape(nip), contact_length);
-  return ConvergedContact(std::make_unique<ConvergedContact::Implementation>(
+  return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
-      ContactLadder::at_half_length(contact_length / nip.sheet_thickness, friction, nip.material.poisson,
-                                    accuracy)));
+      ElasticNipLadder::at_half_length(contact_length / nip.sheet_thickness, friction, nip.material.poisson,
+                                       accuracy)));
 }
 
-ConvergedContact converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
-                                    double accuracy) {
+ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
+                                       double accuracy) {
   nip.check();
   check_contact_accuracy(accuracy);
   check_contact_load(load);
-  auto solved = std::make_unique<ConvergedContact::Implementation>(
+  auto solved = std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
-      ContactLadder::at_load(load / units_of(nip).load, friction, nip.material.poisson, accuracy));
+      ElasticNipLadder::at_load(load / units_of(nip).load, friction, nip.material.poisson, accuracy));
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
-  return ConvergedContact(std::move(solved));
+  return ConvergedElasticNip(std::move(solved));
 }
 
 }  // namespace nipref::fast

@@ -22,10 +22,10 @@ namespace nipref::fast {
 ///
 /// Y is the distance along the sheet from the middle of the nip, any finite value, unit of length; otherwise
 /// BadInput.
-class ConvergedContact {
+class ConvergedElasticNip {
  public:
-  ConvergedContact(ConvergedContact&&) noexcept;
-  ~ConvergedContact();
+  ConvergedElasticNip(ConvergedElasticNip&&) noexcept;
+  ~ConvergedElasticNip();
 
   [[nodiscard]] Estimate contact_length() const;  ///< L, unit of length
   [[nodiscard]] Estimate load() const;            ///< W, force per unit width
@@ -42,24 +42,24 @@ class ConvergedContact {
   [[nodiscard]] Estimate normal_displacement(
       double y) const;  ///< u, towards the middle plane, unit of length
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
-  [[nodiscard]] ContactWork work() const;                          ///< spent so far
+  [[nodiscard]] Work work() const;                                 ///< spent so far
 
  private:
   struct Implementation;
-  explicit ConvergedContact(std::unique_ptr<Implementation> implementation);
+  explicit ConvergedElasticNip(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
-  friend ConvergedContact converged_for_length(const data::ElasticNip&, data::Friction, double, double);
-  friend ConvergedContact converged_for_load(const data::ElasticNip&, data::Friction, double, double);
+  friend ConvergedElasticNip converged_for_length(const data::ElasticNip&, data::Friction, double, double);
+  friend ConvergedElasticNip converged_for_load(const data::ElasticNip&, data::Friction, double, double);
 };
 
 /// The contact of length L = `contact_length`, unit of length: 1e-8 <= L/B <= 1e4 and L <= R, beyond which
 /// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise.
-ConvergedContact converged_for_length(const data::ElasticNip& nip, data::Friction friction,
-                                      double contact_length, double accuracy);
+ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,
+                                         double contact_length, double accuracy);
 
 /// The contact that carries `load` per unit width, > 0 and finite, such that the contact length is as above;
 /// BadInput otherwise.
-ConvergedContact converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
-                                    double accuracy);
+ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
+                                       double accuracy);
 
 }  // namespace nipref::fast

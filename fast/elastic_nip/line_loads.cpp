@@ -8,10 +8,10 @@
 namespace nipref::fast {
 
 LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                       double contact_length, ContactWork* work) {
+                                       double contact_length, Work* work) {
   const std::vector<double> distances = odd_multiples(nip, method, contact_length);
   const int m = method.elements_per_side;
-  ContactWork spent;
+  Work spent;
   const KernelValues kernels = line_load_kernels(method, distances, {.I1 = true}, spent);
   const Eigen::VectorXd unknowns =
       slip_matrix(kernels.I1).partialPivLu().solve(gap_at_matching_points(nip, m, contact_length));
@@ -21,7 +21,7 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLo
 }
 
 LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                     const LoadSearch& search, ContactWork* work) {
+                                     const LoadSearch& search, Work* work) {
   const auto load_of_length = [&](double length) {
     return line_loads_for_length(nip, method, length, work).load;
   };
@@ -30,7 +30,7 @@ LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoad
 }
 
 double creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                   const LineLoadMethod& method, ContactWork* work) {
+                   const LineLoadMethod& method, Work* work) {
   if (solution.gripped_creep) return *solution.gripped_creep;
   const double end = solution.contact_length / 2;
   return tangential_displacement(nip, solution, method, end, work) / end;

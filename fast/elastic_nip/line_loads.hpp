@@ -73,17 +73,17 @@ struct LoadSearch {
 /// otherwise. Evaluates I1 only. With half an element wider than about 1.2 half-thicknesses the loads are
 /// nonsense: the kernel has changed its sign between one load and the next.
 LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                       double contact_length, ContactWork* work = nullptr);
+                                       double contact_length, Work* work = nullptr);
 
 /// The same for a given load per unit width, > 0 and finite; BadInput otherwise, or if the contact length
 /// would be out of its domain.
 LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                                     const LoadSearch& search = {}, ContactWork* work = nullptr);
+                                     const LoadSearch& search = {}, Work* work = nullptr);
 
 /// Creep ratio, dimensionless. Without friction (2/L) v(L/2), v the tangential displacement of the surface
 /// relative to the middle of the nip, at the cost of 2m values of I3 (thesis 5.16); with friction the one
 /// that was solved for.
 double creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                   const LineLoadMethod& method, ContactWork* work = nullptr);
+                   const LineLoadMethod& method, Work* work = nullptr);
 
 }  // namespace nipref::fast

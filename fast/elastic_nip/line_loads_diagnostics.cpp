@@ -7,10 +7,10 @@
 namespace nipref::fast {
 
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
-                        data::Friction friction, ContactWork* work) {
+                        data::Friction friction, Work* work) {
   const std::vector<double> distances = odd_multiples(nip, method, contact_length);
   const bool full = friction == data::Friction::full;
-  ContactWork spent;
+  Work spent;
   const KernelValues kernels =
       line_load_kernels(method, distances, {.I1 = true, .I3 = full, .I6 = full}, spent);
   const Eigen::MatrixXd matrix = full ? grip_matrix(kernels, nip.material.poisson) : slip_matrix(kernels.I1);

@@ -10,7 +10,7 @@ namespace nipref::fast {
 /// singular. The matrix is that of contact_line_loads_system.hpp, d0 and the loads times N/pi being lengths.
 /// Domains and `work` as for line_loads_for_length.
 double condition_number(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
-                        data::Friction friction, ContactWork* work = nullptr);
+                        data::Friction friction, Work* work = nullptr);
 
 /// How much a row of loads zigzags: the sum of the sizes of its second differences over the sum of its sizes.
 /// About (h/l)^2 for a smooth function of length scale l in steps h, up to 4 if every load pulls against the

@@ -53,11 +53,11 @@ double of_element(const std::vector<double>& loads, const LineLoadSolution& solu
 }  // namespace
 
 double normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                           const LineLoadMethod& method, double y, ContactWork* work) {
+                           const LineLoadMethod& method, double y, Work* work) {
   nip.check();
   const bool friction = !solution.shear_loads.empty();
   const std::vector<double> alpha = distances(nip, solution, y);
-  ContactWork spent;
+  Work spent;
   const KernelValues kernels = line_load_kernels(method, alpha, {.I1 = true, .I3 = friction}, spent);
   double sum = nip.material.normal_compliance() * sum_of(solution.line_loads, kernels.I1, 1);
   if (friction) sum -= sum_of(solution.shear_loads, normal_steps(nip.material, alpha, kernels.I3), -1);
@@ -66,11 +66,11 @@ double normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& 
 }
 
 double tangential_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                               const LineLoadMethod& method, double y, ContactWork* work) {
+                               const LineLoadMethod& method, double y, Work* work) {
   nip.check();
   const bool friction = !solution.shear_loads.empty();
   const std::vector<double> alpha = distances(nip, solution, y);
-  ContactWork spent;
+  Work spent;
   const KernelValues kernels = line_load_kernels(method, alpha, {.I3 = true, .I6 = friction}, spent);
   double sum = sum_of(solution.line_loads, normal_steps(nip.material, alpha, kernels.I3), 1);
   if (friction) sum += nip.material.normal_compliance() * sum_of(solution.shear_loads, kernels.I6, -1);

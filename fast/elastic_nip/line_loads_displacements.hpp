@@ -8,11 +8,11 @@ namespace nipref::fast {
 
 /// u(Y), towards the middle plane, unit of length. Even. Evaluates I1, with friction I3 too.
 double normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                           const LineLoadMethod& method, double y, ContactWork* work = nullptr);
+                           const LineLoadMethod& method, double y, Work* work = nullptr);
 
 /// v(Y) relative to the middle of the nip, unit of length. Odd. Evaluates I3, with friction I6 too.
 double tangential_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
-                               const LineLoadMethod& method, double y, ContactWork* work = nullptr);
+                               const LineLoadMethod& method, double y, Work* work = nullptr);
 
 /// Normal line load over the width of the element that Y lies in, unit of stress; 0 outside the contact.
 double element_pressure(const LineLoadSolution& solution, double y);

@@ -29,10 +29,10 @@ Eigen::MatrixXd right_hand_sides(const data::ElasticNip& nip, int m, double cont
 }
 
 AffineSolution solve(const data::ElasticNip& nip, const LineLoadMethod& method, double contact_length,
-                     ContactWork* work) {
+                     Work* work) {
   const std::vector<double> distances = odd_multiples(nip, method, contact_length);
   const int m = method.elements_per_side;
-  ContactWork spent;
+  Work spent;
   const KernelValues kernels =
       line_load_kernels(method, distances, {.I1 = true, .I3 = true, .I6 = true}, spent);
   const Eigen::MatrixXd unknowns = grip_matrix(kernels, nip.material.poisson)
@@ -93,14 +93,14 @@ void check_creep(double creep) {
 
 /// Good enough to start from.
 double length_without_friction(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
-                               ContactWork* work) {
+                               Work* work) {
   return line_loads_for_load(nip, method, load, {.tolerance = 1e-2}, work).contact_length;
 }
 
 }  // namespace
 
 LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                               double contact_length, double creep, ContactWork* work) {
+                                               double contact_length, double creep, Work* work) {
   check_creep(creep);
   return with_creep(nip, method.elements_per_side, contact_length, solve(nip, method, contact_length, work),
                     creep);
@@ -108,7 +108,7 @@ LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, cons
 
 LineLoadSolution gripped_line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method,
                                              double load, double creep, const LoadSearch& search,
-                                             ContactWork* work) {
+                                             Work* work) {
   const auto load_of_length = [&](double length) {
     return gripped_line_loads_for_length(nip, method, length, creep, work).load;
   };
@@ -120,14 +120,13 @@ LineLoadSolution gripped_line_loads_for_load(const data::ElasticNip& nip, const 
 }
 
 std::vector<CreepRange> creep_ranges(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                     double contact_length, const CreepConditions& conditions,
-                                     ContactWork* work) {
+                                     double contact_length, const CreepConditions& conditions, Work* work) {
   return ranges(solve(nip, method, contact_length, work), method.elements_per_side, conditions);
 }
 
 std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::ElasticNip& nip,
                                                              const LineLoadMethod& method,
-                                                             double contact_length, ContactWork* work) {
+                                                             double contact_length, Work* work) {
   const AffineSolution unknowns = solve(nip, method, contact_length, work);
   const std::optional<double> creep = least(ranges(unknowns, method.elements_per_side, {}));
   if (!creep) return std::nullopt;
@@ -136,7 +135,7 @@ std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::Elastic
 
 std::optional<LineLoadSolution> thesis_line_loads_for_load(const data::ElasticNip& nip,
                                                            const LineLoadMethod& method, double load,
-                                                           const LoadSearch& search, ContactWork* work) {
+                                                           const LoadSearch& search, Work* work) {
   std::optional<LineLoadSolution> last;
   const auto load_of_length = [&](double length) -> std::optional<double> {
     last = thesis_line_loads_for_length(nip, method, length, work);

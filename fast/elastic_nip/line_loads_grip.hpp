@@ -16,14 +16,13 @@ namespace nipref::fast {
 /// singular at single lengths, such as L/B = 0.3 for m = 2, 0.1 for m = 20, or half an element of 0.8
 /// half-thicknesses, and next to them the loads are nonsense: condition_number tells.
 LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, const LineLoadMethod& method,
-                                               double contact_length, double creep,
-                                               ContactWork* work = nullptr);
+                                               double contact_length, double creep, Work* work = nullptr);
 
 /// The solution of given load and creep whose length is nearest to that without friction. BadInput if the
 /// search leads to loads that are not positive: at a given creep the load need not rise with the length.
 LineLoadSolution gripped_line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method,
                                              double load, double creep, const LoadSearch& search = {},
-                                             ContactWork* work = nullptr);
+                                             Work* work = nullptr);
 
 /// Creep ratios from `lower` to `upper`, dimensionless.
 struct CreepRange {
@@ -41,20 +40,19 @@ struct CreepConditions {
 /// the creep, the limits are roots of linear and quadratic functions, found from one factorisation.
 std::vector<CreepRange> creep_ranges(const data::ElasticNip& nip, const LineLoadMethod& method,
                                      double contact_length, const CreepConditions& conditions = {},
-                                     ContactWork* work = nullptr);
+                                     Work* work = nullptr);
 
 /// The solution of given length and the thesis's own creep: of the least size among the ranges; nothing if
 /// there is none. (thesis 5.5)
 std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::ElasticNip& nip,
                                                              const LineLoadMethod& method,
-                                                             double contact_length,
-                                                             ContactWork* work = nullptr);
+                                                             double contact_length, Work* work = nullptr);
 
 /// The same for a given load, sought from the length without friction; nothing if a length on the way has no
 /// such creep.
 std::optional<LineLoadSolution> thesis_line_loads_for_load(const data::ElasticNip& nip,
                                                            const LineLoadMethod& method, double load,
                                                            const LoadSearch& search = {},
-                                                           ContactWork* work = nullptr);
+                                                           Work* work = nullptr);
 
 }  // namespace nipref::fast

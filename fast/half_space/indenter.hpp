@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast {
 

@@ -13,7 +13,7 @@ namespace {
 
 using internal::Two;
 
-constexpr Two kOne{1};
+constexpr Two one{1};
 
 /// Two words each: what cancels, and does so more and more towards the Rayleigh speed, keeps its digits.
 struct LineFunctions {
@@ -32,15 +32,15 @@ Two inverse_squared_pressure_speed(double poisson) {
 LineFunctions line_functions(Two X, Two below_shear, double poisson) {
   const Two ratio = inverse_squared_pressure_speed(poisson);
   const Two wS = sqrt(below_shear);
-  const Two wD = sqrt(kOne - ratio * X);
+  const Two wD = sqrt(one - ratio * X);
   // (1 - wS wD)/X, rationalised
-  const Two defect = (kOne + ratio * below_shear) / (kOne + wS * wD);
-  return {wS, wD, Two{4} - X - 4 * defect, twice(defect) - kOne};
+  const Two defect = (one + ratio * below_shear) / (one + wS * wD);
+  return {wS, wD, Two{4} - X - 4 * defect, twice(defect) - one};
 }
 
 bool subcritical(double speed, double poisson) {
   const Two X = internal::two_product(speed, speed);
-  const Two below_shear = kOne - X;
+  const Two below_shear = one - X;
   return below_shear.high > 0 && line_functions(X, below_shear, poisson).rayleigh.high > 0;
 }
 
@@ -63,9 +63,9 @@ LineFunctions line_functions(const data::IsotropicSolid& solid, double speed, Di
   const Two cosine2 = internal::two_product(from_motion.cosine, from_motion.cosine);
   const Two sine2 = internal::two_product(from_motion.sine, from_motion.sine);
   const Two speed2 = internal::two_product(speed, speed);
-  const Two shortening = kOne / (cosine2 + sine2);
+  const Two shortening = one / (cosine2 + sine2);
   const Two X = speed2 * cosine2 * shortening;
-  const Two below_shear = (sine2 + (kOne - speed2) * cosine2) * shortening;
+  const Two below_shear = (sine2 + (one - speed2) * cosine2) * shortening;
   if (below_shear.high > 0) {
     const LineFunctions functions = line_functions(X, below_shear, solid.poisson);
     if (functions.rayleigh.high > 0) return functions;
@@ -103,7 +103,7 @@ ShearResponse isotropic_shear_response(const data::IsotropicSolid& solid, double
                                        Direction from_motion) {
   const LineFunctions line = line_functions(solid, speed, from_motion);
   return {quotient(line.shear_decay, line.rayleigh, solid.shear),
-          quotient(kOne, line.shear_decay, solid.shear)};
+          quotient(one, line.shear_decay, solid.shear)};
 }
 
 double isotropic_rayleigh_speed(double poisson) {

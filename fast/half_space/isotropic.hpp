@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast {
 

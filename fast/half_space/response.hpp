@@ -1,9 +1,32 @@
 #pragma once
+#include <cmath>
 #include <functional>
 
-#include <nipref/fast/half_space/line_response.hpp>
-
 namespace nipref::fast {
+
+/// A direction in the surface of a half-space. Near 90 degrees its cosine keeps all its digits, which no
+/// angle in double does: that is where the cross direction of a sliding contact lives.
+struct Direction {
+  double cosine, sine;
+
+  static Direction of_angle(double psi) { return {std::cos(psi), std::sin(psi)}; }
+};
+
+/// What the surface of a half-space x3 > 0 answers along the lines x of one direction, when a load that
+/// depends on x only moves steadily: du3/dx = -compliance H[sigma33] - coupling tau - coupling_across tau'
+/// with H[f] = (1/pi) vp int f(xi)/(xi - x) dxi, tau = sigma_3x the shear traction along the line and tau'
+/// that across it, 90 degrees from x as x2 is from x1. In 1/stress. (brock2012 18a, brock2013 14)
+struct LineResponse {
+  double compliance, coupling;
+  double coupling_across = 0;  ///< 0 unless the solid distinguishes left and right of the line
+};
+
+/// The answer to what acts between two bodies: the shear on one is the reaction on the other. (brock2013
+/// 25b-c)
+inline LineResponse in_contact(const LineResponse& lower, const LineResponse& upper) {
+  return {lower.compliance + upper.compliance, lower.coupling - upper.coupling,
+          lower.coupling_across - upper.coupling_across};
+}
 
 /// What a contact needs to know of its two bodies: their answer along the lines of each direction, already
 /// joined by in_contact. Opposite directions have the same compliance and the same couplings.

@@ -86,7 +86,7 @@ double RollingSphere::span_ratio(Direction from_motion) const {
   return stiffness_along_ / shape(from_motion).stiffness();
 }
 
-RollingLine RollingSphere::along(Direction from_motion) const {
+ViscoelasticLine RollingSphere::along(Direction from_motion) const {
   const Shape line = shape(from_motion);
   const double span = span_.value * stiffness_along_ / line.stiffness();
   const double relative = span / radius_;
@@ -105,7 +105,7 @@ namespace {
 enum class Wave { cosine, sine };
 
 /// sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi; 0 outside the contact.
-double traction_wave(const RollingLine& line, double x, Wave wave) {
+double traction_wave(const ViscoelasticLine& line, double x, Wave wave) {
   if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
   const double ahead = line.span - 2 * x, behind = line.span + 2 * x;
   if (ahead <= 0 || behind <= 0) return 0;
@@ -116,15 +116,17 @@ double traction_wave(const RollingLine& line, double x, Wave wave) {
 
 }  // namespace
 
-double RollingLine::normal_traction(double x) const {
+double ViscoelasticLine::normal_traction(double x) const {
   return -amplitude * traction_wave(*this, x, Wave::cosine);
 }
 
-double RollingLine::shear_traction(double x) const {
+double ViscoelasticLine::shear_traction(double x) const {
   return shear_share * amplitude * traction_wave(*this, x, Wave::sine);
 }
 
-double RollingLine::compressed_radius() const { return span / 2 * std::tanh(std::numbers::pi / (4 * index)); }
+double ViscoelasticLine::compressed_radius() const {
+  return span / 2 * std::tanh(std::numbers::pi / (4 * index));
+}
 
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span) {

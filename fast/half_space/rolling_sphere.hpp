@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::fast {
@@ -10,7 +10,7 @@ namespace nipref::fast {
 ///   tau = shear_share amplitude/cos(Phi) sqrt(L^2 - 4x^2) sin(P ln((L-2x)/(L+2x)) + Phi),
 /// tan(Phi) = x/(2 r0 B), B = sqrt(wS/wD) - P L/(2 r0). They oscillate at the ends. (brock2012 49 with the
 /// sign of P, Phi and tau corrected)
-struct RollingLine {
+struct ViscoelasticLine {
   double span;         ///< L, unit of length
   double index;        ///< P of (brock2012 43b)
   double lean;         ///< 2 r0 B: x for which Phi is 45 degrees, unit of length
@@ -37,7 +37,7 @@ class RollingSphere {
   /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
   /// counted from the motion, of unit length.
   [[nodiscard]] double span_ratio(Direction from_motion) const;
-  [[nodiscard]] RollingLine along(Direction from_motion) const;
+  [[nodiscard]] ViscoelasticLine along(Direction from_motion) const;
 
  private:
   struct Shape;

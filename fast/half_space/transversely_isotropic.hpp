@@ -2,7 +2,7 @@
 #include <memory>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast {
 

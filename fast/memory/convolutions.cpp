@@ -11,17 +11,17 @@ namespace {
 using internal::Two;
 using Wide = long double;
 
-constexpr double kLargest = 1e150;
+constexpr double largest = 1e150;
 
 void check(const char* name, double value, double least) {
-  if (value >= least && value <= kLargest) return;
+  if (value >= least && value <= largest) return;
   throw data::BadInput(name, value, least < 0 ? "must be from -1e150 to 1e150" : "must be from 0 to 1e150");
 }
 
 void check_times(double lambda, double t, double T) {
   check("lambda", lambda, 0);
   check("t", t, 0);
-  check("T", T, -kLargest);
+  check("T", T, -largest);
 }
 
 struct Wave {
@@ -117,8 +117,8 @@ Wide faded_time(double lambda, double t, double first, double last) {
 
 double sign_memory(double gamma0, double gamma, double lambda, double t, double T) {
   check_times(lambda, t, T);
-  check("gamma0", gamma0, -kLargest);
-  check("gamma", gamma, -kLargest);
+  check("gamma0", gamma0, -largest);
+  check("gamma", gamma, -largest);
   const double passed = std::clamp(T, 0.0, t);
   const Wide before = passed > 0 ? faded_time(lambda, t, 0, passed) : 0;
   const Wide after = passed < t ? faded_time(lambda, t, passed, t) : 0;

@@ -111,29 +111,29 @@ MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed,
                                                fading(theta2_, {Kernel::I3, Kernel::I4})});
 }
 
-double MovingLoad::Un(double t, double T) const {
+double MovingLoad::normal_displacement(double t, double T) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   if (t == T) throw data::BadInput("T", T, "must differ from t: Un is infinite under the load");
-  return Un(journey(t, T));
+  return normal_displacement(journey(t, T));
 }
 
-double MovingLoad::Vn(double t, double T, double t0) const {
+double MovingLoad::tangential_displacement(double t, double T, double t0) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   check_argument("t0", t0, Domain::finite);
-  return Vn(journey(t, T), journey(t, t0));
+  return tangential_displacement(journey(t, T), journey(t, t0));
 }
 
-double MovingLoad::Un_steady(double alpha) const {
+double MovingLoad::steady_normal_displacement(double alpha) const {
   check_argument("alpha", alpha, Domain::finite_nonzero);
-  return Un(steady_journey(alpha));
+  return normal_displacement(steady_journey(alpha));
 }
 
-double MovingLoad::Vn_steady(double alpha, double eta) const {
+double MovingLoad::steady_tangential_displacement(double alpha, double eta) const {
   check_argument("alpha", alpha, Domain::finite);
   check_argument("eta", eta, Domain::finite);
-  return Vn(steady_journey(alpha), steady_journey(eta));
+  return tangential_displacement(steady_journey(alpha), steady_journey(eta));
 }
 
 MovingLoad::Journey MovingLoad::steady_journey(double alpha) const {
@@ -145,7 +145,7 @@ MovingLoad::Journey MovingLoad::journey(double t, double T) const {
   return {place({t, 0}), spot(place(two_sum(T, -t)), accuracy_), spot(place({T, 0}), accuracy_)};
 }
 
-double MovingLoad::Un(const Journey& journey) const {
+double MovingLoad::normal_displacement(const Journey& journey) const {
   double sum = normal_.instantaneous * kernel_at(Kernel::I1, journey.start, accuracy_);
   if (journey.length.high > 0) {
     sum += over_terms(normal_, fades_->normal, time_unit_,
@@ -154,7 +154,7 @@ double MovingLoad::Un(const Journey& journey) const {
   return sum / pi;
 }
 
-double MovingLoad::Vn(const Journey& to_point, const Journey& to_pin) const {
+double MovingLoad::tangential_displacement(const Journey& to_point, const Journey& to_pin) const {
   const double under_point = kernel_at(Kernel::I3, to_point.start, accuracy_);
   double sum = theta1_.instantaneous * (under_point - kernel_at(Kernel::I5, to_pin.start, accuracy_)) +
                theta2_.instantaneous *

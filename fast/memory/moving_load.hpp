@@ -28,24 +28,24 @@ class MovingLoad {
              Accuracy accuracy = {});
 
   /// Normal displacement towards the middle plane, 1/stress.
-  [[nodiscard]] double Un(double t, double T) const;
+  [[nodiscard]] double normal_displacement(double t, double T) const;
 
   /// Displacement along the sheet against the pinned point, 1/stress.
-  [[nodiscard]] double Vn(double t, double T, double t0) const;
+  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
   /// Un of a load that started infinitely long ago. alpha: either sign, not 0.
-  [[nodiscard]] double Un_steady(double alpha) const;
+  [[nodiscard]] double steady_normal_displacement(double alpha) const;
 
   /// Vn of a load that started infinitely long ago.
-  [[nodiscard]] double Vn_steady(double alpha, double eta) const;
+  [[nodiscard]] double steady_tangential_displacement(double alpha, double eta) const;
 
  private:
   struct Journey;
   struct Fades;
   [[nodiscard]] Journey journey(double t, double T) const;
   [[nodiscard]] Journey steady_journey(double alpha) const;
-  [[nodiscard]] double Un(const Journey& journey) const;
-  [[nodiscard]] double Vn(const Journey& to_point, const Journey& to_pin) const;
+  [[nodiscard]] double normal_displacement(const Journey& journey) const;
+  [[nodiscard]] double tangential_displacement(const Journey& to_point, const Journey& to_pin) const;
 
   data::MaterialFunction theta1_, theta2_, normal_;
   internal::Two way_per_time_, time_unit_;  ///< F0/b and b/F0

@@ -136,15 +136,16 @@ double PlainMovingLoad::remembered(const Kernel& kernel, const Memory& memory, d
   return remembered(kernel, memory, t, T, sums(kernel, std::fabs(T - t)), sums(kernel, std::fabs(T)));
 }
 
-double PlainMovingLoad::Un(double t, double T, const Sums& at_alpha, const Sums& at_T) const {
+double PlainMovingLoad::normal_displacement(double t, double T, const Sums& at_alpha,
+                                            const Sums& at_T) const {
   return remembered(normal_, both_, t, T, at_alpha, at_T) / pi;
 }
 
-double PlainMovingLoad::Un(double t, double T) const {
-  return Un(t, T, normal_sums(std::fabs(T - t)), normal_sums(std::fabs(T)));
+double PlainMovingLoad::normal_displacement(double t, double T) const {
+  return normal_displacement(t, T, normal_sums(std::fabs(T - t)), normal_sums(std::fabs(T)));
 }
 
-double PlainMovingLoad::Vn(double t, double T, double t0) const {
+double PlainMovingLoad::tangential_displacement(double t, double T, double t0) const {
   return (remembered(tangential_, both_, t, T) - remembered(sign_, theta2_, t, T) +
           remembered(pinned_theta2_, theta2_, t, t0) - remembered(pinned_theta1_, theta1_, t, t0)) /
          pi;

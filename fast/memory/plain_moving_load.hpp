@@ -31,11 +31,11 @@ class PlainMovingLoad {
 
   /// Normal displacement by the unit normal load that started at t = 0, 1/stress. `at_alpha` and `at_T` are
   /// normal_sums(|T - t|) and normal_sums(|T|). (thesis 6.23, 6.25)
-  [[nodiscard]] double Un(double t, double T, const Sums& at_alpha, const Sums& at_T) const;
-  [[nodiscard]] double Un(double t, double T) const;
+  [[nodiscard]] double normal_displacement(double t, double T, const Sums& at_alpha, const Sums& at_T) const;
+  [[nodiscard]] double normal_displacement(double t, double T) const;
   /// Tangential displacement by that load, relative to the pinned point, which the load reaches at t0.
   /// (thesis 6.24, 6.26-6.28)
-  [[nodiscard]] double Vn(double t, double T, double t0) const;
+  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
  private:
   /// A kernel: parity, its constant at infinity, its residue coefficients and their sums at 0.

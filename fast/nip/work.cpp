@@ -4,7 +4,7 @@
 
 namespace nipref::fast {
 
-ContactWork& ContactWork::operator+=(const ContactWork& other) {
+Work& Work::operator+=(const Work& other) {
   for (std::size_t kernel = 0; kernel < kernel_evaluations.size(); ++kernel) {
     kernel_evaluations[kernel] += other.kernel_evaluations[kernel];
   }

@@ -5,7 +5,7 @@
 namespace nipref::fast {
 
 /// What solving a contact has cost so far: counts, not times.
-struct ContactWork {
+struct Work {
   /// Values taken of the kernels I1 .. I7, in this order. I2, a sign, is not counted.
   std::array<std::uint64_t, 7> kernel_evaluations{};
   std::uint64_t terms = 0;           ///< series terms behind those values
@@ -13,7 +13,7 @@ struct ContactWork {
   int unknowns = 0;                  ///< of the largest of them
   std::uint64_t line_responses = 0;  ///< compliances and couplings of lines on half-spaces
 
-  ContactWork& operator+=(const ContactWork& other);
+  Work& operator+=(const Work& other);
 };
 
 }  // namespace nipref::fast

@@ -4,11 +4,11 @@
 
 namespace nipref::fast {
 
-static_assert(Accuracy().tier() == internal::kFullTier &&
-              internal::cheapest_tier(Accuracy::kBest) == internal::kFullTier);
+static_assert(Accuracy().tier() == internal::full_tier &&
+              internal::cheapest_tier(Accuracy::best_rtol) == internal::full_tier);
 
 Accuracy::Accuracy(double rtol) : rtol_(rtol) {
-  if (!(rtol >= kBest && rtol < 1)) {
+  if (!(rtol >= best_rtol && rtol < 1)) {
     throw data::BadInput("rtol", rtol,
                          "must satisfy 4.44e-16 <= rtol < 1 (best reachable: 2^-51 = 4.44e-16)");
   }

@@ -11,7 +11,7 @@ namespace nipref::fast {
 class Accuracy {
  public:
   /// The best that can be asked for: 2 units in the last place, 2^-51.
-  static constexpr double kBest = 0x1p-51;
+  static constexpr double best_rtol = 0x1p-51;
 
   /// Full double accuracy.
   constexpr Accuracy() = default;
@@ -23,11 +23,11 @@ class Accuracy {
   /// The tolerance asked for.
   [[nodiscard]] constexpr double rtol() const { return rtol_; }
 
-  /// Position in the ladder of internal::kTiers (sheet_tiers.hpp), 0 the cheapest.
+  /// Position in the ladder of internal::tier_works (sheet_tiers.hpp), 0 the cheapest.
   [[nodiscard]] constexpr int tier() const { return tier_; }
 
  private:
-  double rtol_ = kBest;
+  double rtol_ = best_rtol;
   int tier_ = 4;
 };
 

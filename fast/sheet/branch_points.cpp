@@ -10,8 +10,8 @@ namespace {
 
 /// The octaves [1/8, 1/4) and [1/4, 1/2), and where the others begin, down to the denormal numbers.
 void add_log_cells(std::vector<double>& points) {
-  for (double cell = 0; cell < internal::kLogCells; ++cell) {
-    const double mantissa = 1 + cell / internal::kLogCells;
+  for (double cell = 0; cell < internal::log_cells; ++cell) {
+    const double mantissa = 1 + cell / internal::log_cells;
     points.push_back(mantissa / 4);
     points.push_back(mantissa / 8);
   }
@@ -25,18 +25,18 @@ void add_piece_edges(std::vector<double>& points, double begin, double end, doub
 
 /// The first cells of the exponential or of the phase.
 void add_tail_cells(std::vector<double>& points, double cells_per_unit, int cells) {
-  const double first = std::ceil(internal::kPieceEnd * cells_per_unit) + 0.5;
+  const double first = std::ceil(internal::piece_end * cells_per_unit) + 0.5;
   for (int cell = 0; cell < cells; ++cell) points.push_back((first + cell) / cells_per_unit);
 }
 
 std::vector<double> all_points() {
-  std::vector<double> points{internal::kNearEnd, internal::kFineEnd, internal::kPieceEnd,
-                             internal::kUnderflown};
+  std::vector<double> points{internal::near_end, internal::fine_end, internal::piece_end,
+                             internal::underflown};
   add_log_cells(points);
-  add_piece_edges(points, 0, internal::kFineEnd, 1 / internal::kFinePieces);
-  add_piece_edges(points, internal::kFineEnd, internal::kPieceEnd, 1 / internal::kCoarsePieces);
-  add_tail_cells(points, internal::kCommonTable.decay_high, internal::kExponentialCells);
-  add_tail_cells(points, internal::kCommonTable.phase_high, internal::kPhaseCells);
+  add_piece_edges(points, 0, internal::fine_end, 1 / internal::fine_pieces);
+  add_piece_edges(points, internal::fine_end, internal::piece_end, 1 / internal::coarse_pieces);
+  add_tail_cells(points, internal::common_table.decay_high, internal::exponential_cells);
+  add_tail_cells(points, internal::common_table.phase_high, internal::phase_cells);
   std::sort(points.begin(), points.end());
   return points;
 }
@@ -44,8 +44,8 @@ std::vector<double> all_points() {
 }  // namespace
 
 std::span<const double> branch_points() {
-  static const std::vector<double> kPoints = all_points();
-  return kPoints;
+  static const std::vector<double> all = all_points();
+  return all;
 }
 
 }  // namespace nipref::fast

@@ -8,7 +8,7 @@
 namespace nipref::fast {
 namespace {
 
-constexpr double kInversePi = std::numbers::inv_pi;
+constexpr double inverse_pi = std::numbers::inv_pi;
 
 /// The ratios theta1/N and theta2/N do not depend on Young's modulus: any will do for the check.
 void check_poisson(double poisson) { data::ElasticMaterial{1, poisson}.check(); }
@@ -18,11 +18,11 @@ double theta1_share(double poisson) { return 1 / (2 * (1 - poisson)); }
 double theta2_share(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
 
 double normal_step(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {
-  return (material.normal_compliance() * I3(alpha, accuracy) - material.theta2() * I2(alpha)) * kInversePi;
+  return (material.normal_compliance() * I3(alpha, accuracy) - material.theta2() * I2(alpha)) * inverse_pi;
 }
 
 double F1_of_checked(double eta, double poisson, Accuracy accuracy) {
-  return (theta2_share(poisson) * I4(eta, accuracy) - theta1_share(poisson) * I5(eta, accuracy)) * kInversePi;
+  return (theta2_share(poisson) * I4(eta, accuracy) - theta1_share(poisson) * I5(eta, accuracy)) * inverse_pi;
 }
 
 }  // namespace
@@ -37,12 +37,12 @@ double F2(double eta, double poisson, Accuracy accuracy) {
   const double i7 = I7(eta, accuracy);
   const int part = static_cast<int>(internal::Component::eta_part_of_I6);
   const double s = internal::sheet_code().scalar[part][accuracy.tier()](eta);
-  return std::fabs(eta) / 4 + (theta1_share(poisson) * i7 - s) * kInversePi;
+  return std::fabs(eta) / 4 + (theta1_share(poisson) * i7 - s) * inverse_pi;
 }
 
 double un(double alpha, const data::ElasticMaterial& material, Accuracy accuracy) {
   material.check();
-  return material.normal_compliance() * kInversePi * I1(alpha, accuracy);
+  return material.normal_compliance() * inverse_pi * I1(alpha, accuracy);
 }
 
 double vn(double alpha, double eta, const data::ElasticMaterial& material, Accuracy accuracy) {
@@ -59,14 +59,14 @@ double us(double alpha, const data::ElasticMaterial& material, Accuracy accuracy
 double vs(double alpha, double eta, const data::ElasticMaterial& material, Accuracy accuracy) {
   material.check();
   return (material.normal_compliance() * I6(alpha, eta, accuracy) + material.theta1() * I7(eta, accuracy)) *
-         kInversePi;
+         inverse_pi;
 }
 
 void un(std::span<const double> alpha, const data::ElasticMaterial& material, std::span<double> value,
         Accuracy accuracy) {
   material.check();
   I1(alpha, value, accuracy);
-  const double factor = material.normal_compliance() * kInversePi;
+  const double factor = material.normal_compliance() * inverse_pi;
   for (double& displacement : value) displacement *= factor;
 }
 

@@ -26,21 +26,21 @@ MapAndSlope map(Complex z) {
 }  // namespace
 
 std::complex<double> sheet_root(int n) {
-  constexpr int kLargest = 1000000;
-  if (n < 1 || n > kLargest) throw data::BadInput("n", n, "must satisfy 1 <= n <= 1000000");
-  constexpr double kPiLow = 0x1.1a62633145c07p-53;
+  constexpr int largest = 1000000;
+  if (n < 1 || n > largest) throw data::BadInput("n", n, "must satisfy 1 <= n <= 1000000");
+  constexpr double pi_low = 0x1.1a62633145c07p-53;
   const double height = std::numbers::pi * n;
   // The guess is off by ln(n)/(pi n) at most and the slope of the map is 1/(2z): four Newton steps leave
   // 1e-30.
-  constexpr int kSteps = 4;
+  constexpr int steps = 4;
   Complex z(0.5 * std::log(4 * (height - std::numbers::pi / 4)), height - std::numbers::pi / 4);
-  for (int step = 0; step < kSteps; ++step) {
+  for (int step = 0; step < steps; ++step) {
     const MapAndSlope at = map(z);
     z += (at.value + Complex(0, height) - z) / (1.0 - at.slope);
   }
   // Once more without Newton's difference, whose rounding is that of z: the map contracts what is left.
   const Complex value = map(z).value;
-  return {value.real(), std::fma(n, std::numbers::pi, n * kPiLow + value.imag())};
+  return {value.real(), std::fma(n, std::numbers::pi, n * pi_low + value.imag())};
 }
 
 }  // namespace nipref::fast

@@ -20,7 +20,7 @@ std::vector<MemoryTerm> memory_terms(const data::MaterialFunction& function, dou
   return terms;
 }
 
-RollingMaterial rolling_material(const data::ViscoelasticNip& nip) {
+ViscoelasticMaterial viscoelastic_material(const data::ViscoelasticNip& nip) {
   const data::MaterialFunction normal = nip.material.normal_compliance();
   const double half_thicknesses_per_time = nip.speed / nip.half_thickness();
   const double compliance = normal.instantaneous;
@@ -35,13 +35,13 @@ ContactUnits units_of(const data::ViscoelasticNip& nip) {
 
 }  // namespace
 
-struct RollingContact::Implementation {
-  Implementation(const data::ViscoelasticNip& nip, RollingLadder solved)
+struct ConvergedViscoelasticNip::Implementation {
+  Implementation(const data::ViscoelasticNip& nip, ViscoelasticLadder solved)
       : units(units_of(nip)), roller_radius(nip.roller_radius), ladder(std::move(solved)) {}
 
   ContactUnits units;
   double roller_radius;
-  RollingLadder ladder;
+  ViscoelasticLadder ladder;
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
   /// Dimensionless Y.
@@ -51,54 +51,54 @@ struct RollingContact::Implementation {
   }
 };
 
-RollingContact::RollingContact(std::unique_ptr<Implementation> implementation)
+ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
-RollingContact::RollingContact(RollingContact&&) noexcept = default;
-RollingContact::~RollingContact() = default;
+ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept = default;
+ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
-Estimate RollingContact::contact_length() const {
+Estimate ConvergedViscoelasticNip::contact_length() const {
   const auto& [units, radius, ladder] = *implementation_;
-  return times(2 * units.length, ladder.estimate(std::mem_fn(&RollingPressure::half_length)));
+  return times(2 * units.length, ladder.estimate(std::mem_fn(&ViscoelasticPressure::half_length)));
 }
 
-Estimate RollingContact::leading_length() const {
+Estimate ConvergedViscoelasticNip::leading_length() const {
   const auto& [units, radius, ladder] = *implementation_;
-  return times(units.length, ladder.estimate(std::mem_fn(&RollingPressure::leading_length),
+  return times(units.length, ladder.estimate(std::mem_fn(&ViscoelasticPressure::leading_length),
                                              implementation_->half_length()));
 }
 
-Estimate RollingContact::trailing_length() const {
+Estimate ConvergedViscoelasticNip::trailing_length() const {
   const auto& [units, radius, ladder] = *implementation_;
-  return times(units.length, ladder.estimate(std::mem_fn(&RollingPressure::trailing_length),
+  return times(units.length, ladder.estimate(std::mem_fn(&ViscoelasticPressure::trailing_length),
                                              implementation_->half_length()));
 }
 
-Estimate RollingContact::load() const {
+Estimate ConvergedViscoelasticNip::load() const {
   const auto& [units, radius, ladder] = *implementation_;
-  return times(units.load, ladder.estimate(std::mem_fn(&RollingPressure::load)));
+  return times(units.load, ladder.estimate(std::mem_fn(&ViscoelasticPressure::load)));
 }
 
-Estimate RollingContact::indentation() const {
+Estimate ConvergedViscoelasticNip::indentation() const {
   const auto& [units, radius, ladder] = *implementation_;
   return times(units.displacement, ladder.estimate(fast::indentation));
 }
 
-Estimate RollingContact::leading_displacement() const {
+Estimate ConvergedViscoelasticNip::leading_displacement() const {
   const auto& [units, radius, ladder] = *implementation_;
-  return times(units.displacement, ladder.estimate(std::mem_fn(&RollingPressure::edge_displacement),
+  return times(units.displacement, ladder.estimate(std::mem_fn(&ViscoelasticPressure::edge_displacement),
                                                    std::pow(implementation_->half_length(), 2)));
 }
 
-Estimate RollingContact::trailing_displacement() const {
+Estimate ConvergedViscoelasticNip::trailing_displacement() const {
   const auto& [units, radius, ladder] = *implementation_;
   return times(units.displacement,
                ladder.estimate(fast::trailing_displacement, std::pow(implementation_->half_length(), 2)));
 }
 
-Estimate RollingContact::pressure(double y) const {
+Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto& [units, radius, ladder] = *implementation_;
   const double position = implementation_->position(y);
-  const auto at = [&](const RollingPressure& contact) {
+  const auto at = [&](const ViscoelasticPressure& contact) {
     const ContactPlace place = contact.place(position);
     return place.e > 0 ? contact.pressure(place) : 0;
   };
@@ -107,20 +107,20 @@ Estimate RollingContact::pressure(double y) const {
   return times(units.pressure, ladder.estimate(at, inside ? middle : 0));
 }
 
-Estimate RollingContact::peak_pressure() const {
+Estimate ConvergedViscoelasticNip::peak_pressure() const {
   const auto& [units, radius, ladder] = *implementation_;
   return times(units.pressure, ladder.estimate(fast::peak_pressure));
 }
 
-Estimate RollingContact::rolling_resistance() const {
+Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   const auto& [units, radius, ladder] = *implementation_;
   return times(units.length / radius, ladder.estimate_down_to_rounding(fast::eccentricity));
 }
 
-Estimate RollingContact::creep_ratio() const {
+Estimate ConvergedViscoelasticNip::creep_ratio() const {
   const auto& [units, radius, ladder] = *implementation_;
-  ContactKernels kernels = ladder.kernels();
-  const auto stretch = [&](const RollingPressure& contact) {
+  CountedKernels kernels = ladder.kernels();
+  const auto stretch = [&](const ViscoelasticPressure& contact) {
     const double change =
         contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels);
     return change / (2 * contact.half_length());
@@ -128,23 +128,23 @@ Estimate RollingContact::creep_ratio() const {
   return times(units.creep, ladder.estimate(stretch, implementation_->half_length()));
 }
 
-Estimate RollingContact::normal_displacement(double y) const {
+Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const auto& [units, radius, ladder] = *implementation_;
   const double position = implementation_->position(y);
-  ContactKernels kernels = ladder.kernels();
-  const auto displacement = [&](const RollingPressure& contact) {
+  CountedKernels kernels = ladder.kernels();
+  const auto displacement = [&](const ViscoelasticPressure& contact) {
     return contact.normal_displacement(contact.place(position), ladder.tolerance(), kernels);
   };
   return times(units.displacement,
                ladder.estimate(displacement, std::pow(implementation_->half_length(), 2)));
 }
 
-Estimate RollingContact::tangential_displacement(double y) const {
+Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const auto& [units, radius, ladder] = *implementation_;
   const double position = implementation_->position(y);
   if (position == 0) return {0, 0};
-  ContactKernels kernels = ladder.kernels();
-  const auto displacement = [&](const RollingPressure& contact) {
+  CountedKernels kernels = ladder.kernels();
+  const auto displacement = [&](const ViscoelasticPressure& contact) {
     return contact.tangential_displacement(contact.place(position), contact.place(0), ladder.tolerance(),
                                            kernels);
   };
@@ -153,25 +153,26 @@ Estimate RollingContact::tangential_displacement(double y) const {
                ladder.estimate(displacement, half_length * std::min(std::fabs(position), half_length)));
 }
 
-ContactWork RollingContact::work() const { return implementation_->ladder.work(); }
+Work ConvergedViscoelasticNip::work() const { return implementation_->ladder.work(); }
 
-RollingContact rolling_for_length(const data::ViscoelasticNip& nip, double contact_length, double accuracy) {
+ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
+                                              double accuracy) {
   nip.check();
   check_contact_accuracy(accuracy);
   check_contact_length(shape(nip), contact_length);
-  return RollingContact(std::make_unique<RollingContact::Implementation>(
-      nip,
-      RollingLadder::at_half_length(contact_length / nip.sheet_thickness, rolling_material(nip), accuracy)));
+  return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
+      nip, ViscoelasticLadder::at_half_length(contact_length / nip.sheet_thickness,
+                                              viscoelastic_material(nip), accuracy)));
 }
 
-RollingContact rolling_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
+ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
   nip.check();
   check_contact_accuracy(accuracy);
   check_contact_load(load);
-  auto solved = std::make_unique<RollingContact::Implementation>(
-      nip, RollingLadder::at_load(load / units_of(nip).load, rolling_material(nip), accuracy));
+  auto solved = std::make_unique<ConvergedViscoelasticNip::Implementation>(
+      nip, ViscoelasticLadder::at_load(load / units_of(nip).load, viscoelastic_material(nip), accuracy));
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
-  return RollingContact(std::move(solved));
+  return ConvergedViscoelasticNip(std::move(solved));
 }
 
 }  // namespace nipref::fast

@@ -20,10 +20,10 @@ namespace nipref::fast {
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
 /// (entry) side, any finite value, unit of length; otherwise BadInput.
-class RollingContact {
+class ConvergedViscoelasticNip {
  public:
-  RollingContact(RollingContact&&) noexcept;
-  ~RollingContact();
+  ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept;
+  ~ConvergedViscoelasticNip();
 
   [[nodiscard]] Estimate contact_length() const;   ///< L = L1 + L2, unit of length
   [[nodiscard]] Estimate leading_length() const;   ///< L1, contact on the entry side, unit of length
@@ -42,22 +42,23 @@ class RollingContact {
   [[nodiscard]] Estimate normal_displacement(
       double y) const;  ///< u, towards the middle plane, unit of length
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
-  [[nodiscard]] ContactWork work() const;                          ///< spent so far
+  [[nodiscard]] Work work() const;                                 ///< spent so far
 
  private:
   struct Implementation;
-  explicit RollingContact(std::unique_ptr<Implementation> implementation);
+  explicit ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
-  friend RollingContact rolling_for_length(const data::ViscoelasticNip&, double, double);
-  friend RollingContact rolling_for_load(const data::ViscoelasticNip&, double, double);
+  friend ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip&, double, double);
+  friend ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip&, double, double);
 };
 
 /// The contact of length L = `contact_length`, unit of length: 1e-8 <= L/B <= 1e4 and L <= R, beyond which
 /// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise.
-RollingContact rolling_for_length(const data::ViscoelasticNip& nip, double contact_length, double accuracy);
+ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
+                                              double accuracy);
 
 /// The contact that carries `load` per unit width, > 0 and finite, such that the contact length is as above;
 /// BadInput otherwise.
-RollingContact rolling_for_load(const data::ViscoelasticNip& nip, double load, double accuracy);
+ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, double accuracy);
 
 }  // namespace nipref::fast

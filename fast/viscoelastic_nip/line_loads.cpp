@@ -31,9 +31,12 @@ class Sheet {
   }
 
   [[nodiscard]] const PlainMovingLoad* plain() const { return plain_ ? &*plain_ : nullptr; }
-  [[nodiscard]] double Un(double t, double T) const { return exact_->Un(t * time_, T * time_); }
-  [[nodiscard]] double Vn(double t, double T, double t0) const {
-    return plain_ ? plain_->Vn(t, T, t0) : exact_->Vn(t * time_, T * time_, t0 * time_);
+  [[nodiscard]] double normal_displacement(double t, double T) const {
+    return exact_->normal_displacement(t * time_, T * time_);
+  }
+  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const {
+    return plain_ ? plain_->tangential_displacement(t, T, t0)
+                  : exact_->tangential_displacement(t * time_, T * time_, t0 * time_);
   }
 
  private:
@@ -55,7 +58,7 @@ struct Grid {
   [[nodiscard]] double position(int j) const { return (2 * leading - 1 - 2 * j) * element; }
 };
 
-Grid grid(const data::ViscoelasticNip& nip, const RollingLineLoadMethod& method, double leading_length) {
+Grid grid(const data::ViscoelasticNip& nip, const ViscoelasticLineLoadMethod& method, double leading_length) {
   return {leading_length / (2 * method.leading_elements * nip.half_thickness()), method.approach,
           method.leading_elements, method.leading_elements + method.trailing_elements};
 }
@@ -69,8 +72,8 @@ Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) 
   for (int i = 0; i <= grid.loads; ++i) {
     for (int j = 0; j < grid.loads; ++j) {
       const int k = j >= i ? j - i : i - j - 1;
-      matrix(i, j) = sheet.Un(grid.t(i), grid.T(j), at_distance[static_cast<std::size_t>(k)],
-                              at_T[static_cast<std::size_t>(j)]);
+      matrix(i, j) = sheet.normal_displacement(grid.t(i), grid.T(j), at_distance[static_cast<std::size_t>(k)],
+                                               at_T[static_cast<std::size_t>(j)]);
     }
   }
   return matrix;
@@ -79,12 +82,12 @@ Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) 
 Eigen::MatrixXd influence(const Sheet& sheet, const Grid& grid) {
   if (sheet.plain() != nullptr) return plain_influence(*sheet.plain(), grid);
   return Eigen::MatrixXd::NullaryExpr(grid.loads + 1, grid.loads, [&](Eigen::Index i, Eigen::Index j) {
-    return sheet.Un(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
+    return sheet.normal_displacement(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
   });
 }
 
-RollingLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
-                       const RollingLineLoadMethod& method, double leading_length) {
+ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
+                            const ViscoelasticLineLoadMethod& method, double leading_length) {
   const Grid cells = grid(nip, method, leading_length);
   const double half_thickness = nip.half_thickness();
   Eigen::MatrixXd matrix(cells.loads + 1, cells.loads + 1);
@@ -99,7 +102,7 @@ RollingLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
   }
   const Eigen::VectorXd solved = matrix.partialPivLu().solve(gap);
 
-  RollingLineLoads result{};
+  ViscoelasticLineLoads result{};
   result.systems = 1;
   result.leading_length = leading_length;
   result.trailing_length = 2 * method.trailing_elements * cells.element * half_thickness;
@@ -119,8 +122,8 @@ RollingLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
   return result;
 }
 
-RollingLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& sheet,
-                                const RollingLineLoadMethod& method, double load) {
+ViscoelasticLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& sheet,
+                                     const ViscoelasticLineLoadMethod& method, double load) {
   // (2.13) converges slowly but surely; from its second step on the secant of ln(load) over ln(length) is
   // better.
   double length = std::sqrt(load * nip.roller_radius * nip.material.normal_compliance().instantaneous);
@@ -128,7 +131,7 @@ RollingLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& s
   double last_log_length = 0, last_excess = 0;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     length = std::min(length, nip.roller_radius);
-    RollingLineLoads result = solve(nip, sheet, method, length);
+    ViscoelasticLineLoads result = solve(nip, sheet, method, length);
     result.systems = iteration + 1;
     if (!(result.load > 0)) {
       length *= 0.7;
@@ -158,7 +161,7 @@ void check_load(double load) {
 
 }  // namespace
 
-void RollingLineLoadMethod::check() const {
+void ViscoelasticLineLoadMethod::check() const {
   check_elements("leading_elements", leading_elements, 1);
   check_elements("trailing_elements", trailing_elements, 0);
   if (!(std::isfinite(approach) && approach > 0))
@@ -168,12 +171,13 @@ void RollingLineLoadMethod::check() const {
   }
 }
 
-bool RollingLineLoads::presses_everywhere() const {
+bool ViscoelasticLineLoads::presses_everywhere() const {
   return std::ranges::all_of(loads, [](double force) { return force >= 0; });
 }
 
-RollingLineLoads rolling_line_loads_for_length(const data::ViscoelasticNip& nip,
-                                               const RollingLineLoadMethod& method, double leading_length) {
+ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::ViscoelasticNip& nip,
+                                                         const ViscoelasticLineLoadMethod& method,
+                                                         double leading_length) {
   nip.check();
   method.check();
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
@@ -181,30 +185,31 @@ RollingLineLoads rolling_line_loads_for_length(const data::ViscoelasticNip& nip,
   return solve(nip, Sheet(nip, method.residue_terms), method, leading_length);
 }
 
-RollingLineLoads rolling_line_loads_for_load(const data::ViscoelasticNip& nip,
-                                             const RollingLineLoadMethod& method, double load) {
+ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
+                                                       const ViscoelasticLineLoadMethod& method,
+                                                       double load) {
   nip.check();
   method.check();
   check_load(load);
   return solve_for_load(nip, Sheet(nip, method.residue_terms), method, load);
 }
 
-RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, RollingLineLoadMethod method,
-                                              double load) {
+ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::ViscoelasticNip& nip,
+                                                        ViscoelasticLineLoadMethod method, double load) {
   nip.check();
   check_load(load);
   method.trailing_elements = method.leading_elements;
   method.check();
   const Sheet sheet(nip, method.residue_terms);
   for (int systems = 0;; --method.trailing_elements) {
-    RollingLineLoads result = solve_for_load(nip, sheet, method, load);
+    ViscoelasticLineLoads result = solve_for_load(nip, sheet, method, load);
     result.systems = systems += result.systems;
     if (result.presses_everywhere() || method.trailing_elements == 0) return result;
   }
 }
 
-double creep_ratio(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
-                   const RollingLineLoadMethod& method) {
+double creep_ratio(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
+                   const ViscoelasticLineLoadMethod& method) {
   method.check();
   const Sheet sheet(nip, method.residue_terms);
   const Grid cells = grid(nip, method, loads.leading_length);
@@ -213,7 +218,7 @@ double creep_ratio(const data::ViscoelasticNip& nip, const RollingLineLoads& loa
     // The pinned point is where the rollers' centres are when the matching point is at i.
     for (int j = 0; j < cells.loads; ++j)
       sum += loads.loads[static_cast<std::size_t>(j)] *
-             sheet.Vn(cells.t(i), cells.T(j), cells.t(i) - cells.position(j));
+             sheet.tangential_displacement(cells.t(i), cells.T(j), cells.t(i) - cells.position(j));
     return sum;
   };
   return (tangential(0) - tangential(cells.loads)) / loads.contact_length();

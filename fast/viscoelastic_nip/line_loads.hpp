@@ -7,7 +7,7 @@ namespace nipref::fast {
 
 /// The thesis's discretisation of the viscoelastic nip: line loads at the centres of equal elements that
 /// started, all at once, `approach` before the first matching point came into the nip. (thesis 2.2, 7.2)
-struct RollingLineLoadMethod {
+struct ViscoelasticLineLoadMethod {
   int leading_elements;   ///< m1, >= 1; at most 500
   int trailing_elements;  ///< m2, >= 0; at most 500
   double approach;        ///< C_L, half-thicknesses, > 0
@@ -17,7 +17,7 @@ struct RollingLineLoadMethod {
   void check() const;
 };
 
-struct RollingLineLoads {
+struct ViscoelasticLineLoads {
   double leading_length;         ///< L1, unit of length
   double trailing_length;        ///< L2
   double indentation;            ///< d0
@@ -36,22 +36,23 @@ struct RollingLineLoads {
 };
 
 /// (7.6)-(7.11) for a given leading length L1, > 0 and at most the roller's radius; otherwise BadInput.
-RollingLineLoads rolling_line_loads_for_length(const data::ViscoelasticNip& nip,
-                                               const RollingLineLoadMethod& method, double leading_length);
+ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::ViscoelasticNip& nip,
+                                                         const ViscoelasticLineLoadMethod& method,
+                                                         double leading_length);
 
 /// The same with the length that carries `load`, found by (2.13) to 1e-10 of the load; > 0, otherwise
 /// BadInput.
-RollingLineLoads rolling_line_loads_for_load(const data::ViscoelasticNip& nip,
-                                             const RollingLineLoadMethod& method, double load);
+ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
+                                                       const ViscoelasticLineLoadMethod& method, double load);
 
 /// The thesis's search for m2: from m1 down to the first that leaves no tension at `load`;
 /// method.trailing_elements is not used. (thesis 2.5)
-RollingLineLoads rolling_line_loads_by_search(const data::ViscoelasticNip& nip, RollingLineLoadMethod method,
-                                              double load);
+ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::ViscoelasticNip& nip,
+                                                        ViscoelasticLineLoadMethod method, double load);
 
 /// (v(L1) - v(-L2))/L, v relative to the point of the middle plane on the line through the rollers' centres;
 /// dimensionless. (thesis 7.16, 7.17)
-double creep_ratio(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
-                   const RollingLineLoadMethod& method);
+double creep_ratio(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
+                   const ViscoelasticLineLoadMethod& method);
 
 }  // namespace nipref::fast

@@ -16,8 +16,8 @@ using data::BadInput;
 /// In half-thicknesses, and times in half-thickness/speed.
 class Surface {
  public:
-  Surface(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
-          const RollingLineLoadMethod& method)
+  Surface(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
+          const ViscoelasticLineLoadMethod& method)
       : nip_(nip), loads_(loads), method_(method), half_thickness_(nip.half_thickness()) {
     nip.check();
     method.check();
@@ -46,22 +46,24 @@ class Surface {
   [[nodiscard]] double normal(double y) const {
     if (method_.residue_terms > 0) {
       const PlainMovingLoad load(nip_.material, nip_.speed, half_thickness_, method_.residue_terms);
-      return sum(y, [&](double t, double T, double) { return load.Un(t, T); });
+      return sum(y, [&](double t, double T, double) { return load.normal_displacement(t, T); });
     }
     const MovingLoad load(nip_.material, nip_.speed, half_thickness_);
     const double unit = half_thickness_ / nip_.speed;
-    return sum(y, [&](double t, double T, double) { return load.Un(t * unit, T * unit); });
+    return sum(y, [&](double t, double T, double) { return load.normal_displacement(t * unit, T * unit); });
   }
 
   /// Against a point of the middle plane.
   [[nodiscard]] double tangential(double y) const {
     if (method_.residue_terms > 0) {
       const PlainMovingLoad load(nip_.material, nip_.speed, half_thickness_, method_.residue_terms);
-      return sum(y, [&](double t, double T, double t0) { return load.Vn(t, T, t0); });
+      return sum(y, [&](double t, double T, double t0) { return load.tangential_displacement(t, T, t0); });
     }
     const MovingLoad load(nip_.material, nip_.speed, half_thickness_);
     const double unit = half_thickness_ / nip_.speed;
-    return sum(y, [&](double t, double T, double t0) { return load.Vn(t * unit, T * unit, t0 * unit); });
+    return sum(y, [&](double t, double T, double t0) {
+      return load.tangential_displacement(t * unit, T * unit, t0 * unit);
+    });
   }
 
  private:
@@ -77,27 +79,27 @@ class Surface {
   }
 
   const data::ViscoelasticNip& nip_;
-  const RollingLineLoads& loads_;
-  const RollingLineLoadMethod& method_;
+  const ViscoelasticLineLoads& loads_;
+  const ViscoelasticLineLoadMethod& method_;
   double half_thickness_;
 };
 
 }  // namespace
 
-double element_pressure(const RollingLineLoads& loads, double y) {
+double element_pressure(const ViscoelasticLineLoads& loads, double y) {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   if (loads.loads.empty() || y > loads.leading_length || y < -loads.trailing_length) return 0;
   const auto element = static_cast<std::size_t>((loads.leading_length - y) / loads.element_width());
   return loads.loads[std::min(element, loads.loads.size() - 1)] / loads.element_width();
 }
 
-double normal_displacement(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
-                           const RollingLineLoadMethod& method, double y) {
+double normal_displacement(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
+                           const ViscoelasticLineLoadMethod& method, double y) {
   return Surface(nip, loads, method).normal(y);
 }
 
-double tangential_displacement(const data::ViscoelasticNip& nip, const RollingLineLoads& loads,
-                               const RollingLineLoadMethod& method, double y) {
+double tangential_displacement(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
+                               const ViscoelasticLineLoadMethod& method, double y) {
   const Surface surface(nip, loads, method);
   return surface.tangential(y) - surface.tangential(0);
 }

@@ -111,7 +111,7 @@ bool length_is_allowed(const data::ElasticNip& nip, double length) {
 
 }  // namespace
 
-struct ConvergedContact::Implementation {
+struct ConvergedElasticNip::Implementation {
   data::ElasticNip nip;
   int digits;
   long kernel_values = 0;
@@ -160,37 +160,37 @@ struct ConvergedContact::Implementation {
   }
 };
 
-ConvergedContact::ConvergedContact(std::unique_ptr<Implementation> implementation)
+ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
-ConvergedContact::ConvergedContact(ConvergedContact&&) noexcept = default;
-ConvergedContact::~ConvergedContact() = default;
+ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = default;
+ConvergedElasticNip::~ConvergedElasticNip() = default;
 
-Enclosure ConvergedContact::contact_length() const {
+Enclosure ConvergedElasticNip::contact_length() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
   return implementation_->enclose_result([](const Expansion& e) { return e.half_length; },
                                          2 * implementation_->half_thickness());
 }
 
-Enclosure ConvergedContact::load() const {
+Enclosure ConvergedElasticNip::load() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
   return implementation_->enclose_result(
       [](const Expansion& e) { return e.load(); },
       implementation_->pressure_unit() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedContact::indentation() const {
+Enclosure ConvergedElasticNip::indentation() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
   return implementation_->enclose_result([](const Expansion& e) { return e.indentation(); },
                                          implementation_->slope() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedContact::edge_displacement() const {
+Enclosure ConvergedElasticNip::edge_displacement() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
   return implementation_->enclose_result([](const Expansion& e) { return e.edge_displacement; },
                                          implementation_->slope() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedContact::pressure(double y) const {
+Enclosure ConvergedElasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   const WorkingDigits working(implementation_->digits + guard_digits);
   const Float position = Float(y) / implementation_->half_thickness();
@@ -198,30 +198,30 @@ Enclosure ConvergedContact::pressure(double y) const {
                                          implementation_->pressure_unit());
 }
 
-int ConvergedContact::terms() const {
+int ConvergedElasticNip::terms() const {
   return static_cast<int>(implementation_->expansions[2].coefficients.size());
 }
-long ConvergedContact::kernel_values() const { return implementation_->kernel_values; }
+long ConvergedElasticNip::kernel_values() const { return implementation_->kernel_values; }
 
-ConvergedContact converged_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
   check_digits_here(digits);
   if (!length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_lengths);
   const WorkingDigits working(digits + guard_digits);
-  auto solved = std::make_unique<ConvergedContact::Implementation>(nip, digits);
+  auto solved = std::make_unique<ConvergedElasticNip::Implementation>(nip, digits);
   solved->climb([&](const Float& near,
                     int terms) { return expand(near, terms, digits + guard_digits, solved->kernel_values); },
                 Float(contact_length) / Float(nip.sheet_thickness));
-  return ConvergedContact(std::move(solved));
+  return ConvergedElasticNip(std::move(solved));
 }
 
-ConvergedContact converged_for_load(const data::ElasticNip& nip, double load, int digits) {
+ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load, int digits) {
   nip.check();
   check_digits_here(digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
   const WorkingDigits working(digits + guard_digits);
-  auto solved = std::make_unique<ConvergedContact::Implementation>(nip, digits);
+  auto solved = std::make_unique<ConvergedElasticNip::Implementation>(nip, digits);
   const Float wanted = Float(load) / (solved->pressure_unit() * solved->half_thickness());
   const Float enough = pow(Float(10), -digits - guard_digits / 2);
   // Secant iteration on ln(load) of ln(length); the slope lies between 2 (half-space) and 3 (springs).
@@ -243,7 +243,7 @@ ConvergedContact converged_for_load(const data::ElasticNip& nip, double load, in
   double length = std::sqrt(guess / 3.14159);
   for (int i = 0; i < 5; ++i) length = std::sqrt(guess / (3.14159 + 8 * length / 3));
   solved->climb(solve, Float(length));
-  return ConvergedContact(std::move(solved));
+  return ConvergedElasticNip(std::move(solved));
 }
 
 }  // namespace nipref::ref

@@ -13,10 +13,10 @@ namespace nipref::ref {
 ///
 /// Results have the shape of an Enclosure, but here `error_bound` is estimated and not proven: from the last
 /// two differences d0 and d1 as 10 d1^2/d0. (thesis 2.2, 5.3; continuous form)
-class ConvergedContact {
+class ConvergedElasticNip {
  public:
-  ConvergedContact(ConvergedContact&&) noexcept;
-  ~ConvergedContact();
+  ConvergedElasticNip(ConvergedElasticNip&&) noexcept;
+  ~ConvergedElasticNip();
 
   [[nodiscard]] Enclosure contact_length() const;
   [[nodiscard]] Enclosure load() const;
@@ -29,17 +29,17 @@ class ConvergedContact {
 
  private:
   struct Implementation;
-  explicit ConvergedContact(std::unique_ptr<Implementation> implementation);
+  explicit ConvergedElasticNip(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
-  friend ConvergedContact converged_for_length(const data::ElasticNip&, double, int);
-  friend ConvergedContact converged_for_load(const data::ElasticNip&, double, int);
+  friend ConvergedElasticNip converged_for_length(const data::ElasticNip&, double, int);
+  friend ConvergedElasticNip converged_for_load(const data::ElasticNip&, double, int);
 };
 
 /// Contact of the given length: > 0, L <= R and 1e-6 <= L/B <= 20, beyond which an expansion over the whole
 /// contact needs too many terms. digits: 16 to 100. BadInput otherwise.
-ConvergedContact converged_for_length(const data::ElasticNip& nip, double contact_length, int digits);
+ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, with a length as above; BadInput otherwise.
-ConvergedContact converged_for_load(const data::ElasticNip& nip, double load, int digits);
+ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load, int digits);
 
 }  // namespace nipref::ref

@@ -22,7 +22,7 @@ ComplexInterval scaled(const Interval& factor, const ComplexInterval& x) {
   return {factor * x.real, factor * x.imag};
 }
 
-/// Components of SurfaceResponse in its order, from the inverse of the impedance in the axes 1, 2, 3.
+/// Components of LineResponse in its order, from the inverse of the impedance in the axes 1, 2, 3.
 Components components(const IntervalMatrix& y, const SurfaceDirection::Cosines& n, const Interval& unit) {
   const ComplexInterval in_line = scaled(n.cosine, y(2, 0)) + scaled(n.sine, y(2, 1));
   const ComplexInterval across = scaled(n.cosine, y(2, 1)) - scaled(n.sine, y(2, 0));
@@ -73,8 +73,8 @@ Enclosure as_enclosure(const Interval& x, int digits) {
 
 }  // namespace
 
-SurfaceResponse surface_response(const ExactStiffness& solid, const Exact& speed,
-                                 const SurfaceDirection& motion, const SurfaceDirection& psi, int digits) {
+LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
+                           const SurfaceDirection& psi, int digits) {
   std::optional<Components> found;
   const auto compliance = [&](double nats) {
     mpfr_prec_t precision = static_cast<mpfr_prec_t>(nats / std::numbers::ln2) + spare_bits;

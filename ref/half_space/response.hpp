@@ -15,7 +15,7 @@ namespace nipref::ref {
 ///
 /// all in 1/stress. The two shear compliances vanish where x3 = const is a plane of symmetry of the solid; in
 /// terms of the inverse Y of the impedance compliance = Y33, shear_compliance = Re Y3n, coupling = -Im Y3n.
-struct SurfaceResponse {
+struct LineResponse {
   Enclosure compliance;
   Enclosure coupling, coupling_across;
   Enclosure shear_compliance, shear_compliance_across;
@@ -32,7 +32,7 @@ struct SurfaceResponse {
 ///
 /// BadInput "speed" unless speed |cos(psi - theta)| stays below the limiting speed of psi (by 1e-16 or so of
 /// itself at the least); "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
-SurfaceResponse surface_response(const ExactStiffness& solid, const Exact& speed,
-                                 const SurfaceDirection& motion, const SurfaceDirection& psi, int digits);
+LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
+                           const SurfaceDirection& psi, int digits);
 
 }  // namespace nipref::ref

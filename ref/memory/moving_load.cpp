@@ -72,7 +72,7 @@ Interval sign_history(const Exact& alpha, const mpq_class& rate, double nats) {
 
 Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats) {
   if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
-  return fading_memory(memory_kernel(kernel), alpha, Exact(rate), nats);
+  return steady_memory(memory_kernel(kernel), alpha, Exact(rate), nats);
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
@@ -234,8 +234,9 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
   return {{shear, {{shear * rate, rate}}}, {shear / 3, {{shear / 3 * rate, rate2}}}};
 }
 
-Enclosure Un(const Exact& t, const Exact& T, const Exact& speed, const Exact& half_thickness,
-             const ExactMaterial& material, int digits) {
+Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
+                                          const Exact& half_thickness, const ExactMaterial& material,
+                                          int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
   const Place place = started_place(t, T, way_per_time, "T");
   if (place.alpha.sign() == 0)
@@ -243,22 +244,25 @@ Enclosure Un(const Exact& t, const Exact& T, const Exact& speed, const Exact& ha
   return Un_at(place, way_per_time, material, digits);
 }
 
-Enclosure Vn(const Exact& t, const Exact& T, const Exact& t0, const Exact& speed, const Exact& half_thickness,
-             const ExactMaterial& material, int digits) {
+Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+                                              const Exact& speed, const Exact& half_thickness,
+                                              const ExactMaterial& material, int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
   return Vn_at(started_place(t, T, way_per_time, "T"), started_place(t, t0, way_per_time, "t0"), way_per_time,
                material, digits);
 }
 
-Enclosure Un_steady(const Exact& alpha, const Exact& speed, const Exact& half_thickness,
-                    const ExactMaterial& material, int digits) {
+Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
+                                                 const Exact& half_thickness, const ExactMaterial& material,
+                                                 int digits) {
   check_nonzero_argument(alpha, "alpha");
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
   return Un_at({alpha, std::nullopt}, way_per_time, material, digits);
 }
 
-Enclosure Vn_steady(const Exact& alpha, const Exact& eta, const Exact& speed, const Exact& half_thickness,
-                    const ExactMaterial& material, int digits) {
+Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
+                                                     const Exact& half_thickness,
+                                                     const ExactMaterial& material, int digits) {
   check_argument(alpha, "alpha");
   check_argument(eta, "eta");
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);

@@ -19,11 +19,11 @@ namespace fast_tests {
 using nipref::fast::Accuracy;
 using ComplexL = std::complex<long double>;
 
-inline constexpr long double kPiL = std::numbers::pi_v<long double>;
+inline constexpr long double pi_long = std::numbers::pi_v<long double>;
 
 /// sinh 2z + 2z = 0 by Newton from the asymptotic guess.
 inline ComplexL root(int n) {
-  const long double height = kPiL * (static_cast<long double>(n) - 0.25L);
+  const long double height = pi_long * (static_cast<long double>(n) - 0.25L);
   ComplexL z(std::log(4 * height) / 2, height);
   for (int step = 0; step < 8; ++step) {
     const ComplexL cosh_z = std::cosh(z);
@@ -47,13 +47,14 @@ struct ResidueSum {
     }();
     ComplexL sum = 0;
     for (const ComplexL& z : roots) sum += c(z) * std::exp(ComplexL(0, 1) * z * x);
-    return odd ? kPiL / 4 + 2 * kPiL * sum.real() : -2 * kPiL * sum.imag();
+    return odd ? pi_long / 4 + 2 * pi_long * sum.real() : -2 * pi_long * sum.imag();
   }
 
   /// Size of the first residue without its cosine.
   [[nodiscard]] double envelope(double x) const {
     static const ComplexL z = root(1);
-    return static_cast<double>(2 * kPiL * std::abs(c(z)) * std::exp(-z.imag() * static_cast<long double>(x)));
+    return static_cast<double>(2 * pi_long * std::abs(c(z)) *
+                               std::exp(-z.imag() * static_cast<long double>(x)));
   }
 };
 
@@ -80,8 +81,8 @@ inline ComplexL alpha_part(ComplexL z) { return 0.5L / z; }
 inline ComplexL eta_part(ComplexL z) { return 0.5L / (z * std::cosh(z)); }
 }  // namespace residue
 
-inline constexpr ResidueSum kAlphaPart{residue::alpha_part, false};
-inline constexpr ResidueSum kEtaPart{residue::eta_part, false};
+inline constexpr ResidueSum alpha_sum{residue::alpha_part, false};
+inline constexpr ResidueSum eta_sum{residue::eta_part, false};
 
 inline const std::vector<Kernel>& kernels() {
   using namespace nipref::fast;
@@ -94,8 +95,7 @@ inline const std::vector<Kernel>& kernels() {
 }
 
 inline double I6_scale(double alpha, double eta, double value) {
-  return std::max(std::fabs(value),
-                  kAlphaPart.envelope(std::fabs(alpha)) + kEtaPart.envelope(std::fabs(eta)));
+  return std::max(std::fabs(value), alpha_sum.envelope(std::fabs(alpha)) + eta_sum.envelope(std::fabs(eta)));
 }
 
 /// Unit in the last place of a number >= 0.

@@ -39,7 +39,7 @@ class Judge {
 
  private:
   [[nodiscard]] double tolerated_ulps(double scale) const {
-    return accuracy_.rtol() > fast::Accuracy::kBest ? accuracy_.rtol() * (scale / ulp_of(scale)) : 0;
+    return accuracy_.rtol() > fast::Accuracy::best_rtol ? accuracy_.rtol() * (scale / ulp_of(scale)) : 0;
   }
 
   const Quantity& quantity_;

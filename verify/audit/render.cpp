@@ -20,8 +20,8 @@ std::string worst_text(const AuditResult& result) {
 }
 
 std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
-  return accuracy.rtol() > fast::Accuracy::kBest ? fmt::format("{:.1e} scale", accuracy.rtol())
-                                                 : fmt::format("{:g} ulp", result.quantity->promise);
+  return accuracy.rtol() > fast::Accuracy::best_rtol ? fmt::format("{:.1e} scale", accuracy.rtol())
+                                                     : fmt::format("{:g} ulp", result.quantity->promise);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr std::size_t points_compared = 400;
 constexpr int rounds = 15;
 constexpr double seconds_per_round = 1e-3;
 constexpr int ref_digits = 21;
-constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::kBest};
+constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::best_rtol};
 
 struct Range {
   std::string name;
@@ -93,7 +93,7 @@ struct Method {
 };
 
 std::string tolerance_name(double rtol) {
-  return rtol == fast::Accuracy::kBest ? "full" : fmt::format("rtol={:.0e}", rtol);
+  return rtol == fast::Accuracy::best_rtol ? "full" : fmt::format("rtol={:.0e}", rtol);
 }
 
 /// The first `count` values of each column.
@@ -124,11 +124,11 @@ Method peer_method(const Peer& peer, const Columns& columns) {
 }
 
 std::vector<Method> methods(const Quantity& quantity, const Columns& columns) {
-  std::vector<Method> all{scalar_method(quantity, columns, fast::Accuracy::kBest)};
-  if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::kBest));
+  std::vector<Method> all{scalar_method(quantity, columns, fast::Accuracy::best_rtol)};
+  if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::best_rtol));
   if (quantity.peers.empty()) return all;
   for (const double rtol : tolerances) {
-    if (rtol == fast::Accuracy::kBest) continue;
+    if (rtol == fast::Accuracy::best_rtol) continue;
     all.push_back(scalar_method(quantity, columns, rtol));
     all.push_back(batch_method(quantity, columns, rtol));
   }

@@ -30,7 +30,7 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
   BenchReport report = bench(selected.quantities, show);
   if (selected.has("contact")) append(report, bench_contacts(show));
-  if (selected.has("rolling")) append(report, bench_rolling(show));
+  if (selected.has("rolling")) append(report, bench_viscoelastic(show));
   if (selected.has("half-space")) append(report, bench_half_space(show));
   if (line.json) {
     print_json(bench_json(report), out);

@@ -107,7 +107,7 @@ Answer answer_of_fast(const Request& request) {
   const double seconds = seconds_of([&] { value = quantity.by_fast(point, request.accuracy); });
   const double scale = std::max(std::fabs(value), quantity.envelope(point));
   const double rtol = request.accuracy.rtol();
-  const double tolerated = rtol > fast::Accuracy::kBest ? rtol * scale : 0;
+  const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
   const double bound = std::max(quantity.promise * ulp_of(scale), tolerated);
   return {"fast", fmt::format("{}", value), fmt::format("{:.1e}", bound), static_cast<int>(-std::log10(rtol)),
           seconds};

@@ -39,7 +39,7 @@ BenchReport run_bench() {
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
   BenchReport report = bench(select_quantities({}), show);
   append(report, bench_contacts(show));
-  append(report, bench_rolling(show));
+  append(report, bench_viscoelastic(show));
   append(report, bench_half_space(show));
   return report;
 }

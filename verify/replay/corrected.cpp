@@ -16,7 +16,7 @@ namespace {
 constexpr double accuracy = 1e-9;
 
 RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, double load) {
-  const fast::ConvergedContact contact = fast::converged_for_load(nip, friction, load, accuracy);
+  const fast::ConvergedElasticNip contact = fast::converged_for_load(nip, friction, load, accuracy);
   fast::LineLoadSolution numbers{contact.contact_length().value,    contact.indentation().value,
                                  contact.edge_displacement().value, contact.load().value,
                                  contact.peak_pressure().value,     {}};
@@ -76,8 +76,8 @@ std::vector<Deviation> deviations(std::initializer_list<const char*> columns,
 
 void correct(Replay& replay) {
   if (is_half_space_table(replay.table.id)) return;  // comes with its corrected values
-  if (find_rolling_table(replay.table.id) != nullptr) {
-    correct_rolling(replay);
+  if (find_viscoelastic_table(replay.table.id) != nullptr) {
+    correct_viscoelastic(replay);
   } else {
     correct_elastic(replay);
   }

@@ -24,7 +24,7 @@ Verdict judge(const data::TableCell& cell, const data::Interval& range) {
 std::vector<std::string> replayable_tables() {
   std::vector<std::string> ids;
   for (const LineLoadTable& table : line_load_tables()) ids.emplace_back(table.id);
-  for (const RollingTable& table : rolling_tables()) ids.emplace_back(table.id);
+  for (const ViscoelasticTable& table : viscoelastic_tables()) ids.emplace_back(table.id);
   for (const std::string_view id : half_space_tables()) ids.emplace_back(id);
   return ids;
 }
@@ -32,7 +32,8 @@ std::vector<std::string> replayable_tables() {
 Replay replay_table(const std::string& id) {
   data::Table table = data::load_table_by_id(id);
   if (is_half_space_table(id)) return replay_half_space(std::move(table));
-  if (const RollingTable* rolling = find_rolling_table(id)) return replay_rolling(std::move(table), *rolling);
+  if (const ViscoelasticTable* rolling = find_viscoelastic_table(id))
+    return replay_viscoelastic(std::move(table), *rolling);
   const LineLoadTable& how = line_load_table(id);
   return replay_line_loads(std::move(table), how.friction, how.elements_per_side);
 }

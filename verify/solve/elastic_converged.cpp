@@ -11,29 +11,29 @@
 namespace nipref::verify {
 namespace {
 
-using fast::ConvergedContact;
+using fast::ConvergedElasticNip;
 using fast::Estimate;
 
-const std::map<std::string_view, Estimate (ConvergedContact::*)() const> numbers{
-    {"contact_length", &ConvergedContact::contact_length},
-    {"load", &ConvergedContact::load},
-    {"indentation", &ConvergedContact::indentation},
-    {"edge_displacement", &ConvergedContact::edge_displacement},
-    {"creep_ratio", &ConvergedContact::creep_ratio},
-    {"peak_pressure", &ConvergedContact::peak_pressure},
-    {"peak_shear", &ConvergedContact::peak_shear},
+const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> numbers{
+    {"contact_length", &ConvergedElasticNip::contact_length},
+    {"load", &ConvergedElasticNip::load},
+    {"indentation", &ConvergedElasticNip::indentation},
+    {"edge_displacement", &ConvergedElasticNip::edge_displacement},
+    {"creep_ratio", &ConvergedElasticNip::creep_ratio},
+    {"peak_pressure", &ConvergedElasticNip::peak_pressure},
+    {"peak_shear", &ConvergedElasticNip::peak_shear},
 };
 
-const std::map<std::string_view, Estimate (ConvergedContact::*)(double) const> profiles{
-    {"pressure", &ConvergedContact::pressure},
-    {"shear", &ConvergedContact::shear},
-    {"normal_displacement", &ConvergedContact::normal_displacement},
-    {"tangential_displacement", &ConvergedContact::tangential_displacement},
+const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const> profiles{
+    {"pressure", &ConvergedElasticNip::pressure},
+    {"shear", &ConvergedElasticNip::shear},
+    {"normal_displacement", &ConvergedElasticNip::normal_displacement},
+    {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
 };
 
 class Converged : public SolvedContact<Estimate> {
  public:
-  explicit Converged(ConvergedContact contact) : contact_(std::move(contact)) {}
+  explicit Converged(ConvergedElasticNip contact) : contact_(std::move(contact)) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
@@ -45,20 +45,20 @@ class Converged : public SolvedContact<Estimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
   }
-  [[nodiscard]] fast::ContactWork work() const override { return contact_.work(); }
+  [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
-  ConvergedContact contact_;
+  ConvergedElasticNip contact_;
 };
 
 struct Solve {
   const data::ElasticNipProblem& problem;
   double accuracy;
 
-  ConvergedContact operator()(const data::GivenLoad& load) const {
+  ConvergedElasticNip operator()(const data::GivenLoad& load) const {
     return fast::converged_for_load(problem.nip, problem.friction, load.per_length, accuracy);
   }
-  ConvergedContact operator()(const data::GivenLength& length) const {
+  ConvergedElasticNip operator()(const data::GivenLength& length) const {
     return fast::converged_for_length(problem.nip, problem.friction, length.contact_length, accuracy);
   }
 };

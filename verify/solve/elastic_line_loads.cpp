@@ -15,10 +15,10 @@
 namespace nipref::verify {
 namespace {
 
-using fast::ContactWork;
 using fast::Estimate;
 using fast::LineLoadMethod;
 using fast::LineLoadSolution;
+using fast::Work;
 
 /// Of the continuous contact that line loads are set against: they are no closer than about 1e-3.
 constexpr double truth_accuracy = 1e-5;
@@ -36,7 +36,7 @@ const std::map<std::string_view, double LineLoadSolution::*> numbers{
 struct SolveFrictionless {
   const data::ElasticNip& nip;
   const LineLoadMethod& method;
-  ContactWork* work;
+  Work* work;
 
   LineLoadSolution operator()(const data::GivenLoad& load) const {
     return fast::line_loads_for_load(nip, method, load.per_length, {}, work);
@@ -51,7 +51,7 @@ struct SolveAtCreep {
   const data::ElasticNip& nip;
   const LineLoadMethod& method;
   double creep;
-  ContactWork* work;
+  Work* work;
 
   LineLoadSolution operator()(const data::GivenLoad& load) const {
     return fast::gripped_line_loads_for_load(nip, method, load.per_length, creep, {}, work);
@@ -65,7 +65,7 @@ struct SolveAtCreep {
 struct SolveAtThesisCreep {
   const data::ElasticNip& nip;
   const LineLoadMethod& method;
-  ContactWork* work;
+  Work* work;
 
   LineLoadSolution operator()(const data::GivenLoad& load) const {
     auto solution = fast::thesis_line_loads_for_load(nip, method, load.per_length, {}, work);
@@ -86,7 +86,7 @@ struct SolveAtThesisCreep {
 };
 
 LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const LineLoadMethod& method,
-                             ContactWork& work) {
+                             Work& work) {
   if (problem.friction == data::Friction::none) {
     return std::visit(SolveFrictionless{problem.nip, method, &work}, problem.given);
   }
@@ -114,8 +114,8 @@ class LineLoadContact : public SolvedContact<Estimate> {
     return beside(profile(name, y), truth_->at(name, y));
   }
   [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
-  [[nodiscard]] ContactWork work() const override { return work_; }
-  [[nodiscard]] ContactWork error_work() const override { return truth_->work(); }
+  [[nodiscard]] Work work() const override { return work_; }
+  [[nodiscard]] Work error_work() const override { return truth_->work(); }
 
  private:
   static Estimate beside(double value, const Estimate& truth) {
@@ -133,7 +133,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
   std::unique_ptr<SolvedContact<Estimate>> truth_;
   data::ElasticNip nip_;
   LineLoadMethod method_;
-  mutable ContactWork work_;  ///< grows with what is asked for
+  mutable Work work_;  ///< grows with what is asked for
   LineLoadSolution solution_;
 };
 

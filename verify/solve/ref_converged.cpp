@@ -11,19 +11,19 @@
 namespace nipref::verify {
 namespace {
 
-using ref::ConvergedContact;
+using ref::ConvergedElasticNip;
 using ref::Enclosure;
 
-const std::map<std::string_view, Enclosure (ConvergedContact::*)() const> numbers{
-    {"contact_length", &ConvergedContact::contact_length},
-    {"load", &ConvergedContact::load},
-    {"indentation", &ConvergedContact::indentation},
-    {"edge_displacement", &ConvergedContact::edge_displacement},
+const std::map<std::string_view, Enclosure (ConvergedElasticNip::*)() const> numbers{
+    {"contact_length", &ConvergedElasticNip::contact_length},
+    {"load", &ConvergedElasticNip::load},
+    {"indentation", &ConvergedElasticNip::indentation},
+    {"edge_displacement", &ConvergedElasticNip::edge_displacement},
 };
 
 class RefConverged : public SolvedContact<LongEstimate> {
  public:
-  explicit RefConverged(ConvergedContact contact) : contact_(std::move(contact)) {}
+  explicit RefConverged(ConvergedElasticNip contact) : contact_(std::move(contact)) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
     // Without friction the pressure is largest in the middle.
@@ -36,25 +36,25 @@ class RefConverged : public SolvedContact<LongEstimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().to_double() / 2};
   }
-  [[nodiscard]] fast::ContactWork work() const override {
-    fast::ContactWork work;
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
     work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.kernel_values());
     work.unknowns = contact_.terms() + 1;
     return work;
   }
 
  private:
-  ConvergedContact contact_;
+  ConvergedElasticNip contact_;
 };
 
 struct Solve {
   const data::ElasticNip& nip;
   int digits;
 
-  ConvergedContact operator()(const data::GivenLoad& load) const {
+  ConvergedElasticNip operator()(const data::GivenLoad& load) const {
     return ref::converged_for_load(nip, load.per_length, digits);
   }
-  ConvergedContact operator()(const data::GivenLength& length) const {
+  ConvergedElasticNip operator()(const data::GivenLength& length) const {
     return ref::converged_for_length(nip, length.contact_length, digits);
   }
 };

@@ -30,8 +30,8 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
   /// There are no profiles: check_ref_line_loads refuses them.
   [[nodiscard]] LongEstimate at(std::string_view name, double) const override { return number(name); }
   [[nodiscard]] ProfileExtent profile_extent() const override { return {0, contact_length_ / 2}; }
-  [[nodiscard]] fast::ContactWork work() const override {
-    fast::ContactWork work;
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
     work.unknowns = static_cast<int>(1 + solution_.line_loads.size() + solution_.shear_loads.size());
     return work;
   }

@@ -25,9 +25,9 @@ ordered_json values_json(const typename SceneSolution<Number>::Result& result, a
 }
 
 /// Counts that were not kept are left out, here and below.
-ordered_json work_json(const fast::ContactWork& work) {
+ordered_json work_json(const fast::Work& work) {
   ordered_json json = ordered_json::object();
-  const bool counted = work.kernel_evaluations != fast::ContactWork{}.kernel_evaluations;
+  const bool counted = work.kernel_evaluations != fast::Work{}.kernel_evaluations;
   for (std::size_t k = 0; counted && k < work.kernel_evaluations.size(); ++k) {
     json["kernel_evaluations"][fmt::format("I{}", k + 1)] = work.kernel_evaluations[k];
   }
@@ -38,9 +38,9 @@ ordered_json work_json(const fast::ContactWork& work) {
   return json;
 }
 
-bool is_empty(const fast::ContactWork& work) { return work.unknowns == 0; }
+bool is_empty(const fast::Work& work) { return work.unknowns == 0; }
 
-std::string work_text(const fast::ContactWork& work) {
+std::string work_text(const fast::Work& work) {
   if (work.line_responses > 0) return fmt::format("the response of {} lines", work.line_responses);
   if (is_empty(work)) return "closed forms";
   std::string text;

@@ -12,13 +12,13 @@ namespace {
 
 using Solved = std::unique_ptr<SolvedContact<fast::Estimate>>;
 
-struct SolveRollingByMethod {
+struct SolveViscoelasticByMethod {
   const data::ViscoelasticNipProblem& problem;
   double accuracy;
 
-  Solved operator()(const data::ConvergedMethod&) const { return solve_rolling(problem, accuracy); }
-  Solved operator()(const data::RollingLineLoads& loads) const {
-    return solve_rolling_line_loads(problem, loads);
+  Solved operator()(const data::ConvergedMethod&) const { return solve_viscoelastic(problem, accuracy); }
+  Solved operator()(const data::ViscoelasticLineLoads& loads) const {
+    return solve_viscoelastic_line_loads(problem, loads);
   }
 };
 
@@ -37,7 +37,7 @@ struct SolveSystem {
     return naming_given(problem.given, SolveByMethod{problem, scene.accuracy}, problem.method);
   }
   Solved operator()(const data::ViscoelasticNipProblem& problem) const {
-    return naming_given(problem.given, SolveRollingByMethod{problem, scene.accuracy}, problem.method);
+    return naming_given(problem.given, SolveViscoelasticByMethod{problem, scene.accuracy}, problem.method);
   }
   Solved operator()(const data::HalfSpaceProblem& problem) const { return solve_half_space(scene, problem); }
 

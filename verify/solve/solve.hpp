@@ -29,8 +29,8 @@ struct SceneSolution {
   std::string title;
   std::vector<Result> results;    ///< in the order of the scene's `wanted`
   std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
-  fast::ContactWork work;         ///< that the results have cost
-  fast::ContactWork error_work;   ///< that the error estimates of line loads have cost, nothing otherwise
+  fast::Work work;                ///< that the results have cost
+  fast::Work error_work;          ///< that the error estimates of line loads have cost, nothing otherwise
   double seconds = 0;             ///< wall clock, for all of it
 
   /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted `name`.

@@ -10,31 +10,31 @@
 namespace nipref::verify {
 namespace {
 
+using fast::ConvergedViscoelasticNip;
 using fast::Estimate;
-using fast::RollingContact;
 
-const std::map<std::string_view, Estimate (RollingContact::*)() const> numbers{
-    {"contact_length", &RollingContact::contact_length},
-    {"leading_length", &RollingContact::leading_length},
-    {"trailing_length", &RollingContact::trailing_length},
-    {"load", &RollingContact::load},
-    {"indentation", &RollingContact::indentation},
-    {"edge_displacement", &RollingContact::leading_displacement},
-    {"trailing_displacement", &RollingContact::trailing_displacement},
-    {"creep_ratio", &RollingContact::creep_ratio},
-    {"rolling_resistance", &RollingContact::rolling_resistance},
-    {"peak_pressure", &RollingContact::peak_pressure},
+const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)() const> numbers{
+    {"contact_length", &ConvergedViscoelasticNip::contact_length},
+    {"leading_length", &ConvergedViscoelasticNip::leading_length},
+    {"trailing_length", &ConvergedViscoelasticNip::trailing_length},
+    {"load", &ConvergedViscoelasticNip::load},
+    {"indentation", &ConvergedViscoelasticNip::indentation},
+    {"edge_displacement", &ConvergedViscoelasticNip::leading_displacement},
+    {"trailing_displacement", &ConvergedViscoelasticNip::trailing_displacement},
+    {"creep_ratio", &ConvergedViscoelasticNip::creep_ratio},
+    {"rolling_resistance", &ConvergedViscoelasticNip::rolling_resistance},
+    {"peak_pressure", &ConvergedViscoelasticNip::peak_pressure},
 };
 
-const std::map<std::string_view, Estimate (RollingContact::*)(double) const> profiles{
-    {"pressure", &RollingContact::pressure},
-    {"normal_displacement", &RollingContact::normal_displacement},
-    {"tangential_displacement", &RollingContact::tangential_displacement},
+const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) const> profiles{
+    {"pressure", &ConvergedViscoelasticNip::pressure},
+    {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
+    {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
 };
 
 class Rolling : public SolvedContact<Estimate> {
  public:
-  explicit Rolling(RollingContact contact) : contact_(std::move(contact)) {}
+  explicit Rolling(ConvergedViscoelasticNip contact) : contact_(std::move(contact)) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (name == "peak_shear") return {0, 0};  // without friction
@@ -47,28 +47,28 @@ class Rolling : public SolvedContact<Estimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().value, contact_.leading_length().value};
   }
-  [[nodiscard]] fast::ContactWork work() const override { return contact_.work(); }
+  [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
-  RollingContact contact_;
+  ConvergedViscoelasticNip contact_;
 };
 
 struct Solve {
   const data::ViscoelasticNip& nip;
   double accuracy;
 
-  RollingContact operator()(const data::GivenLoad& load) const {
-    return fast::rolling_for_load(nip, load.per_length, accuracy);
+  ConvergedViscoelasticNip operator()(const data::GivenLoad& load) const {
+    return fast::converged_for_load(nip, load.per_length, accuracy);
   }
-  RollingContact operator()(const data::GivenLength& length) const {
-    return fast::rolling_for_length(nip, length.contact_length, accuracy);
+  ConvergedViscoelasticNip operator()(const data::GivenLength& length) const {
+    return fast::converged_for_length(nip, length.contact_length, accuracy);
   }
 };
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<Estimate>> solve_rolling(const data::ViscoelasticNipProblem& problem,
-                                                       double accuracy) {
+std::unique_ptr<SolvedContact<Estimate>> solve_viscoelastic(const data::ViscoelasticNipProblem& problem,
+                                                            double accuracy) {
   return std::make_unique<Rolling>(std::visit(Solve{problem.nip, accuracy}, problem.given));
 }
 

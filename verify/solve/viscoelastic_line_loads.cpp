@@ -12,45 +12,45 @@
 namespace nipref::verify {
 namespace {
 
-using fast::ContactWork;
 using fast::Estimate;
-using fast::RollingLineLoadMethod;
-using fast::RollingLineLoads;
+using fast::ViscoelasticLineLoadMethod;
+using fast::ViscoelasticLineLoads;
+using fast::Work;
 
 /// Of the continuous contact that line loads are set against, as in the elastic nip.
 constexpr double truth_accuracy = 1e-5;
 
-const std::map<std::string_view, double RollingLineLoads::*> numbers{
-    {"leading_length", &RollingLineLoads::leading_length},
-    {"trailing_length", &RollingLineLoads::trailing_length},
-    {"load", &RollingLineLoads::load},
-    {"indentation", &RollingLineLoads::indentation},
-    {"edge_displacement", &RollingLineLoads::leading_displacement},
-    {"trailing_displacement", &RollingLineLoads::trailing_displacement},
-    {"rolling_resistance", &RollingLineLoads::rolling_resistance},
-    {"peak_pressure", &RollingLineLoads::peak_pressure},
+const std::map<std::string_view, double ViscoelasticLineLoads::*> numbers{
+    {"leading_length", &ViscoelasticLineLoads::leading_length},
+    {"trailing_length", &ViscoelasticLineLoads::trailing_length},
+    {"load", &ViscoelasticLineLoads::load},
+    {"indentation", &ViscoelasticLineLoads::indentation},
+    {"edge_displacement", &ViscoelasticLineLoads::leading_displacement},
+    {"trailing_displacement", &ViscoelasticLineLoads::trailing_displacement},
+    {"rolling_resistance", &ViscoelasticLineLoads::rolling_resistance},
+    {"peak_pressure", &ViscoelasticLineLoads::peak_pressure},
 };
 
 struct Solve {
   const data::ViscoelasticNip& nip;
-  const RollingLineLoadMethod& method;
+  const ViscoelasticLineLoadMethod& method;
   bool search;  ///< for the number of trailing elements
 
-  RollingLineLoads operator()(const data::GivenLoad& load) const {
-    return search ? fast::rolling_line_loads_by_search(nip, method, load.per_length)
-                  : fast::rolling_line_loads_for_load(nip, method, load.per_length);
+  ViscoelasticLineLoads operator()(const data::GivenLoad& load) const {
+    return search ? fast::viscoelastic_line_loads_by_search(nip, method, load.per_length)
+                  : fast::viscoelastic_line_loads_for_load(nip, method, load.per_length);
   }
-  RollingLineLoads operator()(const data::GivenLength& length) const {
+  ViscoelasticLineLoads operator()(const data::GivenLength& length) const {
     const double leading_part =
         static_cast<double>(method.leading_elements) / (method.leading_elements + method.trailing_elements);
-    return fast::rolling_line_loads_for_length(nip, method, length.contact_length * leading_part);
+    return fast::viscoelastic_line_loads_for_length(nip, method, length.contact_length * leading_part);
   }
 };
 
-class LineLoadRolling : public SolvedContact<Estimate> {
+class LineLoadViscoelastic : public SolvedContact<Estimate> {
  public:
-  LineLoadRolling(const data::ViscoelasticNipProblem& problem, const data::RollingLineLoads& loads)
-      : truth_(solve_rolling(problem, truth_accuracy)),
+  LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
+      : truth_(solve_viscoelastic(problem, truth_accuracy)),
         nip_(problem.nip),
         method_{loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
                 loads.residue_terms},
@@ -68,13 +68,13 @@ class LineLoadRolling : public SolvedContact<Estimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-solution_.trailing_length, solution_.leading_length};
   }
-  [[nodiscard]] ContactWork work() const override {
-    ContactWork work;
+  [[nodiscard]] Work work() const override {
+    Work work;
     work.systems = static_cast<std::uint64_t>(solution_.systems);
     work.unknowns = static_cast<int>(solution_.loads.size()) + 1;
     return work;
   }
-  [[nodiscard]] ContactWork error_work() const override { return truth_->work(); }
+  [[nodiscard]] Work error_work() const override { return truth_->work(); }
 
  private:
   static Estimate beside(double value, const Estimate& truth) {
@@ -95,15 +95,15 @@ class LineLoadRolling : public SolvedContact<Estimate> {
 
   std::unique_ptr<SolvedContact<Estimate>> truth_;
   data::ViscoelasticNip nip_;
-  RollingLineLoadMethod method_;
-  RollingLineLoads solution_;
+  ViscoelasticLineLoadMethod method_;
+  ViscoelasticLineLoads solution_;
 };
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<Estimate>> solve_rolling_line_loads(const data::ViscoelasticNipProblem& problem,
-                                                                  const data::RollingLineLoads& loads) {
-  return std::make_unique<LineLoadRolling>(problem, loads);
+std::unique_ptr<SolvedContact<Estimate>> solve_viscoelastic_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads) {
+  return std::make_unique<LineLoadViscoelastic>(problem, loads);
 }
 
 }  // namespace nipref::verify

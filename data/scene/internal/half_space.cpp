@@ -152,7 +152,7 @@ struct GivenCheck {
   }
 };
 
-void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
+void check_viscoelastic(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
   const bool rolls = std::holds_alternative<RigidRollingSphere>(problem.body);
   if (rolls && !std::holds_alternative<IsotropicSolid>(problem.half_space)) {
     origin.refuse("half_space.model", "transversely-isotropic", "must be isotropic under a rolling sphere");
@@ -203,7 +203,7 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   require(std::isfinite(problem.friction) && problem.friction >= 0, origin, "sliding.friction",
           problem.friction, "must be finite and >= 0");
   std::visit(GivenCheck{origin, smallest_radius}, problem.given);
-  check_rolling(problem, origin);
+  check_viscoelastic(problem, origin);
   check_rule(problem, origin);
 }
 

@@ -11,8 +11,8 @@ namespace nipref::fast {
 namespace {
 
 double displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how, Couplings wanted,
-                    ContactKernels& kernels) {
-  const ContactOperator from(contact.half_length, how.beta, how.tolerance, kernels);
+                    CountedKernels& kernels) {
+  const ElasticNipOperator from(contact.half_length, how.beta, how.tolerance, kernels);
   double sum = 0;
   for (std::size_t i = 1; i < contact.breaks.size(); ++i) {
     for (const Influence& node :
@@ -46,14 +46,14 @@ double largest(const HalfContact& contact, Size size) {
 }  // namespace
 
 double normal_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
-                           ContactKernels& kernels) {
+                           CountedKernels& kernels) {
   const double e = contact.half_length - y;
   if (e >= 0) return contact.edge_displacement + e * (contact.half_length + y);
   return displacement(contact, y, how, {true, how.friction == data::Friction::full, false, false}, kernels);
 }
 
 double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
-                               ContactKernels& kernels) {
+                               CountedKernels& kernels) {
   const bool friction = how.friction == data::Friction::full;
   if (friction && y <= contact.half_length) return contact.creep * y;
   if (y == 0) return 0;

@@ -18,11 +18,11 @@ struct SurfaceDisplacements {
 /// Normal displacement; inside the contact that of the roller, so that only points outside cost kernel
 /// values.
 double normal_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
-                           ContactKernels& kernels);
+                           CountedKernels& kernels);
 
 /// Tangential displacement relative to the middle.
 double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
-                               ContactKernels& kernels);
+                               CountedKernels& kernels);
 
 /// Largest pressure, and largest magnitude of the shear.
 double peak_pressure(const HalfContact& contact);

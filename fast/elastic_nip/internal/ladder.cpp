@@ -43,24 +43,24 @@ Resolution resolution(data::Friction friction, double near, int level) {
 
 }  // namespace
 
-ContactLadder::ContactLadder(data::Friction friction, double poisson, double accuracy)
+ElasticNipLadder::ElasticNipLadder(data::Friction friction, double poisson, double accuracy)
     : friction_(friction),
       poisson_(poisson),
       tolerance_(std::max(1e-6 * accuracy, 1e-16)),
-      kernel_accuracy_(std::max(1e-4 * accuracy, Accuracy::kBest)) {}
+      kernel_accuracy_(std::max(1e-4 * accuracy, Accuracy::best_rtol)) {}
 
 /// Kernels and quadrature are as good as the expansion, so that the differences between levels tell of them
 /// too.
-std::unique_ptr<HalfContact> ContactLadder::solve(double half_length, double near, int level) const {
+std::unique_ptr<HalfContact> ElasticNipLadder::solve(double half_length, double near, int level) const {
   const Resolution now = resolution(friction_, near, level);
   const double tolerance = std::max(1e-2 * now.remainder, 1e-16);
-  ContactKernels kernels(Accuracy(std::max(tolerance, kernel_accuracy_.rtol())), *work_);
+  CountedKernels kernels(Accuracy(std::max(tolerance, kernel_accuracy_.rtol())), *work_);
   if (now.spectral) return spectral_contact(half_length, now.terms, kernels);
   return panel_contact(half_length, friction_, poisson_, {now.panels, now.terms, tolerance}, kernels);
 }
 
-std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double near, int level,
-                                                           double enough) {
+std::unique_ptr<HalfContact> ElasticNipLadder::solve_for_load(double load, double near, int level,
+                                                              double enough) {
   for (LengthSearch search(load, near, enough);;) {
     const double half_length = search.half_length();
     // The layout follows large steps only: it makes the load jump.
@@ -73,7 +73,7 @@ std::unique_ptr<HalfContact> ContactLadder::solve_for_load(double load, double n
   }
 }
 
-void ContactLadder::climb(double near, double accuracy, const Step& step) {
+void ElasticNipLadder::climb(double near, double accuracy, const Step& step) {
   for (int level = 0; level < most_levels; ++level) {
     std::ranges::rotate(solutions_, solutions_.begin() + 1);
     solutions_[2] = step(near, level);
@@ -85,30 +85,31 @@ void ContactLadder::climb(double near, double accuracy, const Step& step) {
   }
 }
 
-ContactLadder ContactLadder::at_half_length(double half_length, data::Friction friction, double poisson,
-                                            double accuracy) {
-  ContactLadder ladder(friction, poisson, accuracy);
+ElasticNipLadder ElasticNipLadder::at_half_length(double half_length, data::Friction friction, double poisson,
+                                                  double accuracy) {
+  ElasticNipLadder ladder(friction, poisson, accuracy);
   ladder.climb(half_length, accuracy,
                [&](double near, int level) { return ladder.solve(half_length, near, level); });
   return ladder;
 }
 
-ContactLadder ContactLadder::at_load(double load, data::Friction friction, double poisson, double accuracy) {
-  ContactLadder ladder(friction, poisson, accuracy);
+ElasticNipLadder ElasticNipLadder::at_load(double load, data::Friction friction, double poisson,
+                                           double accuracy) {
+  ElasticNipLadder ladder(friction, poisson, accuracy);
   const double enough = std::max(1e-2 * accuracy, 1e-14);
   ladder.climb(half_length_guess(load), accuracy,
                [&](double near, int level) { return ladder.solve_for_load(load, near, level, enough); });
   return ladder;
 }
 
-Estimate ContactLadder::own_estimate(const Functional& functional) const {
+Estimate ElasticNipLadder::own_estimate(const Functional& functional) const {
   std::array<double, 3> values{};
   std::ranges::transform(solutions_, values.begin(),
                          [&](const auto& contact) { return functional(*contact); });
   return estimate_from_levels(values);
 }
 
-double ContactLadder::largest_relative_error() const {
+double ElasticNipLadder::largest_relative_error() const {
   double largest = 0;
   const auto take = [&](const Functional& functional, double scale) {
     const Estimate estimate = own_estimate(functional);
@@ -128,11 +129,11 @@ double ContactLadder::largest_relative_error() const {
   return largest;
 }
 
-Estimate ContactLadder::estimate(const Functional& functional, double scale) const {
+Estimate ElasticNipLadder::estimate(const Functional& functional, double scale) const {
   const Estimate own = own_estimate(functional);
   const int tier = kernel_accuracy_.tier();
   // Errors of many kernel values mostly cancel; those of the full tier are rounding.
-  const double kernels = tier < internal::kFullTier ? 0.03 * internal::kTiers[tier].error : 0;
+  const double kernels = tier < internal::full_tier ? 0.03 * internal::tier_works[tier].error : 0;
   const double least = std::max({relative_error_, kernels, 3 * load_residual_, rounding});
   return {own.value, std::max(own.error, least * std::max(scale, std::fabs(own.value)))};
 }

@@ -6,8 +6,8 @@ namespace nipref::fast {
 namespace {
 
 KernelValues from_library(Accuracy accuracy, std::span<const double> alpha, WantedKernels wanted,
-                          ContactWork& work) {
-  ContactKernels kernels(accuracy, work);
+                          Work& work) {
+  CountedKernels kernels(accuracy, work);
   KernelValues values;
   if (wanted.I1) values.I1 = kernels.I1(alpha);
   if (wanted.I3) values.I3 = kernels.I3(alpha);
@@ -15,8 +15,7 @@ KernelValues from_library(Accuracy accuracy, std::span<const double> alpha, Want
   return values;
 }
 
-KernelValues from_residues(int terms, std::span<const double> alpha, WantedKernels wanted,
-                           ContactWork& work) {
+KernelValues from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
   KernelValues values;
   const auto provide = [&](bool is_wanted, int kernel, std::vector<double>& room) {
     if (!is_wanted) return;
@@ -34,7 +33,7 @@ KernelValues from_residues(int terms, std::span<const double> alpha, WantedKerne
 }  // namespace
 
 KernelValues line_load_kernels(const LineLoadMethod& method, std::span<const double> alpha,
-                               WantedKernels wanted, ContactWork& work) {
+                               WantedKernels wanted, Work& work) {
   return method.residue_terms == 0 ? from_library(method.accuracy, alpha, wanted, work)
                                    : from_residues(method.residue_terms, alpha, wanted, work);
 }

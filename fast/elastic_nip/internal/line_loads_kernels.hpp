@@ -21,6 +21,6 @@ struct KernelValues {
 
 /// The kernels at each alpha, finite and nonzero, as `method` computes them; counted into `work`.
 KernelValues line_load_kernels(const LineLoadMethod& method, std::span<const double> alpha,
-                               WantedKernels wanted, ContactWork& work);
+                               WantedKernels wanted, Work& work);
 
 }  // namespace nipref::fast

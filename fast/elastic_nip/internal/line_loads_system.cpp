@@ -111,7 +111,7 @@ Eigen::VectorXd gap_at_matching_points(const data::ElasticNip& nip, int elements
   return gap;
 }
 
-void count_system(int unknowns, ContactWork& work) {
+void count_system(int unknowns, Work& work) {
   ++work.systems;
   work.unknowns = std::max(work.unknowns, unknowns);
 }

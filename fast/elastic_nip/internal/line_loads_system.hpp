@@ -25,7 +25,7 @@ Eigen::MatrixXd grip_matrix(const KernelValues& kernels, double poisson);
 Eigen::VectorXd gap_at_matching_points(const data::ElasticNip& nip, int elements_per_side,
                                        double contact_length);
 
-void count_system(int unknowns, ContactWork& work);
+void count_system(int unknowns, Work& work);
 
 /// Fills a solution from the unknowns.
 LineLoadSolution solution_of(const data::ElasticNip& nip, int elements_per_side, double contact_length,

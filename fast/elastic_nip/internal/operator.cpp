@@ -10,7 +10,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// I3 - beta I2 at signed distances.
-std::vector<double> coupling(const std::vector<double>& alpha, double beta, ContactKernels& kernels) {
+std::vector<double> coupling(const std::vector<double>& alpha, double beta, CountedKernels& kernels) {
   std::vector<double> values = kernels.I3(alpha);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] -= std::copysign(beta * pi / 2, alpha[i]);
   return values;
@@ -20,8 +20,8 @@ std::vector<double> coupling(const std::vector<double>& alpha, double beta, Cont
 
 /// Signed distances: near = y - s = e_s - e_y, formed from distances to the end of the piece where that end
 /// is the point; far = y + s.
-void ContactOperator::append_nodes(double point, double left, double right, std::vector<Influence>& nodes,
-                                   std::vector<double>& near, std::vector<double>& far) const {
+void ElasticNipOperator::append_nodes(double point, double left, double right, std::vector<Influence>& nodes,
+                                      std::vector<double>& near, std::vector<double>& far) const {
   const double width = right - left;
   for (const UnitNode& node : rule_) {
     const double e = left == 0 || node.from_left < node.from_right ? left + width * node.from_left
@@ -37,7 +37,7 @@ void ContactOperator::append_nodes(double point, double left, double right, std:
 /// Ends of the pieces of [left, right] between which the kernels, as functions of a distance that may be
 /// thousands, change on one scale only: the point itself, and where they and those of the mirror image have
 /// decayed.
-std::vector<double> ContactOperator::cuts(double point, double left, double right) const {
+std::vector<double> ElasticNipOperator::cuts(double point, double left, double right) const {
   const double image = 2 * half_length_ - point;
   std::vector<double> cuts{left, right};
   for (const double cut : {point, point - 5, point + 5, point - 18, point + 18, image - 5, image - 18}) {
@@ -47,8 +47,8 @@ std::vector<double> ContactOperator::cuts(double point, double left, double righ
   return cuts;
 }
 
-std::vector<Influence> ContactOperator::influences(double point, double left, double right,
-                                                   Couplings wanted) const {
+std::vector<Influence> ElasticNipOperator::influences(double point, double left, double right,
+                                                      Couplings wanted) const {
   std::vector<Influence> nodes;
   std::vector<double> near, far;
   const std::vector<double> ends = cuts(point, left, right);

@@ -28,10 +28,10 @@ struct Couplings {
 };
 
 /// Quadrature of the displacements of single points over a half contact.
-class ContactOperator {
+class ElasticNipOperator {
  public:
   /// beta = theta2/N = (1 - 2 poisson)/(2 (1 - poisson)), dimensionless.
-  ContactOperator(double half_length, double beta, double tolerance, ContactKernels& kernels)
+  ElasticNipOperator(double half_length, double beta, double tolerance, CountedKernels& kernels)
       : half_length_(half_length),
         beta_(beta),
         rule_(double_exponential_rule(tolerance)),
@@ -50,7 +50,7 @@ class ContactOperator {
   double half_length_;
   double beta_;
   std::vector<UnitNode> rule_;
-  ContactKernels& kernels_;
+  CountedKernels& kernels_;
 };
 
 }  // namespace nipref::fast

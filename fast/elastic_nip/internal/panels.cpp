@@ -33,13 +33,13 @@ void chebyshev(double x, std::vector<double>& values) {
 class PanelContact : public HalfContact {
  public:
   PanelContact(double length, data::Friction friction, double poisson, const PanelLayout& layout,
-               ContactKernels& kernels)
+               CountedKernels& kernels)
       : friction_(friction == data::Friction::full), terms_(layout.terms), panels_(layout.panels) {
     half_length = length;
     breaks = panel_breaks(length, layout.panels);
     const double beta = (1 - 2 * poisson) / (2 * (1 - poisson));
     if (friction_) exponent_ = {0.5, -std::atanh(beta) / pi};
-    solve(ContactOperator(length, friction_ ? beta : 0, layout.tolerance, kernels), kernels);
+    solve(ElasticNipOperator(length, friction_ ? beta : 0, layout.tolerance, kernels), kernels);
     load = 2 * half_load(layout.tolerance);
   }
 
@@ -91,7 +91,7 @@ class PanelContact : public HalfContact {
   }
 
   /// One panel's part of the rows of one matching point: normal displacement at `row`, tangential below.
-  void add_panel(const ContactOperator& from, double point, int panel, int row,
+  void add_panel(const ElasticNipOperator& from, double point, int panel, int row,
                  Eigen::MatrixXd& matrix) const {
     const auto nodes =
         from.influences(point, left(panel), right(panel), {true, friction_, friction_, friction_});
@@ -117,7 +117,7 @@ class PanelContact : public HalfContact {
     }
   }
 
-  void solve(const ContactOperator& from, ContactKernels& kernels) {
+  void solve(const ElasticNipOperator& from, CountedKernels& kernels) {
     const std::vector<double> points = matching_points();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
     Eigen::VectorXd gap = Eigen::VectorXd::Zero(size());
@@ -155,7 +155,7 @@ class PanelContact : public HalfContact {
 }  // namespace
 
 std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction friction, double poisson,
-                                           const PanelLayout& layout, ContactKernels& kernels) {
+                                           const PanelLayout& layout, CountedKernels& kernels) {
   return std::make_unique<PanelContact>(half_length, friction, poisson, layout, kernels);
 }
 

@@ -24,6 +24,6 @@ struct PanelLayout {
 /// displacement and the creep are unknowns too. `poisson` is used with friction only.
 /// (thesis 2.2, 2.5, 5.3, 5.5; continuous form)
 std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction friction, double poisson,
-                                           const PanelLayout& layout, ContactKernels& kernels);
+                                           const PanelLayout& layout, CountedKernels& kernels);
 
 }  // namespace nipref::fast

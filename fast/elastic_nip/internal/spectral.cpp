@@ -47,7 +47,7 @@ class Grid {
 
 /// Mean over node j and its mirror image of I1(A (t - s)) + ln(A |t - s|), the part of the kernel that is
 /// analytic.
-Eigen::MatrixXd smooth_kernel(const Grid& grid, double half_length, ContactKernels& kernels) {
+Eigen::MatrixXd smooth_kernel(const Grid& grid, double half_length, CountedKernels& kernels) {
   const int size = grid.terms + 1;
   std::vector<double> alpha;
   alpha.reserve(2 * static_cast<std::size_t>(size * size));
@@ -78,7 +78,7 @@ double logarithm_of(int n, int angle, const Grid& grid) {
 
 class SpectralContact : public HalfContact {
  public:
-  SpectralContact(double length, int terms, ContactKernels& kernels) {
+  SpectralContact(double length, int terms, CountedKernels& kernels) {
     half_length = length;
     breaks = {0, length};
     solve(Grid(terms), kernels);
@@ -94,7 +94,7 @@ class SpectralContact : public HalfContact {
   }
 
  private:
-  void solve(const Grid& grid, ContactKernels& kernels) {
+  void solve(const Grid& grid, CountedKernels& kernels) {
     const int terms = grid.terms;
     Eigen::MatrixXd nodes(terms + 1, terms);
     for (int j = 0; j <= terms; ++j) {
@@ -124,7 +124,7 @@ class SpectralContact : public HalfContact {
 
 }  // namespace
 
-std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, ContactKernels& kernels) {
+std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, CountedKernels& kernels) {
   return std::make_unique<SpectralContact>(half_length, terms, kernels);
 }
 

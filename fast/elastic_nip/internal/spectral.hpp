@@ -11,6 +11,6 @@ namespace nipref::fast {
 /// acts on the expansion in closed form, the analytic rest by Gauss-Chebyshev. Converges like (2/A + sqrt(1 +
 /// 4/A^2))^(-2 terms): good for A up to about 10. A > 0 and finite, terms >= 1. (thesis 2.2, 5.3; continuous
 /// form)
-std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, ContactKernels& kernels);
+std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, CountedKernels& kernels);
 
 }  // namespace nipref::fast

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast::internal {
 

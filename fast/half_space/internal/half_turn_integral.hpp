@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 
 namespace nipref::fast {

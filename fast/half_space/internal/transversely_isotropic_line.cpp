@@ -13,7 +13,7 @@
 namespace nipref::fast::internal {
 namespace {
 
-constexpr Two kOne{1};
+constexpr Two one{1};
 
 /// X for loads that move along `motion`.
 NIPREF_CLONES Two stress_density(Direction psi, Direction motion, double density, double speed) {
@@ -68,9 +68,9 @@ InPlaneAxisLine::InPlaneAxisLine(const data::TransverselyIsotropicSolid& solid)
     : d2_(solid.c33),
       d5_(solid.c66),
       d6_(solid.c44),
-      inverse1_(kOne / Two{solid.c11}),
-      inverse5_(kOne / Two{d5_}),
-      inverse6_(kOne / Two{d6_}) {
+      inverse1_(one / Two{solid.c11}),
+      inverse5_(one / Two{d5_}),
+      inverse6_(one / Two{d6_}) {
   const Two sum = two_sum(d6_, solid.c13);
   sum_over_d1_ = sum * inverse1_;
   coupling_ = sum * sum_over_d1_ * inverse6_;

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/number/internal/two_words_algebra.hpp>
 
 namespace nipref::fast::internal {

@@ -19,9 +19,9 @@ Complex one_word(Complex rate) { return rate; }
 double faded(const Fade& fade, Two way) { return decay(fade.rate * way); }
 Complex faded(Complex rate, Two way) { return std::exp(-rate * way.high); }
 
-/// The waves at kNearest, from where the far pieces start.
+/// The waves at nearest, from where the far pieces start.
 const Waves& nearest_waves(Accuracy accuracy) {
-  static const Waves full = waves({kNearest, 0}, 0x1p-56), coarse = waves({kNearest, 0}, 1e-10);
+  static const Waves full = waves({nearest, 0}, 0x1p-56), coarse = waves({nearest, 0}, 1e-10);
   return accuracy.rtol() >= 1e-8 ? coarse : full;
 }
 
@@ -54,7 +54,7 @@ Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
   return all_ahead(kernel, nearest_waves(accuracy), rate);
 }
 
-/// The kernel on [start, end], or to infinity without an end: behind the load by residues, within kNearest of
+/// The kernel on [start, end], or to infinity without an end: behind the load by residues, within nearest of
 /// it by memory_under_load, ahead by residues. What is passed first has faded most.
 template <typename Rate>
 auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, const Rate& rate,
@@ -63,30 +63,30 @@ auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, co
   const Value plain = one_word(rate);
   const double w = start.at.high;
   Value sum = 0;
-  if (w < -kNearest) {
-    const bool all = end && end->at.high <= -kNearest;
-    const Two way = all ? length : -start.at + Two{-kNearest, 0};
+  if (w < -nearest) {
+    const bool all = end && end->at.high <= -nearest;
+    const Two way = all ? length : -start.at + Two{-nearest, 0};
     const Value kept = faded(rate, way);
     const Value piece = memory_of_piece_behind(
         kernel, start.waves, all ? end->waves : nearest_waves(accuracy), plain, way.high, kept);
     sum += kernel == Kernel::I1 ? piece : -(piece + limit(kernel) * way.high * phi1(plain * way.high));
     if (all) return sum;
   }
-  if (w < kNearest) {
-    const Two way = w < -kNearest ? -start.at + Two{-kNearest, 0} : Two{0, 0};
-    const double from = std::max(w, -kNearest);
-    const bool ends = end && end->at.high <= kNearest;
-    const double to = ends ? end->at.high : kNearest;
+  if (w < nearest) {
+    const Two way = w < -nearest ? -start.at + Two{-nearest, 0} : Two{0, 0};
+    const double from = std::max(w, -nearest);
+    const bool ends = end && end->at.high <= nearest;
+    const double to = ends ? end->at.high : nearest;
     const double part = ends && from == w ? length.high : to - from;
     sum += faded(rate, way) * under_load(kernel, from, to, part, rate, accuracy);
     if (ends) return sum;
   }
-  if (w >= kNearest) {
+  if (w >= nearest) {
     return end ? piece_ahead(kernel, start.waves, plain, length.high) : all_ahead(kernel, start.waves, plain);
   }
-  const Value piece = end ? piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - kNearest)
+  const Value piece = end ? piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - nearest)
                           : from_nearest(kernel, rate, accuracy);
-  return sum + faded(rate, -start.at + Two{kNearest, 0}) * piece;
+  return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
 /// int over the whole line of e^(-L w) I1(w) dw, continued to where the integral no longer exists: pi times
@@ -100,12 +100,12 @@ double whole_line(double L) {
 
 Spot spot(Two at, Accuracy accuracy) {
   const double tolerance = accuracy.rtol() / 32;
-  return {at, std::fabs(at.high) < kNearest ? Waves{} : waves(at, tolerance)};
+  return {at, std::fabs(at.high) < nearest ? Waves{} : waves(at, tolerance)};
 }
 
 double kernel_at(Kernel kernel, const Spot& at, Accuracy accuracy) {
   const double w = at.at.high;
-  if (std::fabs(w) >= kNearest) {
+  if (std::fabs(w) >= nearest) {
     const double faded = faded_kernel(kernel, at.waves);
     return kernel == Kernel::I1 ? faded : (w > 0 ? 1 : -1) * (limit(kernel) + faded);
   }
@@ -124,7 +124,7 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
 }
 
 double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy) {
-  if (kernel == Kernel::I1 && start.at.high <= -kNearest) {
+  if (kernel == Kernel::I1 && start.at.high <= -nearest) {
     const double rate = fade.rate.high;
     return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
   }
@@ -137,8 +137,7 @@ Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy a
 
 double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, const Fade& fade,
               Accuracy accuracy) {
-  if (length.high < 1 || end.at.high < kNearest)
-    return by_pieces(kernel, start, &end, length, fade, accuracy);
+  if (length.high < 1 || end.at.high < nearest) return by_pieces(kernel, start, &end, length, fade, accuracy);
   const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
   if (forgotten) return steady_memory(kernel, start, fade, accuracy);
   // I1 over a half-thickness or more, and beyond the surroundings of the load: the rest is small against the

@@ -9,7 +9,7 @@
 namespace nipref::fast::internal {
 
 /// A position against the load, in half-thicknesses, > 0 ahead of it, and its waves unless it is nearer than
-/// kNearest.
+/// nearest.
 struct Spot {
   Two at;
   Waves waves;
@@ -21,8 +21,8 @@ Spot spot(Two at, Accuracy accuracy);
 /// next, and from 1 on, int e^(-rate (w - start)) I(w) dw for the kernels it was made for.
 struct Fade {
   Two rate;
-  std::array<CorePieces, kKernelCount> core{};
-  std::array<double, kKernelCount> beyond{};
+  std::array<CorePieces, kernel_count> core{};
+  std::array<double, kernel_count> beyond{};
 };
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);

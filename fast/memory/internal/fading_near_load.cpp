@@ -9,12 +9,12 @@
 namespace nipref::fast::internal {
 namespace {
 
-/// I1 = ln(kLogEnd/w) + a smooth even function that begins with w^2.
-constexpr double kLogEnd = 0x1.68324269695c0p-1;
+/// I1 = ln(log_end/w) + a smooth even function that begins with w^2.
+constexpr double log_end = 0x1.68324269695c0p-1;
 /// Here e^-x has faded to 2^-58.
-constexpr double kFaded = 40;
+constexpr double faded = 40;
 /// Between distances from the logarithm in less than this ratio a Gauss rule will do.
-constexpr double kSmoothRatio = 6;
+constexpr double smooth_ratio = 6;
 
 /// The smooth part of I1 on any piece of [-1/2, 1/2].
 double smooth_part(double w, double length, double rate, Accuracy accuracy) {
@@ -24,11 +24,11 @@ double smooth_part(double w, double length, double rate, Accuracy accuracy) {
   return faded_sum(gauss, smooth, length, rate);
 }
 
-/// int_0^length e^(-rate d) ln(kLogEnd/(p + d)) dd, p >= 0, p + length <= 1/2: by parts, so that all terms of
+/// int_0^length e^(-rate d) ln(log_end/(p + d)) dd, p >= 0, p + length <= 1/2: by parts, so that all terms of
 /// the result are positive. Not for p near its end.
 double log_ahead(double p, double length, double rate) {
   const double q = p + length;
-  const double constant = std::log(kLogEnd / q) * length * phi1(rate * length);
+  const double constant = std::log(log_end / q) * length * phi1(rate * length);
   if (p == 0) return constant + q * ein_ratio(rate * q);
   const double near = rate * p, far = rate * q;
   if (near <= 0.35) {
@@ -40,20 +40,20 @@ double log_ahead(double p, double length, double rate) {
   return constant + (std::log(q / p) - scaled_E1(near) + std::exp(-rate * length) * scaled_E1(far)) / rate;
 }
 
-/// int_0^a e^(-rate d) ln(kLogEnd/(a - d)) dd, 0 < a <= 1/2.
+/// int_0^a e^(-rate d) ln(log_end/(a - d)) dd, 0 < a <= 1/2.
 double log_behind(double a, double rate) {
-  return a * (std::log(kLogEnd / a) * phi1(rate * a) + faded_ein_ratio(rate * a));
+  return a * (std::log(log_end / a) * phi1(rate * a) + faded_ein_ratio(rate * a));
 }
 
 /// I1 on a piece of [0, 1/2].
 double inner_ahead(double p, double length, double rate, Accuracy accuracy) {
-  if (p > 0 && p + length <= kSmoothRatio * p) return by_rule(Kernel::I1, p, 1, length, rate, accuracy);
+  if (p > 0 && p + length <= smooth_ratio * p) return by_rule(Kernel::I1, p, 1, length, rate, accuracy);
   return log_ahead(p, length, rate) + smooth_part(p, length, rate, accuracy);
 }
 
 /// I1 on a piece behind the load from the distance a <= 1/2 down to c.
 double inner_behind(double a, double c, double length, double rate, Accuracy accuracy) {
-  if (a <= kSmoothRatio * c) return by_rule(Kernel::I1, a, -1, length, rate, accuracy);
+  if (a <= smooth_ratio * c) return by_rule(Kernel::I1, a, -1, length, rate, accuracy);
   const double missing = c > 0 ? std::exp(-rate * length) * log_behind(c, rate) : 0;
   return log_behind(a, rate) - missing + smooth_part(-a, length, rate, accuracy);
 }
@@ -62,12 +62,12 @@ double inner_behind(double a, double c, double length, double rate, Accuracy acc
 double piece(Kernel kernel, double w, double end, double length, double rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double distance = std::fabs(w);
-  if (rate * length > kFaded) {
-    length = kFaded / rate;
+  if (rate * length > faded) {
+    length = faded / rate;
     end = w + length;
   }
   if (kernel != Kernel::I1) return step * by_rule(kernel, distance, step, length, rate, accuracy);
-  const bool inner = std::max(distance, std::fabs(end)) <= kInner;
+  const bool inner = std::max(distance, std::fabs(end)) <= inner_end;
   if (!inner) return by_rule(kernel, distance, step, length, rate, accuracy);
   return step > 0 ? inner_ahead(distance, length, rate, accuracy)
                   : inner_behind(distance, -end, length, rate, accuracy);
@@ -77,7 +77,7 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double most = 12 / std::abs(rate);
-  length = std::min(length, kFaded / std::max(rate.real(), 1e-300));
+  length = std::min(length, faded / std::max(rate.real(), 1e-300));
   // Within `tiny` of the load weight and smooth part are constant, the logarithm is integrated in closed
   // form.
   const double tiny = std::max(1e-9 / (1 + std::abs(rate)), 1e-13 * length);
@@ -95,7 +95,7 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
     if (!at_load) {
       sum += weight * by_rule(kernel, v, step, panel, rate, accuracy);
     } else if (kernel == Kernel::I1) {  // the others are 0 at the load
-      const auto log_to = [](double x) { return x > 0 ? x * (std::log(kLogEnd / x) + 1) : 0; };
+      const auto log_to = [](double x) { return x > 0 ? x * (std::log(log_end / x) + 1) : 0; };
       sum += weight * (step > 0 ? log_to(panel) : log_to(v) - log_to(std::max(v - panel, 0.0)));
     }
     done = panel >= left ? length : done + panel;
@@ -108,8 +108,8 @@ template <typename Rate, typename Piece>
 Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece) {
   Rate sum = 0;
   double done = 0;
-  for (std::size_t k = 0; k < kCoreStops.size(); ++k) {
-    const double stop = kCoreStops[k];
+  for (std::size_t k = 0; k < core_stops.size(); ++k) {
+    const double stop = core_stops[k];
     if (w >= stop || (w >= end && done > 0)) continue;
     const bool last = end <= stop;
     const double left = done == 0 ? length : end - w;
@@ -127,9 +127,9 @@ Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece)
 CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy) {
   CorePieces pieces;
   double start = -1;
-  for (std::size_t k = 0; k < kCoreStops.size(); ++k) {
-    pieces[k] = piece(kernel, start, kCoreStops[k], kCoreStops[k] - start, rate, accuracy);
-    start = kCoreStops[k];
+  for (std::size_t k = 0; k < core_stops.size(); ++k) {
+    pieces[k] = piece(kernel, start, core_stops[k], core_stops[k] - start, rate, accuracy);
+    start = core_stops[k];
   }
   return pieces;
 }
@@ -137,8 +137,8 @@ CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy) {
 double memory_under_load(Kernel kernel, double w, double end, double length, double rate,
                          const CorePieces& whole, Accuracy accuracy) {
   return over_pieces(w, end, length, rate, [&](std::size_t k, double from, double to, double part) {
-    const double start = k == 0 ? -1 : kCoreStops[k - 1];
-    const bool is_whole = from == start && to == kCoreStops[k];
+    const double start = k == 0 ? -1 : core_stops[k - 1];
+    const bool is_whole = from == start && to == core_stops[k];
     return is_whole ? whole[k] : piece(kernel, from, to, part, rate, accuracy);
   });
 }

@@ -8,9 +8,9 @@
 namespace nipref::fast::internal {
 
 /// Where the memory under the load is cut.
-inline constexpr std::array kCoreStops{-kInner, 0.0, kInner, 1.0};
+inline constexpr std::array core_stops{-inner_end, 0.0, inner_end, 1.0};
 /// The memory of the whole pieces that end there, each from its own start.
-using CorePieces = std::array<double, kCoreStops.size()>;
+using CorePieces = std::array<double, core_stops.size()>;
 
 CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy);
 

@@ -26,12 +26,12 @@ GaussRule gauss_rule(int count) {
   return rule;
 }
 
-constexpr int kRules[] = {8, 10, 16, 32};
+constexpr int rules[] = {8, 10, 16, 32};
 
 const GaussRule& rule(int index) {
-  static const std::array<GaussRule, std::size(kRules)> all = [] {
-    std::array<GaussRule, std::size(kRules)> made;
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = gauss_rule(kRules[i]);
+  static const std::array<GaussRule, std::size(rules)> all = [] {
+    std::array<GaussRule, std::size(rules)> made;
+    for (std::size_t i = 0; i < made.size(); ++i) made[i] = gauss_rule(rules[i]);
     return made;
   }();
   return all[static_cast<std::size_t>(index)];
@@ -62,15 +62,16 @@ void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, 
 /// The pieces that most integrals are made of: [1/2, 1] and, for the kernels without logarithm, [0, 1/2],
 /// both ways.
 struct WholePieces {
-  Nodes value[kKernelCount][2][2][std::size(kRules)];
+  Nodes value[kernel_count][2][2][std::size(rules)];
 
   WholePieces() {
-    for (int kernel = 0; kernel < kKernelCount; ++kernel) {
+    for (int kernel = 0; kernel < kernel_count; ++kernel) {
       for (int outer = kernel == 0 ? 1 : 0; outer < 2; ++outer) {
-        for (int i = 0; i < static_cast<int>(std::size(kRules)); ++i) {
-          const double near = outer * kInner;
-          kernel_between(static_cast<Kernel>(kernel), near, kInner, rule(i), value[kernel][outer][1][i], {});
-          kernel_between(static_cast<Kernel>(kernel), near + kInner, -kInner, rule(i),
+        for (int i = 0; i < static_cast<int>(std::size(rules)); ++i) {
+          const double near = outer * inner_end;
+          kernel_between(static_cast<Kernel>(kernel), near, inner_end, rule(i), value[kernel][outer][1][i],
+                         {});
+          kernel_between(static_cast<Kernel>(kernel), near + inner_end, -inner_end, rule(i),
                          value[kernel][outer][0][i], {});
         }
       }
@@ -79,9 +80,9 @@ struct WholePieces {
 };
 
 const Nodes* whole_piece(Kernel kernel, double v, int step, double length, int index) {
-  if (length != kInner) return nullptr;
+  if (length != inner_end) return nullptr;
   const double near = step > 0 ? v : v - length;
-  if (near != kInner && (near != 0 || kernel == Kernel::I1)) return nullptr;
+  if (near != inner_end && (near != 0 || kernel == Kernel::I1)) return nullptr;
   static const WholePieces all;
   return &all.value[static_cast<int>(kernel)][near > 0][step > 0][index];
 }

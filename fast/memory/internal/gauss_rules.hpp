@@ -9,10 +9,10 @@
 namespace nipref::fast::internal {
 
 /// Where the logarithm is taken apart; as the table of the smooth function.
-constexpr double kInner = kNearEnd;
+constexpr double inner_end = near_end;
 
-inline constexpr int kMostNodes = 32;
-using Nodes = std::array<double, kMostNodes>;
+inline constexpr int most_nodes = 32;
+using Nodes = std::array<double, most_nodes>;
 
 struct GaussRule {
   std::vector<double> at, weight;  ///< on [0, 1]

@@ -15,7 +15,7 @@ using Wide = long double;
 
 struct Root {
   Two frequency, decay;                         ///< z = frequency + i decay
-  std::array<Complex, kKernelCount> amplitude;  ///< C_n of each kernel
+  std::array<Complex, kernel_count> amplitude;  ///< C_n of each kernel
 };
 
 Two two_words(Wide x) {
@@ -23,7 +23,7 @@ Two two_words(Wide x) {
   return {high, static_cast<double>(x - high)};
 }
 
-constexpr double kGone = 400;
+constexpr double gone = 400;
 
 /// More than a double's bits, as the first wave matters up to 340 half-thicknesses.
 std::complex<Wide> wide_root(int n) {
@@ -42,10 +42,10 @@ Root root(int n) {
           {Complex(amplitude_I1), Complex(pi / (c * c)), Complex(pi * s / (z * c * c)), Complex(pi / c)}};
 }
 
-const std::array<Root, kMostWaves>& roots() {
-  static const std::array<Root, kMostWaves> all = [] {
-    std::array<Root, kMostWaves> first;
-    for (int n = 0; n < kMostWaves; ++n) first[static_cast<std::size_t>(n)] = root(n + 1);
+const std::array<Root, most_waves>& roots() {
+  static const std::array<Root, most_waves> all = [] {
+    std::array<Root, most_waves> first;
+    for (int n = 0; n < most_waves; ++n) first[static_cast<std::size_t>(n)] = root(n + 1);
     return first;
   }();
   return all;
@@ -53,15 +53,15 @@ const std::array<Root, kMostWaves>& roots() {
 
 /// The smaller sizes: at a distance x the n-th wave is about e^(-pi (n - 1) x) of the first.
 int wave_count(double distance, double tolerance) {
-  return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, kMostWaves);
+  return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, most_waves);
 }
 
 /// The roots once more, in columns.
 struct Columns {
-  std::array<double, kMostWaves> frequency_high, frequency_low, decay_high, decay_low;
+  std::array<double, most_waves> frequency_high, frequency_low, decay_high, decay_low;
 
   Columns() {
-    for (std::size_t n = 0; n < kMostWaves; ++n) {
+    for (std::size_t n = 0; n < most_waves; ++n) {
       const Root& root = roots()[n];
       frequency_high[n] = root.frequency.high;
       frequency_low[n] = root.frequency.low;
@@ -106,7 +106,7 @@ Complex inverse(Complex z) {
 Waves waves(Two distance, double tolerance) {
   if (distance.high < 0) distance = -distance;
   // There is nothing left of a wave where the first has fallen below the least double.
-  if (distance.high > kGone) distance = {kGone, 0};
+  if (distance.high > gone) distance = {gone, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
   sheet_code().waves(root_columns(), distance.high, distance.low, at.real.data(), at.imaginary.data(),

@@ -11,18 +11,18 @@
 namespace nipref::fast::internal {
 
 enum class Kernel { I1, I3, I4, I5 };
-inline constexpr int kKernelCount = 4;
+inline constexpr int kernel_count = 4;
 
 using Complex = std::complex<double>;
 
-inline constexpr int kMostWaves = 16;
-/// From here on kMostWaves residues are enough: the next is below e^(-pi 15) = 2^-67 of the first.
-inline constexpr double kNearest = 1;
+inline constexpr int most_waves = 16;
+/// From here on most_waves residues are enough: the next is below e^(-pi 15) = 2^-67 of the first.
+inline constexpr double nearest = 1;
 
-/// The wave e^(i z_n |w|) for each n that matters at one |w| >= kNearest.
+/// The wave e^(i z_n |w|) for each n that matters at one |w| >= nearest.
 struct Waves {
   int count = 0;
-  std::array<double, kMostWaves> real, imaginary;
+  std::array<double, most_waves> real, imaginary;
 
   [[nodiscard]] Complex value(int n) const {
     return {real[static_cast<std::size_t>(n)], imaginary[static_cast<std::size_t>(n)]};
@@ -44,7 +44,7 @@ template <typename Rate>
 Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length);
 
 /// int_0^length e^(-rate d) D(a - d) dd, D at positive arguments: a piece behind the load from the distance a
-/// down to a - length >= kNearest; `faded` is e^(-rate length).
+/// down to a - length >= nearest; `faded` is e^(-rate length).
 template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded);

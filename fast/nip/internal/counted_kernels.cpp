@@ -6,31 +6,31 @@
 
 namespace nipref::fast {
 
-void ContactKernels::count_values(int kernel, std::size_t values) {
+void CountedKernels::count_values(int kernel, std::size_t values) {
   work_.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] += values;
-  work_.terms += values * static_cast<std::size_t>(internal::kTiers[accuracy_.tier()].piece + 1);
+  work_.terms += values * static_cast<std::size_t>(internal::tier_works[accuracy_.tier()].piece + 1);
 }
 
-void ContactKernels::count_system(int unknowns) {
+void CountedKernels::count_system(int unknowns) {
   ++work_.systems;
   work_.unknowns = std::max(work_.unknowns, unknowns);
 }
 
-std::vector<double> ContactKernels::I1(std::span<const double> alpha) {
+std::vector<double> CountedKernels::I1(std::span<const double> alpha) {
   std::vector<double> values(alpha.size());
   fast::I1(alpha, values, accuracy_);
   count_values(1, values.size());
   return values;
 }
 
-std::vector<double> ContactKernels::I3(std::span<const double> alpha) {
+std::vector<double> CountedKernels::I3(std::span<const double> alpha) {
   std::vector<double> values(alpha.size());
   fast::I3(alpha, values, accuracy_);
   count_values(3, values.size());
   return values;
 }
 
-std::vector<double> ContactKernels::I6(std::span<const double> alpha) {
+std::vector<double> CountedKernels::I6(std::span<const double> alpha) {
   const std::vector<double> eta(alpha.size(), 0.0);
   std::vector<double> values(alpha.size());
   fast::I6(alpha, eta, values, accuracy_);

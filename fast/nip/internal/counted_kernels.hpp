@@ -8,10 +8,10 @@
 namespace nipref::fast {
 
 /// The sheet kernels as a contact solver takes them: in batches, counted.
-class ContactKernels {
+class CountedKernels {
  public:
   /// Counts into `work`, which outlives this.
-  ContactKernels(Accuracy accuracy, ContactWork& work) : accuracy_(accuracy), work_(work) {}
+  CountedKernels(Accuracy accuracy, Work& work) : accuracy_(accuracy), work_(work) {}
 
   [[nodiscard]] std::vector<double> I1(std::span<const double> alpha);
   [[nodiscard]] std::vector<double> I3(std::span<const double> alpha);
@@ -24,7 +24,7 @@ class ContactKernels {
   void count_values(int kernel, std::size_t values);
 
   Accuracy accuracy_;
-  ContactWork& work_;
+  Work& work_;
 };
 
 }  // namespace nipref::fast

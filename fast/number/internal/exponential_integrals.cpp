@@ -11,7 +11,7 @@ namespace {
 using Double = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 /// From here on the divergent series sum k!/(+-x)^k reaches e^-x < 2^-53 before it diverges.
-constexpr double kAsymptotic = 50;
+constexpr double asymptotic_from = 50;
 
 /// x e^x E1(x) for x = 1/step > 0, x e^-x Ei(x) for step < 0.
 double asymptotic(double step) {
@@ -20,13 +20,13 @@ double asymptotic(double step) {
   return sum;
 }
 
-constexpr int kEinTerms = 18;
+constexpr int ein_terms = 18;
 
 /// 1/((k + 1) (k + 1)!).
-constexpr std::array<double, kEinTerms> ein_coefficients() {
-  std::array<double, kEinTerms> coefficients{};
+constexpr std::array<double, ein_terms> ein_coefficients() {
+  std::array<double, ein_terms> coefficients{};
   double factorial = 1;
-  for (int k = 0; k < kEinTerms; ++k) {
+  for (int k = 0; k < ein_terms; ++k) {
     factorial *= k + 1;
     coefficients[static_cast<std::size_t>(k)] = 1 / ((k + 1) * factorial);
   }
@@ -38,7 +38,7 @@ double ein_series(double x) {
   static constexpr auto c = ein_coefficients();
   const double square = x * x;
   double even = 0, odd = 0;
-  for (std::size_t k = kEinTerms; k > 0; k -= 2) {
+  for (std::size_t k = ein_terms; k > 0; k -= 2) {
     odd = odd * square + c[k - 1];
     even = even * square + c[k - 2];
   }
@@ -69,12 +69,12 @@ double ein_ratio(double x) {
 
 double faded_ein_ratio(double x) {
   if (x <= 1) return std::exp(-x) * ein_series(-x);
-  if (x >= kAsymptotic) return asymptotic(-1 / x) / x / x;
+  if (x >= asymptotic_from) return asymptotic(-1 / x) / x / x;
   return std::exp(-x) * (boost::math::expint(x, Double()) - (std::log(x) + std::numbers::egamma)) / x;
 }
 
 double scaled_E1(double x) {
-  if (x >= kAsymptotic) return asymptotic(1 / x) / x;
+  if (x >= asymptotic_from) return asymptotic(1 / x) / x;
   return std::exp(x) * boost::math::expint(1, x, Double());
 }
 

@@ -29,26 +29,26 @@ struct Tier {
                      ///< constants
 };
 
-inline constexpr int kTierCount = 5;
-inline constexpr int kFullTier = kTierCount - 1;
-inline constexpr int kPieceDegree = 7;
-inline constexpr int kEvenDegree = 10;
-inline constexpr int kCoarseDegree = 3;
+inline constexpr int tier_count = 5;
+inline constexpr int full_tier = tier_count - 1;
+inline constexpr int piece_degree = 7;
+inline constexpr int even_degree = 10;
+inline constexpr int coarse_degree = 3;
 
-inline constexpr Tier kTiers[kTierCount] = {
+inline constexpr Tier tier_works[tier_count] = {
     {1e-3, true, 2, 0, 0, 2, 1, 1, 2, false},
-    {5e-7, true, kCoarseDegree, 0, 0, 4, 2, 3, 4, false},
+    {5e-7, true, coarse_degree, 0, 0, 4, 2, 3, 4, false},
     {1e-9, false, 4, 0, 6, 5, 3, 5, 4, false},
     {5e-13, false, 6, 0, 8, 7, 5, 7, 6, true},
-    {0x1p-51, false, kPieceDegree, 6, 10, kEvenDegree, 6, 7, 8, true},
+    {0x1p-51, false, piece_degree, 6, 10, even_degree, 6, 7, 8, true},
 };
 
 /// The cheapest tier whose promise is within rtol; the full tier when none is.
 constexpr int cheapest_tier(double rtol) {
-  for (int tier = 0; tier < kFullTier; ++tier) {
-    if (kTiers[tier].error <= rtol) return tier;
+  for (int tier = 0; tier < full_tier; ++tier) {
+    if (tier_works[tier].error <= rtol) return tier;
   }
-  return kFullTier;
+  return full_tier;
 }
 
 }  // namespace nipref::fast::internal

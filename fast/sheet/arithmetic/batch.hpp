@@ -9,14 +9,14 @@ enum class Words { rounded, two };
 
 /// A component at sorted points: its value or high word, and its low word where two are wanted.
 struct SortedValues {
-  alignas(64) double high[3 * kRegimeCapacity];
-  alignas(64) double low[3 * kRegimeCapacity];
+  alignas(64) double high[3 * regime_capacity];
+  alignas(64) double low[3 * regime_capacity];
 };
 
 template <Regime regime, Component component, int tier, Words words>
 NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& values) {
-  constexpr int32_t first = kFirst[static_cast<int>(regime)];
-  const int32_t n = (points.count[static_cast<int>(regime)] + kLanes - 1) & ~(kLanes - 1);
+  constexpr int32_t first = first_of_regime[static_cast<int>(regime)];
+  const int32_t n = (points.count[static_cast<int>(regime)] + lanes - 1) & ~(lanes - 1);
   const double* __restrict x = points.x + first;
   double* __restrict high = values.high + first;
   double* __restrict low = values.low + first;
@@ -43,9 +43,9 @@ NIPREF_INLINE WidePair in_regime(__m512d x) {
 template <Regime regime, Component component, int tier, Words words>
 requires(regime != Regime::residue_tail) NIPREF_INLINE
     void evaluate_regime(const SortedPoints& points, SortedValues& values) {
-  const int32_t first = kFirst[static_cast<int>(regime)];
+  const int32_t first = first_of_regime[static_cast<int>(regime)];
   const int32_t last = first + points.count[static_cast<int>(regime)];
-  for (int32_t i = first; i < last; i += kLanes) {
+  for (int32_t i = first; i < last; i += lanes) {
     const WidePair value = in_regime<regime, component, tier>(_mm512_load_pd(points.x + i));
     if constexpr (words == Words::rounded) {
       _mm512_store_pd(values.high + i, value.high + value.low);
@@ -60,7 +60,7 @@ requires(regime != Regime::residue_tail) NIPREF_INLINE
 
 template <Component component, int tier, Words words>
 NIPREF_INLINE void evaluate_sorted(const SortedPoints& points, SortedValues& values) {
-  if constexpr (kShape<component> == Shape::logarithmic) {
+  if constexpr (shape_of<component> == Shape::logarithmic) {
     evaluate_regime<Regime::near_zero, component, tier, words>(points, values);
   }
   evaluate_regime<Regime::piece, component, tier, words>(points, values);

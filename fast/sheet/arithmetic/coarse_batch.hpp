@@ -9,15 +9,15 @@ namespace nipref::fast::internal::NIPREF_ISA {
 /// others stay in their own places.
 struct CoarseBlock {
   int32_t tail_count;
-  alignas(64) double tail_argument[kRegimeCapacity];
-  alignas(64) double tail_value[kRegimeCapacity];
+  alignas(64) double tail_argument[regime_capacity];
+  alignas(64) double tail_value[regime_capacity];
 #ifdef __AVX512F__
-  __mmask8 is_tail[kBlock / kLanes];  ///< which of eight arguments belong to the tail
-  alignas(64) int64_t offset[kBlock];
-  alignas(64) double t[kBlock];
-  alignas(64) double rest[kBlock];
+  __mmask8 is_tail[block_size / lanes];  ///< which of eight arguments belong to the tail
+  alignas(64) int64_t offset[block_size];
+  alignas(64) double t[block_size];
+  alignas(64) double rest[block_size];
 #else
-  int32_t tail_place[kRegimeCapacity];
+  int32_t tail_place[regime_capacity];
 #endif
 };
 
@@ -28,17 +28,17 @@ struct CoarseBlock {
 template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
   int32_t tail_count = 0;
-  for (int32_t i = 0; i < n; i += kLanes) {
+  for (int32_t i = 0; i < n; i += lanes) {
     const __m512d x = _mm512_loadu_pd(argument + i);
     const __m512d magnitude = _mm512_abs_pd(x);
-    const __mmask8 is_tail = _mm512_cmp_pd_mask(magnitude, _mm512_set1_pd(kPieceEnd), _CMP_GE_OQ);
-    block.is_tail[i / kLanes] = is_tail;
+    const __mmask8 is_tail = _mm512_cmp_pd_mask(magnitude, _mm512_set1_pd(piece_end), _CMP_GE_OQ);
+    block.is_tail[i / lanes] = is_tail;
     _mm512_storeu_pd(block.tail_argument + tail_count, _mm512_maskz_compress_pd(is_tail, x));
     tail_count += __builtin_popcount(is_tail);
     const WideCoarsePoint at = locate_coarsely<component, tier>(magnitude);
     _mm512_store_si512(block.offset + i, at.offset);
     _mm512_store_pd(block.t + i, at.t);
-    if constexpr (kShape<component> == Shape::logarithmic) _mm512_store_pd(block.rest + i, at.rest);
+    if constexpr (shape_of<component> == Shape::logarithmic) _mm512_store_pd(block.rest + i, at.rest);
   }
   fill_up(block.tail_argument + tail_count);
   block.tail_count = tail_count;
@@ -47,14 +47,14 @@ NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block
 template <Component component, int tier>
 NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* argument, int32_t n,
                                         double* value) {
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
   const double* tail = block.tail_value;
-  for (int32_t i = 0; i < n; i += kLanes) {
+  for (int32_t i = 0; i < n; i += lanes) {
     __m512d result =
-        cubics<kTiers[tier].piece>(table.coarse[0], block.offset + i, _mm512_load_pd(block.t + i));
-    if constexpr (kShape<component> == Shape::logarithmic) result += _mm512_load_pd(block.rest + i);
-    if constexpr (kShape<component> == Shape::odd) result *= _mm512_loadu_pd(argument + i);
-    const __mmask8 is_tail = block.is_tail[i / kLanes];
+        cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, _mm512_load_pd(block.t + i));
+    if constexpr (shape_of<component> == Shape::logarithmic) result += _mm512_load_pd(block.rest + i);
+    if constexpr (shape_of<component> == Shape::odd) result *= _mm512_loadu_pd(argument + i);
+    const __mmask8 is_tail = block.is_tail[i / lanes];
     _mm512_storeu_pd(value + i, expand(result, is_tail, tail));
     tail += __builtin_popcount(is_tail);
   }
@@ -68,9 +68,9 @@ NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block
   for (int32_t i = 0; i < n; ++i) {
     block.tail_argument[count] = argument[i];
     block.tail_place[count] = i;
-    count += __builtin_fabs(argument[i]) >= kPieceEnd ? 1 : 0;
+    count += __builtin_fabs(argument[i]) >= piece_end ? 1 : 0;
   }
-  for (int lane = 0; lane < kLanes; ++lane) block.tail_argument[count + lane] = kPieceEnd;
+  for (int lane = 0; lane < lanes; ++lane) block.tail_argument[count + lane] = piece_end;
   block.tail_count = count;
 }
 
@@ -86,14 +86,14 @@ NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* 
 
 template <Component component, int tier>
 NIPREF_INLINE void evaluate_tail(CoarseBlock& block) {
-  const int32_t n = (block.tail_count + kLanes - 1) & ~(kLanes - 1);
+  const int32_t n = (block.tail_count + lanes - 1) & ~(lanes - 1);
   for (int32_t i = 0; i < n; ++i) {
     const Pair result = residue_tail<component, tier>(__builtin_fabs(block.tail_argument[i]));
     block.tail_value[i] = with_symmetry<component>(result.high + result.low, block.tail_argument[i]);
   }
 }
 
-/// A component at n <= kBlock arguments of either sign, n a multiple of kLanes; value may be the arguments'
+/// A component at n <= block_size arguments of either sign, n a multiple of lanes; value may be the arguments'
 /// own array.
 template <Component component, int tier>
 NIPREF_INLINE void coarse_block(const double* argument, int32_t n, CoarseBlock& block, double* value) {

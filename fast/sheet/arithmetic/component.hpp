@@ -27,14 +27,14 @@ NIPREF_INLINE Pair in_regime(double x) {
 
 template <Component component>
 NIPREF_INLINE bool is_near_zero(double x) {
-  return kShape<component> == Shape::logarithmic && x < kNearEnd;
+  return shape_of<component> == Shape::logarithmic && x < near_end;
 }
 
 template <Component component, int tier>
 NIPREF_INLINE Pair evaluate(double x) {
-  if (x >= kPieceEnd) [[unlikely]]
+  if (x >= piece_end) [[unlikely]]
     return residue_tail<component, tier>(x);
-  if constexpr (kTiers[tier].coarse) return {coarse<component, tier>(x), 0};
+  if constexpr (tier_works[tier].coarse) return {coarse<component, tier>(x), 0};
   if (is_near_zero<component>(x)) return near_zero<component, tier>(x);
   return piece<component, tier>(x);
 }
@@ -42,20 +42,20 @@ NIPREF_INLINE Pair evaluate(double x) {
 /// f(-x) from f(x).
 template <Component component>
 NIPREF_INLINE double with_symmetry(double value, double argument) {
-  return kShape<component> == Shape::odd ? __builtin_copysign(value, argument) : value;
+  return shape_of<component> == Shape::odd ? __builtin_copysign(value, argument) : value;
 }
 
 /// (pi/4)(e - a) + r - s for a, e >= 0. The first term is exact to 2^-106 of itself: where a and e are large
 /// and close, nothing else is left.
 NIPREF_INLINE double combine_i6(double a, double e, Pair r, Pair s) {
-  constexpr double kQuarterPiHigh = 0x1.921fb54442d18p-1;
-  constexpr double kQuarterPiLow = 0x1.1a62633145c07p-55;
+  constexpr double quarter_pi_high = 0x1.921fb54442d18p-1;
+  constexpr double quarter_pi_low = 0x1.1a62633145c07p-55;
   const Pair difference = two_sum(e, -a);
-  const Pair linear = two_product(difference.high, kQuarterPiHigh);
+  const Pair linear = two_product(difference.high, quarter_pi_high);
   const Pair with_r = two_sum(linear.high, r.high);
   const Pair with_s = two_sum(with_r.high, -s.high);
   const double linear_low =
-      mul_add(difference.high, kQuarterPiLow, mul_add(difference.low, kQuarterPiHigh, linear.low));
+      mul_add(difference.high, quarter_pi_low, mul_add(difference.low, quarter_pi_high, linear.low));
   return with_s.high + ((with_r.low + with_s.low) + (linear_low + (r.low - s.low)));
 }
 

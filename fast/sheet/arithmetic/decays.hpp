@@ -8,29 +8,30 @@ namespace nipref::fast::internal::NIPREF_ISA {
 
 /// e^-x for 0 <= x <= 708, to a unit in the last place: 2^-k e^r with |r| <= ln 2/2, Taylor's polynomial.
 NIPREF_INLINE double decay(double x) {
-  constexpr double kPerLn2 = 0x1.71547652b82fep+0;
-  constexpr double kLn2High = 0x1.62e42fefa3800p-1;  // its last 11 bits are 0: products with k are exact
-  constexpr double kLn2Low = 0x1.ef35793c76730p-45;
-  constexpr double kShift = 0x1.8p52;  // adding it rounds to an integer, which then stands in the low bits
-  constexpr double kTaylor[] = {1,
-                                1,
-                                1.0 / 2,
-                                1.0 / 6,
-                                1.0 / 24,
-                                1.0 / 120,
-                                1.0 / 720,
-                                1.0 / 5040,
-                                1.0 / 40320,
-                                1.0 / 362880,
-                                1.0 / 3628800,
-                                1.0 / 39916800,
-                                1.0 / 479001600,
-                                1.0 / 6227020800};
-  const double shifted = mul_add(-x, kPerLn2, kShift);
-  const double k = shifted - kShift;
-  const double r = mul_add(-k, kLn2Low, mul_add(-k, kLn2High, -x));
+  constexpr double per_ln2 = 0x1.71547652b82fep+0;
+  constexpr double ln2_high = 0x1.62e42fefa3800p-1;  // its last 11 bits are 0: products with k are exact
+  constexpr double ln2_low = 0x1.ef35793c76730p-45;
+  constexpr double rounding_shift =
+      0x1.8p52;  // adding it rounds to an integer, which then stands in the low bits
+  constexpr double taylor[] = {1,
+                               1,
+                               1.0 / 2,
+                               1.0 / 6,
+                               1.0 / 24,
+                               1.0 / 120,
+                               1.0 / 720,
+                               1.0 / 5040,
+                               1.0 / 40320,
+                               1.0 / 362880,
+                               1.0 / 3628800,
+                               1.0 / 39916800,
+                               1.0 / 479001600,
+                               1.0 / 6227020800};
+  const double shifted = mul_add(-x, per_ln2, rounding_shift);
+  const double k = shifted - rounding_shift;
+  const double r = mul_add(-k, ln2_low, mul_add(-k, ln2_high, -x));
   const double power = from_bits((bits_of(shifted) + 1023) << 52);
-  return horner<13>(kTaylor, r) * power;
+  return horner<13>(taylor, r) * power;
 }
 
 /// value[i] = e^(-rate at[i]).
@@ -38,12 +39,12 @@ NIPREF_INLINE void decays(double rate, const double* at, double* value, size_t c
   for (size_t i = 0; i < count; ++i) value[i] = decay(rate * at[i]);
 }
 
-/// value[i] = I1(x) - ln(kLogEnd/x) at x = from + way at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
+/// value[i] = I1(x) - ln(log_end/x) at x = from + way at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
 NIPREF_INLINE void smooth_I1(double from, double way, const double* at, double* value, size_t count) {
-  const double* even = kComponentTables[static_cast<int>(Component::I1)].even[kFullTier];
+  const double* even = component_tables[static_cast<int>(Component::I1)].even[full_tier];
   for (size_t i = 0; i < count; ++i) {
     const double x = from + way * at[i];
-    value[i] = x * x * horner<kTiers[kFullTier].even - 1>(even, x * x);
+    value[i] = x * x * horner<tier_works[full_tier].even - 1>(even, x * x);
   }
 }
 
@@ -52,34 +53,34 @@ struct Turn {
   double cosine, sine;
 };
 NIPREF_INLINE Turn turn(Pair phase) {
-  constexpr double kPerQuarter = 0x1.45f306dc9c883p-1;
-  constexpr double kQuarterHigh = 0x1.921fb54400000p+0;
-  constexpr double kQuarterMiddle = 0x1.0b4611a600000p-34;
-  constexpr double kQuarterLow = 0x1.3198a2e037073p-69;
-  constexpr double kShift = 0x1.8p52;
-  constexpr double kSine[] = {1,
-                              -1.0 / 6,
-                              1.0 / 120,
-                              -1.0 / 5040,
-                              1.0 / 362880,
-                              -1.0 / 39916800,
-                              1.0 / 6227020800,
-                              -1.0 / 1307674368000};
-  constexpr double kCosine[] = {1,
-                                -1.0 / 2,
-                                1.0 / 24,
-                                -1.0 / 720,
-                                1.0 / 40320,
-                                -1.0 / 3628800,
-                                1.0 / 479001600,
-                                -1.0 / 87178291200,
-                                1.0 / 20922789888000};
-  const double shifted = phase.high * kPerQuarter + kShift;
-  const double quarters = shifted - kShift;
+  constexpr double per_quarter = 0x1.45f306dc9c883p-1;
+  constexpr double quarter_high = 0x1.921fb54400000p+0;
+  constexpr double quarter_middle = 0x1.0b4611a600000p-34;
+  constexpr double quarter_low = 0x1.3198a2e037073p-69;
+  constexpr double rounding_shift = 0x1.8p52;
+  constexpr double sine_series[] = {1,
+                                    -1.0 / 6,
+                                    1.0 / 120,
+                                    -1.0 / 5040,
+                                    1.0 / 362880,
+                                    -1.0 / 39916800,
+                                    1.0 / 6227020800,
+                                    -1.0 / 1307674368000};
+  constexpr double cosine_series[] = {1,
+                                      -1.0 / 2,
+                                      1.0 / 24,
+                                      -1.0 / 720,
+                                      1.0 / 40320,
+                                      -1.0 / 3628800,
+                                      1.0 / 479001600,
+                                      -1.0 / 87178291200,
+                                      1.0 / 20922789888000};
+  const double shifted = phase.high * per_quarter + rounding_shift;
+  const double quarters = shifted - rounding_shift;
   const uint64_t quadrant = bits_of(shifted);
-  const double r = ((phase.high - quarters * kQuarterHigh) - quarters * kQuarterMiddle) +
-                   (phase.low - quarters * kQuarterLow);
-  const double sine = r * horner<7>(kSine, r * r), cosine = horner<8>(kCosine, r * r);
+  const double r = ((phase.high - quarters * quarter_high) - quarters * quarter_middle) +
+                   (phase.low - quarters * quarter_low);
+  const double sine = r * horner<7>(sine_series, r * r), cosine = horner<8>(cosine_series, r * r);
   const bool odd = (quadrant & 1) != 0;
   const double c = odd ? sine : cosine, s = odd ? cosine : sine;
   return {from_bits(bits_of(c) ^ ((quadrant + 1) >> 1 << 63)), from_bits(bits_of(s) ^ (quadrant >> 1 << 63))};

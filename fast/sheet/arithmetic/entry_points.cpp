@@ -10,12 +10,12 @@ namespace {
 /// In integers, where a double's order is that of its bits: any magnitude beyond the domain makes a
 /// difference negative.
 bool all_in_domain(const double* argument, size_t count, Domain domain) {
-  constexpr int64_t kLargest = 0x7fefffffffffffff;
+  constexpr int64_t largest = 0x7fefffffffffffff;
   const int64_t smallest = domain == Domain::finite_nonzero ? 1 : 0;
   int64_t signs = 0;
   for (size_t i = 0; i < count; ++i) {
     const auto magnitude = static_cast<int64_t>(bits_of(__builtin_fabs(argument[i])));
-    signs |= (kLargest - magnitude) | (magnitude - smallest);
+    signs |= (largest - magnitude) | (magnitude - smallest);
   }
   return signs >= 0;
 }
@@ -39,26 +39,26 @@ double scalar_i6(double alpha, double eta) {
 template <size_t inputs, typename Evaluate>
 NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* value, size_t count,
                              Evaluate evaluate) {
-  const size_t whole = count - count % kLanes;
+  const size_t whole = count - count % lanes;
   const double* block[inputs];
-  for (size_t start = 0; start < whole; start += kBlock) {
-    const size_t n = whole - start < kBlock ? whole - start : kBlock;
+  for (size_t start = 0; start < whole; start += block_size) {
+    const size_t n = whole - start < block_size ? whole - start : block_size;
     for (size_t k = 0; k < inputs; ++k) block[k] = argument[k] + start;
     evaluate(block, value + start, static_cast<int32_t>(n));
   }
   if (whole == count) return;
-  double last[inputs][kLanes];
-  double last_value[kLanes];
+  double last[inputs][lanes];
+  double last_value[lanes];
   for (size_t k = 0; k < inputs; ++k) {
-    for (size_t i = 0; i < kLanes; ++i) last[k][i] = whole + i < count ? argument[k][whole + i] : 1;
+    for (size_t i = 0; i < lanes; ++i) last[k][i] = whole + i < count ? argument[k][whole + i] : 1;
     block[k] = last[k];
   }
-  evaluate(block, last_value, kLanes);
+  evaluate(block, last_value, lanes);
   for (size_t i = whole; i < count; ++i) value[i] = last_value[i - whole];
 }
 
 template <Component component, int tier>
-requires(kTiers[tier].coarse) void batch(const double* argument, double* value, size_t count) {
+requires(tier_works[tier].coarse) void batch(const double* argument, double* value, size_t count) {
   CoarseBlock block;
   in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
     coarse_block<component, tier>(x[0], n, block, block_value);
@@ -66,7 +66,7 @@ requires(kTiers[tier].coarse) void batch(const double* argument, double* value, 
 }
 
 template <Component component, int tier>
-requires(!kTiers[tier].coarse) void batch(const double* argument, double* value, size_t count) {
+requires(!tier_works[tier].coarse) void batch(const double* argument, double* value, size_t count) {
   SortedPoints points;
   SortedValues values;
   in_blocks({argument}, value, count, [&](const double* const(&x)[1], double* block_value, int32_t n) {
@@ -78,19 +78,19 @@ requires(!kTiers[tier].coarse) void batch(const double* argument, double* value,
 
 /// One of the two parts of I6 at a block of arguments.
 struct PartOfI6 {
-  alignas(64) double high[kBlock];
-  alignas(64) double low[kBlock];
+  alignas(64) double high[block_size];
+  alignas(64) double low[block_size];
 };
 
 template <Component component, int tier>
-requires(kTiers[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
+requires(tier_works[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
   CoarseBlock block;
   coarse_block<component, tier>(argument, n, block, part.high);
   for (int32_t i = 0; i < n; ++i) part.low[i] = 0;
 }
 
 template <Component component, int tier>
-requires(!kTiers[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
+requires(!tier_works[tier].coarse) void evaluate_part(const double* argument, int32_t n, PartOfI6& part) {
   SortedPoints points;
   SortedValues values;
   sort<component>(argument, n, points);
@@ -119,9 +119,9 @@ void batch_i6(const double* alpha, const double* eta, double* value, size_t coun
 #define NIPREF_TIERS(function, component) \
   {function<component, 0>, function<component, 1>, function<component, 2>, function<component, 3>, function<component, 4>}
 // clang-format on
-static_assert(kTierCount == 5);
+static_assert(tier_count == 5);
 
-const SheetCode kCode = {
+const SheetCode code = {
     NIPREF_ISA_NAME,
     all_in_domain,
     {NIPREF_TIERS(scalar, Component::I1), NIPREF_TIERS(scalar, Component::I3),

@@ -44,9 +44,9 @@ NIPREF_INLINE Pair two_product(double a, double b) {
 #ifdef __FP_FAST_FMA
   return {product, __builtin_fma(a, b, -product)};
 #else
-  constexpr uint64_t kUpperHalf = ~((uint64_t{1} << 27) - 1);
-  const double a_high = from_bits(bits_of(a) & kUpperHalf);
-  const double b_high = from_bits(bits_of(b) & kUpperHalf);
+  constexpr uint64_t upper_half = ~((uint64_t{1} << 27) - 1);
+  const double a_high = from_bits(bits_of(a) & upper_half);
+  const double b_high = from_bits(bits_of(b) & upper_half);
   const double a_low = a - a_high;
   const double b_low = b - b_high;
   return {product, ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low};
@@ -69,9 +69,9 @@ struct Nearest {
   int64_t integer;
 };
 NIPREF_INLINE Nearest nearest(double x) {
-  constexpr double kShift = 0x1p52;
-  const double shifted = x + kShift;
-  return {shifted - kShift, static_cast<int64_t>(bits_of(shifted) & 0xffffffff)};
+  constexpr double rounding_shift = 0x1p52;
+  const double shifted = x + rounding_shift;
+  return {shifted - rounding_shift, static_cast<int64_t>(bits_of(shifted) & 0xffffffff)};
 }
 
 }  // namespace nipref::fast::internal::NIPREF_ISA

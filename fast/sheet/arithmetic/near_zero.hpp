@@ -15,24 +15,24 @@ struct Decomposed {
 };
 
 NIPREF_INLINE Decomposed decompose(double x) {
-  constexpr uint64_t kOne = 0x3ff0000000000000;
-  constexpr uint64_t kFraction = 0x000fffffffffffff;
-  constexpr int kCellShift = 45;
-  constexpr uint64_t kInsideCell = (uint64_t{1} << kCellShift) - 1;
-  constexpr uint64_t kHalfCell = uint64_t{1} << (kCellShift - 1);
+  constexpr uint64_t one = 0x3ff0000000000000;
+  constexpr uint64_t fraction_bits = 0x000fffffffffffff;
+  constexpr int cell_shift = 45;
+  constexpr uint64_t inside_cell = (uint64_t{1} << cell_shift) - 1;
+  constexpr uint64_t half_cell = uint64_t{1} << (cell_shift - 1);
   const bool denormal = x < 0x1p-1022;
   const uint64_t bits = bits_of(denormal ? x * 0x1p54 : x);
   // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer: a conversion that
   // vectorises.
   const double biased = from_bits((bits >> 52) | 0x4330000000000000);
   const double bias = denormal ? 0x1p52 + 1023 + 54 : 0x1p52 + 1023;
-  const uint64_t fraction = bits & kFraction;
-  return {biased - bias, from_bits(fraction | kOne), from_bits((fraction & ~kInsideCell) | kHalfCell | kOne),
-          static_cast<int64_t>(fraction >> kCellShift)};
+  const uint64_t fraction = bits & fraction_bits;
+  return {biased - bias, from_bits(fraction | one), from_bits((fraction & ~inside_cell) | half_cell | one),
+          static_cast<int64_t>(fraction >> cell_shift)};
 }
 
 /// Powers of r in (ln(1 + r) - r)/r^2.
-inline constexpr double kLog1pCurvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 / 5,  -1.0 / 6,
+inline constexpr double log1p_curvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 / 5,  -1.0 / 6,
                                              1.0 / 7,  -1.0 / 8, 1.0 / 9,  -1.0 / 10};
 
 /// constant of the component - ln x for x > 0, denormal x included.
@@ -41,39 +41,41 @@ inline constexpr double kLog1pCurvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 /
 /// that is rounded is below 1/256.
 template <Component component, int tier>
 NIPREF_INLINE Pair minus_logarithm(double x) {
-  constexpr double kLn2High = 0x1.62e42fefa38p-1;
-  constexpr double kLn2Low = 0x1.ef35793c7673p-45;
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+  constexpr double ln2_high = 0x1.62e42fefa38p-1;
+  constexpr double ln2_low = 0x1.ef35793c7673p-45;
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
   const Decomposed part = decompose(x);
-  const double r = (part.mantissa - part.centre) * kCommonTable.log_reciprocal[part.cell];
-  double low = mul_add(-r * r, horner<kTiers[tier].log1p - 2>(kLog1pCurvature, r), -r);
-  if constexpr (kTiers[tier].compensated) low += mul_add(-part.exponent, kLn2Low, table.log_low[part.cell]);
-  return {table.log_high[part.cell] - part.exponent * kLn2High, low};
+  const double r = (part.mantissa - part.centre) * common_table.log_reciprocal[part.cell];
+  double low = mul_add(-r * r, horner<tier_works[tier].log1p - 2>(log1p_curvature, r), -r);
+  if constexpr (tier_works[tier].compensated)
+    low += mul_add(-part.exponent, ln2_low, table.log_low[part.cell]);
+  return {table.log_high[part.cell] - part.exponent * ln2_high, low};
 }
 
 /// The same by 16 cells, whose tables a vector machine can hold in registers. Without a fused multiply-add r
 /// is good to 2^-53 only, more than enough for the tiers below full accuracy.
 template <Component component, int tier>
-requires(kTiers[tier].log1p == 0) NIPREF_INLINE Pair minus_logarithm(double x) {
-  constexpr double kLn2High = 0x1.62e42fefa38p-1;
-  constexpr double kLn2Low = 0x1.ef35793c7673p-45;
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+requires(tier_works[tier].log1p == 0) NIPREF_INLINE Pair minus_logarithm(double x) {
+  constexpr double ln2_high = 0x1.62e42fefa38p-1;
+  constexpr double ln2_low = 0x1.ef35793c7673p-45;
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
   const Decomposed part = decompose(x);
-  const int64_t cell = part.cell / (kLogCells / kWideLogCells);
-  const double r = mul_add(part.mantissa, kCommonTable.wide_log_reciprocal[cell], -1.0);
-  double low = mul_add(-r * r, horner<kTiers[tier].wide_log1p - 2>(kLog1pCurvature, r), -r);
-  if constexpr (kTiers[tier].compensated) low += mul_add(-part.exponent, kLn2Low, table.wide_log_low[cell]);
-  return {mul_add(-part.exponent, kLn2High, table.wide_log_high[cell]), low};
+  const int64_t cell = part.cell / (log_cells / wide_log_cells);
+  const double r = mul_add(part.mantissa, common_table.wide_log_reciprocal[cell], -1.0);
+  double low = mul_add(-r * r, horner<tier_works[tier].wide_log1p - 2>(log1p_curvature, r), -r);
+  if constexpr (tier_works[tier].compensated)
+    low += mul_add(-part.exponent, ln2_low, table.wide_log_low[cell]);
+  return {mul_add(-part.exponent, ln2_high, table.wide_log_high[cell]), low};
 }
 
-/// A logarithmic component for 0 < x < kNearEnd. Low words are added from small to large: the logarithm's is
+/// A logarithmic component for 0 < x < near_end. Low words are added from small to large: the logarithm's is
 /// below 1/256 where it matters, the even remainder below 0.1, the odd term below 0.4.
 template <Component component, int tier>
 NIPREF_INLINE Pair near_zero(double x) {
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
   const double square = x * x;
   Pair sum = minus_logarithm<component, tier>(x);
-  sum.low = mul_add(square, horner<kTiers[tier].even - 1>(table.even[tier], square), sum.low);
+  sum.low = mul_add(square, horner<tier_works[tier].even - 1>(table.even[tier], square), sum.low);
   if constexpr (component == Component::alpha_part_of_I6) sum.low = mul_add(table.odd, x, sum.low);
   return sum;
 }

@@ -17,22 +17,22 @@ struct WideLocated {
 
 /// Adding 2^47 rounds to a multiple of 1/32, 2^46 to one of 1/64.
 NIPREF_INLINE WideLocated locate(__m512d x) {
-  static_assert(kFinePieces == 64 && kCoarsePieces == 32);
-  const __mmask8 is_coarse = _mm512_cmp_pd_mask(x, _mm512_set1_pd(kFineEnd), _CMP_GE_OQ);
+  static_assert(fine_pieces == 64 && coarse_pieces == 32);
+  const __mmask8 is_coarse = _mm512_cmp_pd_mask(x, _mm512_set1_pd(fine_end), _CMP_GE_OQ);
   const __m512d shift = _mm512_mask_blend_pd(is_coarse, _mm512_set1_pd(0x1p46), _mm512_set1_pd(0x1p47));
   const __m512d shifted = x + shift;
   const __m512i index = _mm512_and_si512(_mm512_castpd_si512(shifted), _mm512_set1_epi64(0xffff));
-  return {_mm512_mask_add_epi64(index, is_coarse, index, _mm512_set1_epi64(kCoarseOffset)),
+  return {_mm512_mask_add_epi64(index, is_coarse, index, _mm512_set1_epi64(coarse_offset)),
           x - (shifted - shift)};
 }
 
-/// A component for x < kPieceEnd (and x >= kNearEnd where it is logarithmic).
+/// A component for x < piece_end (and x >= near_end where it is logarithmic).
 template <Component component, int tier>
 NIPREF_INLINE WidePair piece(__m512d x) {
-  constexpr int degree = kTiers[tier].piece;
-  static_assert(degree >= 4 && kPieceDegree == 7);
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
-  const WideLocated at = locate(_mm512_min_pd(x, _mm512_set1_pd(kPieceEnd)));  // tail: any row will do
+  constexpr int degree = tier_works[tier].piece;
+  static_assert(degree >= 4 && piece_degree == 7);
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
+  const WideLocated at = locate(_mm512_min_pd(x, _mm512_set1_pd(piece_end)));  // tail: any row will do
   alignas(64) int64_t offset[8];
   _mm512_store_si512(offset, _mm512_slli_epi64(at.row, 3));
   const Columns first = columns(table.power[0], offset);
@@ -42,8 +42,8 @@ NIPREF_INLINE WidePair piece(__m512d x) {
   for (int k = degree - 1; k >= 1; --k)
     sum = _mm512_fmadd_pd(sum, at.t, k >= 4 ? second.number[k - 4] : first.number[k]);
   __m512d low = at.t * sum;
-  if constexpr (kTiers[tier].compensated) low += _mm512_i64gather_pd(at.row, table.constant_low, 8);
-  if constexpr (kShape<component> == Shape::odd)
+  if constexpr (tier_works[tier].compensated) low += _mm512_i64gather_pd(at.row, table.constant_low, 8);
+  if constexpr (shape_of<component> == Shape::odd)
     return {_mm512_fmadd_pd(x, first.number[0], x * low), _mm512_setzero_pd()};
   return {first.number[0], low};
 }

@@ -13,7 +13,7 @@ struct Position {
 
 template <int tier>
 NIPREF_INLINE Position position(double x, double constant_high, double constant_low) {
-  if constexpr (kTiers[tier].compensated) {
+  if constexpr (tier_works[tier].compensated) {
     // x times the constant reaches 4700, where one double would leave an error of 1e-12 in the phase.
     const Pair product = two_product(x, constant_high);
     const Nearest cell = nearest(product.high);
@@ -28,30 +28,30 @@ NIPREF_INLINE Position position(double x, double constant_high, double constant_
 /// amplitude * 2^(-position/32) without its power of two, which is 2^-(cell/32).
 template <Component component, int tier>
 NIPREF_INLINE Pair decay(Position where) {
-  constexpr double kLn2Cell = 0x1.62e42fefa39efp-1 / kExponentialCells;
-  constexpr double kSeries[] = {1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720};
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
-  const int64_t j = where.cell & (kExponentialCells - 1);
-  const double y = -kLn2Cell * where.offset;
-  double low = table.exponential_high[j] * (y * horner<kTiers[tier].exponential - 1>(kSeries, y));
-  if constexpr (kTiers[tier].compensated) low += table.exponential_low[j];
+  constexpr double ln2_cell = 0x1.62e42fefa39efp-1 / exponential_cells;
+  constexpr double series[] = {1.0, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720};
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
+  const int64_t j = where.cell & (exponential_cells - 1);
+  const double y = -ln2_cell * where.offset;
+  double low = table.exponential_high[j] * (y * horner<tier_works[tier].exponential - 1>(series, y));
+  if constexpr (tier_works[tier].compensated) low += table.exponential_low[j];
   return {table.exponential_high[j], low};
 }
 
 /// cos(2 pi position/64 + phase of the residue).
 template <Component component, int tier>
 NIPREF_INLINE Pair oscillation(Position where) {
-  constexpr double kTurnCell = 0x1.921fb54442d18p+2 / kPhaseCells;
-  constexpr double kSine[] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040};
-  constexpr double kCosine[] = {-1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320};
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
-  const int64_t p = where.cell & (kPhaseCells - 1);
-  const double b = kTurnCell * where.offset;
+  constexpr double turn_cell = 0x1.921fb54442d18p+2 / phase_cells;
+  constexpr double sine_series[] = {1.0, -1.0 / 6, 1.0 / 120, -1.0 / 5040};
+  constexpr double cosine_series[] = {-1.0 / 2, 1.0 / 24, -1.0 / 720, 1.0 / 40320};
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
+  const int64_t p = where.cell & (phase_cells - 1);
+  const double b = turn_cell * where.offset;
   const double square = b * b;
-  const double sine = b * horner<kTiers[tier].sine / 2>(kSine, square);
-  const double cosine_minus_one = square * horner<kTiers[tier].cosine / 2 - 1>(kCosine, square);
+  const double sine = b * horner<tier_works[tier].sine / 2>(sine_series, square);
+  const double cosine_minus_one = square * horner<tier_works[tier].cosine / 2 - 1>(cosine_series, square);
   double low = mul_add(table.cosine_high[p], cosine_minus_one, -table.sine[p] * sine);
-  if constexpr (kTiers[tier].compensated) low += table.cosine_low[p];
+  if constexpr (tier_works[tier].compensated) low += table.cosine_low[p];
   return {table.cosine_high[p], low};
 }
 
@@ -64,20 +64,20 @@ NIPREF_INLINE double scale_down(double x, int64_t k) {
   return x * first * second;
 }
 
-/// A component for x >= kPieceEnd: its limit and its first residue, which underflows to 0 in its own time.
+/// A component for x >= piece_end: its limit and its first residue, which underflows to 0 in its own time.
 template <Component component, int tier>
 NIPREF_INLINE Pair residue_tail(double x) {
-  const double bounded = x < kUnderflown ? x : kUnderflown;
-  const CommonTable& common = kCommonTable;
+  const double bounded = x < underflown ? x : underflown;
+  const CommonTable& common = common_table;
   const Position decayed = position<tier>(bounded, common.decay_high, common.decay_low);
   const Pair size = decay<component, tier>(decayed);
   const Pair wave =
       oscillation<component, tier>(position<tier>(bounded, common.phase_high, common.phase_low));
   const double small = mul_add(size.high, wave.low, size.low * (wave.high + wave.low));
-  const int64_t exponent = static_cast<int64_t>(static_cast<uint64_t>(decayed.cell) / kExponentialCells);
+  const int64_t exponent = static_cast<int64_t>(static_cast<uint64_t>(decayed.cell) / exponential_cells);
   const double residue = scale_down(mul_add(size.high, wave.high, small), exponent);
-  if constexpr (kShape<component> != Shape::odd) return {residue, 0};
-  const ComponentTable& table = kComponentTables[static_cast<int>(component)];
+  if constexpr (shape_of<component> != Shape::odd) return {residue, 0};
+  const ComponentTable& table = component_tables[static_cast<int>(component)];
   return {table.limit_high, table.limit_low + residue};
 }
 

@@ -23,8 +23,8 @@ struct Columns {
 };
 
 NIPREF_INLINE Columns columns(const double* table, const int64_t* offset) {
-  constexpr int kEvenLanes = 0x88;
-  constexpr int kOddLanes = 0xdd;
+  constexpr int even_lanes = 0x88;
+  constexpr int odd_lanes = 0xdd;
   const __m512d rows02 = two_rows(table, offset[0], offset[2]);
   const __m512d rows13 = two_rows(table, offset[1], offset[3]);
   const __m512d rows46 = two_rows(table, offset[4], offset[6]);
@@ -33,10 +33,10 @@ NIPREF_INLINE Columns columns(const double* table, const int64_t* offset) {
   const __m512d even_high = _mm512_unpacklo_pd(rows46, rows57);
   const __m512d odd_low = _mm512_unpackhi_pd(rows02, rows13);
   const __m512d odd_high = _mm512_unpackhi_pd(rows46, rows57);
-  return {{_mm512_shuffle_f64x2(even_low, even_high, kEvenLanes),
-           _mm512_shuffle_f64x2(odd_low, odd_high, kEvenLanes),
-           _mm512_shuffle_f64x2(even_low, even_high, kOddLanes),
-           _mm512_shuffle_f64x2(odd_low, odd_high, kOddLanes)}};
+  return {{_mm512_shuffle_f64x2(even_low, even_high, even_lanes),
+           _mm512_shuffle_f64x2(odd_low, odd_high, even_lanes),
+           _mm512_shuffle_f64x2(even_low, even_high, odd_lanes),
+           _mm512_shuffle_f64x2(odd_low, odd_high, odd_lanes)}};
 }
 
 }  // namespace nipref::fast::internal::NIPREF_ISA

@@ -12,10 +12,10 @@ using internal::Component;
 using internal::ComponentTable;
 using internal::Shape;
 
-const Real kPi = boost::math::constants::pi<Real>();
+const Real pi_number = boost::math::constants::pi<Real>();
 
 /// Longer than any double can see: the largest argument is 1/64 of the radius of convergence.
-constexpr int kLocalLength = 24;
+constexpr int local_length = 24;
 
 double rounded(const Real& x) { return x.convert_to<double>(); }
 
@@ -30,9 +30,9 @@ TwoDoubles split(const Real& x) {
 }
 
 Real row_centre(int row) {
-  const bool fine = row <= static_cast<int>(internal::kFinePieces);
-  return fine ? Real(row) / internal::kFinePieces
-              : Real(row - internal::kCoarseOffset) / internal::kCoarsePieces;
+  const bool fine = row <= static_cast<int>(internal::fine_pieces);
+  return fine ? Real(row) / internal::fine_pieces
+              : Real(row - internal::coarse_offset) / internal::coarse_pieces;
 }
 
 /// Taylor series of what a row holds, f or f(x)/x. Near 0 the residue series converges too slowly: there the
@@ -40,48 +40,48 @@ Real row_centre(int row) {
 Series local_series(const ComponentSeries& component, Series about_zero, bool odd, const Real& centre) {
   if (centre < Real(1) / 8) {
     if (odd) about_zero.erase(about_zero.begin());
-    return shifted(about_zero, centre, kLocalLength);
+    return shifted(about_zero, centre, local_length);
   }
-  const Series series = component.about(centre, kLocalLength);
+  const Series series = component.about(centre, local_length);
   return odd ? divided_by_argument(series, centre) : series;
 }
 
 void fill_rows(Component id, const ComponentSeries& component, const Series& about_zero,
                ComponentTable& table) {
   const bool logarithmic = shape(id) == Shape::logarithmic;
-  const int first_row = logarithmic ? static_cast<int>(internal::kNearEnd * internal::kFinePieces) : 0;
-  for (int row = first_row; row < internal::kRows; ++row) {
+  const int first_row = logarithmic ? static_cast<int>(internal::near_end * internal::fine_pieces) : 0;
+  for (int row = first_row; row < internal::rows; ++row) {
     const Real centre = row_centre(row);
     const Real half_width =
-        1 / (2 * Real(centre < internal::kFineEnd ? internal::kFinePieces : internal::kCoarsePieces));
+        1 / (2 * Real(centre < internal::fine_end ? internal::fine_pieces : internal::coarse_pieces));
     const Series local = local_series(component, about_zero, shape(id) == Shape::odd, centre);
-    const Series polynomial = economised(local, -half_width, half_width, internal::kPieceDegree);
+    const Series polynomial = economised(local, -half_width, half_width, internal::piece_degree);
     const TwoDoubles constant = split(polynomial.front());
     for (std::size_t k = 0; k < polynomial.size(); ++k) table.power[row][k] = rounded(polynomial[k]);
     table.constant_low[row] = constant.low;
   }
 }
 
-void write_row(const Series& local, double (&row)[internal::kCoarseDegree + 1]) {
-  const Real half_width = 1 / (2 * Real(internal::kCoarsePieces));
-  const Series polynomial = economised(local, -half_width, half_width, internal::kCoarseDegree);
+void write_row(const Series& local, double (&row)[internal::coarse_degree + 1]) {
+  const Real half_width = 1 / (2 * Real(internal::coarse_pieces));
+  const Series polynomial = economised(local, -half_width, half_width, internal::coarse_degree);
   for (std::size_t k = 0; k < polynomial.size(); ++k) row[k] = rounded(polynomial[k]);
 }
 
 void fill_coarse_rows(Component id, const ComponentSeries& component, const Series& about_zero,
                       ComponentTable& table) {
   const bool logarithmic = shape(id) == Shape::logarithmic;
-  const int first_row = logarithmic ? static_cast<int>(internal::kNearEnd * internal::kCoarsePieces) : 0;
-  for (int row = first_row; row < internal::kCoarsePieceRows; ++row) {
-    const Real centre = Real(row) / internal::kCoarsePieces;
+  const int first_row = logarithmic ? static_cast<int>(internal::near_end * internal::coarse_pieces) : 0;
+  for (int row = first_row; row < internal::coarse_piece_rows; ++row) {
+    const Real centre = Real(row) / internal::coarse_pieces;
     write_row(local_series(component, about_zero, shape(id) == Shape::odd, centre), table.coarse[row]);
   }
   if (!logarithmic) return;
-  for (int row = 0; row < internal::kCoarseLogRows; ++row) {
-    Series minus_log = logarithm(1 + Real(row) / internal::kCoarsePieces, kLocalLength);
+  for (int row = 0; row < internal::coarse_log_rows; ++row) {
+    Series minus_log = logarithm(1 + Real(row) / internal::coarse_pieces, local_length);
     for (Real& c : minus_log) c = -c;
     minus_log.front() += about_zero.front();
-    write_row(minus_log, table.coarse[internal::kCoarsePieceRows + row]);
+    write_row(minus_log, table.coarse[internal::coarse_piece_rows + row]);
   }
 }
 
@@ -97,24 +97,24 @@ void split_on_log_grid(const Real& x, double& high, double& low) {
 }
 
 void fill_logarithm(const Series& about_zero, ComponentTable& table) {
-  for (int cell = 0; cell < internal::kLogCells; ++cell) {
-    const Real constant = about_zero.front() - log(log_cell_centre(cell, internal::kLogCells));
+  for (int cell = 0; cell < internal::log_cells; ++cell) {
+    const Real constant = about_zero.front() - log(log_cell_centre(cell, internal::log_cells));
     split_on_log_grid(constant, table.log_high[cell], table.log_low[cell]);
   }
-  for (int cell = 0; cell < internal::kWideLogCells; ++cell) {
-    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
+  for (int cell = 0; cell < internal::wide_log_cells; ++cell) {
+    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::wide_log_cells));
     split_on_log_grid(about_zero.front() + log(reciprocal), table.wide_log_high[cell],
                       table.wide_log_low[cell]);
   }
 }
 
-/// The even remainder over x^2, as a function of x^2 on [0, kNearEnd^2], economised afresh for each tier.
+/// The even remainder over x^2, as a function of x^2 on [0, near_end^2], economised afresh for each tier.
 void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
   Series even;
   for (std::size_t k = 2; k < about_zero.size(); k += 2) even.push_back(about_zero[k]);
-  const Real end = Real(internal::kNearEnd) * internal::kNearEnd;
-  for (int tier = 0; tier < internal::kTierCount; ++tier) {
-    const Series polynomial = economised(even, Real(0), end, internal::kTiers[tier].even - 1);
+  const Real end = Real(internal::near_end) * internal::near_end;
+  for (int tier = 0; tier < internal::tier_count; ++tier) {
+    const Series polynomial = economised(even, Real(0), end, internal::tier_works[tier].even - 1);
     for (std::size_t k = 0; k < polynomial.size(); ++k) table.even[tier][k] = rounded(polynomial[k]);
   }
 }
@@ -126,13 +126,13 @@ void fill_residue(const ComponentSeries& component, ComponentTable& table) {
   const Complex amplitude = component.leading_amplitude();
   const Real size = abs(amplitude);
   const Real phase = atan2(Real(amplitude.imag()), Real(amplitude.real()));
-  for (int j = 0; j < internal::kExponentialCells; ++j) {
-    const TwoDoubles cell = split(size * exp2(-Real(j) / internal::kExponentialCells));
+  for (int j = 0; j < internal::exponential_cells; ++j) {
+    const TwoDoubles cell = split(size * exp2(-Real(j) / internal::exponential_cells));
     table.exponential_high[j] = cell.high;
     table.exponential_low[j] = cell.low;
   }
-  for (int p = 0; p < internal::kPhaseCells; ++p) {
-    const Real angle = phase + 2 * kPi * p / internal::kPhaseCells;
+  for (int p = 0; p < internal::phase_cells; ++p) {
+    const Real angle = phase + 2 * pi_number * p / internal::phase_cells;
     const TwoDoubles cosine = split(cos(angle));
     table.cosine_high[p] = cosine.high;
     table.cosine_low[p] = cosine.low;
@@ -159,14 +159,14 @@ std::unique_ptr<ComponentTable> tabulate(Component id, const std::vector<Complex
 
 internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
   internal::CommonTable table{};
-  for (int cell = 0; cell < internal::kLogCells; ++cell)
-    table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kLogCells));
-  for (int cell = 0; cell < internal::kWideLogCells; ++cell)
-    table.wide_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::kWideLogCells));
+  for (int cell = 0; cell < internal::log_cells; ++cell)
+    table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::log_cells));
+  for (int cell = 0; cell < internal::wide_log_cells; ++cell)
+    table.wide_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::wide_log_cells));
   const Complex& z = roots.front();
   const TwoDoubles decay =
-      split(internal::kExponentialCells * z.imag() / boost::math::constants::ln_two<Real>());
-  const TwoDoubles phase = split(internal::kPhaseCells * z.real() / (2 * kPi));
+      split(internal::exponential_cells * z.imag() / boost::math::constants::ln_two<Real>());
+  const TwoDoubles phase = split(internal::phase_cells * z.real() / (2 * pi_number));
   table.decay_high = decay.high;
   table.decay_low = decay.low;
   table.phase_high = phase.high;

@@ -3,11 +3,11 @@
 namespace nipref::fast::internal {
 
 const SheetCode* sheet_code_for(int instruction_set) {
-  if (instruction_set == 0) return &baseline::kCode;
+  if (instruction_set == 0) return &baseline::code;
 #ifdef NIPREF_X86_LEVELS
   __builtin_cpu_init();
-  if (instruction_set == 1 && __builtin_cpu_supports("x86-64-v3")) return &v3::kCode;
-  if (instruction_set == 2 && __builtin_cpu_supports("x86-64-v4")) return &v4::kCode;
+  if (instruction_set == 1 && __builtin_cpu_supports("x86-64-v3")) return &v3::code;
+  if (instruction_set == 2 && __builtin_cpu_supports("x86-64-v4")) return &v4::code;
 #endif
   return nullptr;
 }
@@ -15,14 +15,14 @@ const SheetCode* sheet_code_for(int instruction_set) {
 namespace {
 
 const SheetCode* best_code() {
-  int best = kInstructionSetCount - 1;
+  int best = instruction_set_count - 1;
   while (sheet_code_for(best) == nullptr) --best;
   return sheet_code_for(best);
 }
 
 }  // namespace
 
-constinit const SheetCode* best_sheet_code = &baseline::kCode;
+constinit const SheetCode* best_sheet_code = &baseline::code;
 
 namespace {
 [[maybe_unused]] const bool upgraded = (best_sheet_code = best_code()) != nullptr;

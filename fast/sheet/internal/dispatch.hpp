@@ -11,8 +11,8 @@
 
 namespace nipref::fast::internal {
 
-inline constexpr int kBatchComponents = 5;   ///< I1, I3, I4, I5, I7
-inline constexpr int kScalarComponents = 6;  ///< and eta_part_of_I6
+inline constexpr int batch_components = 5;   ///< I1, I3, I4, I5, I7
+inline constexpr int scalar_components = 6;  ///< and eta_part_of_I6
 
 /// z_n = frequency + i decay in two words each.
 struct RootColumns {
@@ -22,10 +22,10 @@ struct RootColumns {
 struct SheetCode {
   const char* instruction_set;
   bool (*all_in_domain)(const double*, size_t, Domain);
-  double (*scalar[kScalarComponents][kTierCount])(double);
-  void (*batch[kBatchComponents][kTierCount])(const double*, double*, size_t);
-  double (*scalar_i6[kTierCount])(double, double);
-  void (*batch_i6[kTierCount])(const double*, const double*, double*, size_t);
+  double (*scalar[scalar_components][tier_count])(double);
+  void (*batch[batch_components][tier_count])(const double*, double*, size_t);
+  double (*scalar_i6[tier_count])(double, double);
+  void (*batch_i6[tier_count])(const double*, const double*, double*, size_t);
   /// value[i] = e^(-rate at[i]), 0 <= rate at[i] <= 708.
   void (*decays)(double rate, const double* at, double* value, size_t count);
   /// e^((i frequency - decay) distance), 1 <= distance <= 500; 0 from e^-708 on.
@@ -36,17 +36,17 @@ struct SheetCode {
 };
 
 namespace baseline {
-extern const SheetCode kCode;
+extern const SheetCode code;
 }
 namespace v3 {
-extern const SheetCode kCode;
+extern const SheetCode code;
 }
 namespace v4 {
-extern const SheetCode kCode;
+extern const SheetCode code;
 }
 
 /// From the plainest to the best.
-inline constexpr int kInstructionSetCount = 3;
+inline constexpr int instruction_set_count = 3;
 
 /// The code for an instruction set, or null where this processor does not have it.
 const SheetCode* sheet_code_for(int instruction_set);

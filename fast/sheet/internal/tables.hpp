@@ -10,7 +10,7 @@ namespace nipref::fast::internal {
 /// Functions of one argument x >= 0 from which every sheet kernel is put together. The first five are
 /// kernels; I6(a, e) = (pi/4)(e - a) + alpha_part_of_I6(a) - eta_part_of_I6(e).
 enum class Component { I1, I3, I4, I5, I7, eta_part_of_I6, alpha_part_of_I6 };
-inline constexpr int kComponentCount = 7;
+inline constexpr int component_count = 7;
 
 /// Behaviour at x = 0, which decides what is tabulated near there.
 enum class Shape { logarithmic, odd, even };
@@ -33,77 +33,77 @@ constexpr Shape shape(Component component) {
 
 /// The same for the sheet arithmetic, which may call no function that another translation unit also compiles.
 template <Component component>
-inline constexpr Shape kShape = shape(component);
+inline constexpr Shape shape_of = shape(component);
 
-// Regimes of x. Below kNearEnd logarithmic components are -ln x + remainder; up to kPieceEnd there are local
+// Regimes of x. Below near_end logarithmic components are -ln x + remainder; up to piece_end there are local
 // polynomials; from there on the first residue alone is right to 0.1 ulp, the second being e^(-3.25 x)
 // < 1.2e-17 times smaller.
-inline constexpr double kNearEnd = 0.5;
-inline constexpr double kPieceEnd = 12;
-inline constexpr double kUnderflown = 400;  ///< e^(-2.1 x) < 2^-1215: the residue has long been 0
+inline constexpr double near_end = 0.5;
+inline constexpr double piece_end = 12;
+inline constexpr double underflown = 400;  ///< e^(-2.1 x) < 2^-1215: the residue has long been 0
 
 // Pieces are centred on multiples of 1/64 below x = 1, where singularities at x = 0 and x = +-i are close,
 // and of 1/32 above. Row i is centred on i/64 for i <= 64, on (i - 32)/32 from there.
-inline constexpr double kFineEnd = 1;
-inline constexpr double kFinePieces = 64;
-inline constexpr double kCoarsePieces = 32;
-inline constexpr int kCoarseOffset = 32;
-inline constexpr int kRows = 417;
+inline constexpr double fine_end = 1;
+inline constexpr double fine_pieces = 64;
+inline constexpr double coarse_pieces = 32;
+inline constexpr int coarse_offset = 32;
+inline constexpr int rows = 417;
 
 // Rows of the coarse tiers: pieces centred on multiples of 1/32 in [0, 12], then ln m for mantissas about
 // multiples of 1/32 in [1, 2].
-inline constexpr int kCoarsePieceRows = 385;
-inline constexpr int kCoarseLogRows = 33;
-inline constexpr int kCoarseRows = kCoarsePieceRows + kCoarseLogRows;
+inline constexpr int coarse_piece_rows = 385;
+inline constexpr int coarse_log_rows = 33;
+inline constexpr int coarse_rows = coarse_piece_rows + coarse_log_rows;
 
-inline constexpr int kLogCells = 128;
-inline constexpr int kWideLogCells = 16;  ///< few enough for two vector registers
-inline constexpr int kExponentialCells = 32;
-inline constexpr int kPhaseCells = 64;
+inline constexpr int log_cells = 128;
+inline constexpr int wide_log_cells = 16;  ///< few enough for two vector registers
+inline constexpr int exponential_cells = 32;
+inline constexpr int phase_cells = 64;
 
 /// The numbers of one component f. "low" words continue their "high" ones to about 106 bits.
 struct ComponentTable {
   /// f(centre + t), or f(x)/x for odd f, = power[0] + constant_low + power[1] t + ... + power[7] t^7, for
   /// each row.
-  alignas(64) double power[kRows][kPieceDegree + 1];
-  double constant_low[kRows];
+  alignas(64) double power[rows][piece_degree + 1];
+  double constant_low[rows];
 
   /// Coarse tiers, row by row, as a row is loaded at once: f or f(x)/x about the centre of a piece, or
   /// (f + ln x at x -> 0) - ln(centre + t) about the centre of a mantissa.
-  alignas(32) double coarse[kCoarseRows][kCoarseDegree + 1];
+  alignas(32) double coarse[coarse_rows][coarse_degree + 1];
 
-  // Logarithmic components, x = 2^k (1 + mantissa) < kNearEnd:
+  // Logarithmic components, x = 2^k (1 + mantissa) < near_end:
   //   f = log_high[cell] + log_low[cell] - k ln 2 - ln(1 + r) + odd * x + x^2 even[tier](x^2).
-  double log_high[kLogCells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
+  double log_high[log_cells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
                                ///< 2^-42
-  double log_low[kLogCells];
-  alignas(64) double wide_log_high[kWideLogCells];  ///< the same with 1/wide_log_reciprocal for the
-                                                    ///< centre
-  alignas(64) double wide_log_low[kWideLogCells];
+  double log_low[log_cells];
+  alignas(64) double wide_log_high[wide_log_cells];  ///< the same with 1/wide_log_reciprocal for the
+                                                     ///< centre
+  alignas(64) double wide_log_low[wide_log_cells];
   double odd;
-  double even[kTierCount][kEvenDegree];
+  double even[tier_count][even_degree];
 
   // First residue: f = limit + 2^-k (exponential[j])(cosine[p] cos b - sine[p] sin b).
   double limit_high;
   double limit_low;
-  double exponential_high[kExponentialCells];  ///< amplitude * 2^(-j/32)
-  double exponential_low[kExponentialCells];
-  double cosine_high[kPhaseCells];  ///< cos(2 pi p/64 + phase of the residue)
-  double cosine_low[kPhaseCells];
-  double sine[kPhaseCells];
+  double exponential_high[exponential_cells];  ///< amplitude * 2^(-j/32)
+  double exponential_low[exponential_cells];
+  double cosine_high[phase_cells];  ///< cos(2 pi p/64 + phase of the residue)
+  double cosine_low[phase_cells];
+  double sine[phase_cells];
 };
 
 /// What all components share.
 struct CommonTable {
-  double log_reciprocal[kLogCells];                       ///< 1/centre of the cell, centre in [1, 2)
-  alignas(64) double wide_log_reciprocal[kWideLogCells];  ///< the same for wide cells, exact as it stands
+  double log_reciprocal[log_cells];                        ///< 1/centre of the cell, centre in [1, 2)
+  alignas(64) double wide_log_reciprocal[wide_log_cells];  ///< the same for wide cells, exact as it stands
   double decay_high;  ///< 32 Im z_1/ln 2: cells of the exponential for unit x
   double decay_low;
   double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x
   double phase_low;
 };
 
-extern const ComponentTable kComponentTables[kComponentCount];
-extern const CommonTable kCommonTable;
+extern const ComponentTable component_tables[component_count];
+extern const CommonTable common_table;
 
 }  // namespace nipref::fast::internal

@@ -51,7 +51,7 @@ Eigen::MatrixXd to_chebyshev(int degree) {
   return matrix;
 }
 
-Eigen::MatrixXd pressure_at(const RollingLayout& layout, const RollingPanel& panel,
+Eigen::MatrixXd pressure_at(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,
                             const Eigen::VectorXd& xi) {
   Eigen::MatrixXd values(xi.size(), layout.terms());
   std::vector<double> basis;
@@ -63,7 +63,7 @@ Eigen::MatrixXd pressure_at(const RollingLayout& layout, const RollingPanel& pan
 }
 
 /// Fejer's rule in xi with dx = dx/dxi dxi: exact for these polynomials.
-void integrate(const RollingLayout& layout, const RollingPanel& panel, RollingBasis& basis) {
+void integrate(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel, ViscoelasticBasis& basis) {
   const int count = 2 * layout.terms() + 4;
   Eigen::VectorXd xi(count);
   Eigen::RowVectorXd weight(count), moment(count);
@@ -80,10 +80,10 @@ void integrate(const RollingLayout& layout, const RollingPanel& panel, RollingBa
   basis.moment = moment * pressure;
 }
 
-RollingBasis make(int terms, bool at_end) {
-  const RollingLayout layout(1, 2, terms);
-  const RollingPanel& panel = layout.panels()[at_end ? 0 : 1];
-  RollingBasis basis;
+ViscoelasticBasis make(int terms, bool at_end) {
+  const ViscoelasticLayout layout(1, 2, terms);
+  const ViscoelasticPanel& panel = layout.panels()[at_end ? 0 : 1];
+  ViscoelasticBasis basis;
   basis.degree = layout.degree(panel);
   basis.xi = points(basis.degree);
   basis.slope = differentiation(basis.degree);
@@ -95,8 +95,8 @@ RollingBasis make(int terms, bool at_end) {
 
 }  // namespace
 
-const RollingBasis& rolling_basis(int terms, bool at_end) {
-  thread_local std::map<std::pair<int, bool>, RollingBasis> made;
+const ViscoelasticBasis& viscoelastic_basis(int terms, bool at_end) {
+  thread_local std::map<std::pair<int, bool>, ViscoelasticBasis> made;
   const auto found = made.find({terms, at_end});
   return found != made.end() ? found->second
                              : made.emplace(std::pair(terms, at_end), make(terms, at_end)).first->second;

@@ -4,8 +4,8 @@
 namespace nipref::fast {
 
 /// What the expansions on a panel need and what depends on the number of terms and the kind of the panel
-/// only: made once for each (see RollingPanel).
-struct RollingBasis {
+/// only: made once for each (see ViscoelasticPanel).
+struct ViscoelasticBasis {
   int degree;                   ///< in xi, of the pressure and its memory
   Eigen::VectorXd xi;           ///< Chebyshev points of [0, 1], both ends among them, ascending
   Eigen::MatrixXd slope;        ///< d/dxi at the points of the polynomial through values there
@@ -16,6 +16,6 @@ struct RollingBasis {
 };
 
 /// Lives as long as the thread that asks.
-const RollingBasis& rolling_basis(int terms, bool at_end);
+const ViscoelasticBasis& viscoelastic_basis(int terms, bool at_end);
 
 }  // namespace nipref::fast

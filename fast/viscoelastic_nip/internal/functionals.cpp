@@ -6,23 +6,23 @@
 
 namespace nipref::fast {
 
-double indentation(const RollingPressure& contact) {
+double indentation(const ViscoelasticPressure& contact) {
   return contact.edge_displacement() + std::pow(contact.leading_length(), 2);
 }
 
-double trailing_displacement(const RollingPressure& contact) {
+double trailing_displacement(const ViscoelasticPressure& contact) {
   return contact.edge_displacement() + 4 * contact.offset() * contact.half_length();
 }
 
-double eccentricity(const RollingPressure& contact) {
+double eccentricity(const ViscoelasticPressure& contact) {
   return contact.offset() + contact.moment() / contact.load();
 }
 
-double peak_pressure(const RollingPressure& contact) {
+double peak_pressure(const ViscoelasticPressure& contact) {
   // On each panel the best of a sample, then refined around it.
   constexpr int samples = 12;
   double largest = 0;
-  for (const RollingPanel& panel : contact.layout().panels()) {
+  for (const ViscoelasticPanel& panel : contact.layout().panels()) {
     const auto at = [&](double i) {
       return contact.pressure({panel.half, panel.left + panel.width * std::min(i / samples, 1.0)});
     };

@@ -6,15 +6,15 @@ namespace nipref::fast {
 // What follows from a solved rolling contact, in its dimensionless units.
 
 /// Approach of roller and middle plane: u under the line through the centres.
-double indentation(const RollingPressure& contact);
+double indentation(const ViscoelasticPressure& contact);
 
 /// u at the trailing end.
-double trailing_displacement(const RollingPressure& contact);
+double trailing_displacement(const ViscoelasticPressure& contact);
 
 /// Distance of the pressure's resultant from the line through the centres, towards the leading side: R/b
 /// times the coefficient of rolling resistance.
-double eccentricity(const RollingPressure& contact);
+double eccentricity(const ViscoelasticPressure& contact);
 
-double peak_pressure(const RollingPressure& contact);
+double peak_pressure(const ViscoelasticPressure& contact);
 
 }  // namespace nipref::fast

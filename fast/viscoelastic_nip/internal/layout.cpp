@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-double RollingPanel::xi(double x) const { return at_end() ? std::sqrt(x) : x; }
+double ViscoelasticPanel::xi(double x) const { return at_end() ? std::sqrt(x) : x; }
 
 void shifted_chebyshev(double x, std::vector<double>& values) {
   const double t = 2 * x - 1;
@@ -23,7 +23,7 @@ void shifted_chebyshev(double x, std::vector<double>& values) {
   }
 }
 
-RollingLayout::RollingLayout(double half_length, int panels, int terms)
+ViscoelasticLayout::ViscoelasticLayout(double half_length, int panels, int terms)
     : half_length_(half_length), terms_(terms) {
   const auto append = [&](Half half, int i) {
     const double right = std::ldexp(half_length, i + 1 - panels);
@@ -34,16 +34,17 @@ RollingLayout::RollingLayout(double half_length, int panels, int terms)
   for (int i = panels - 1; i >= 0; --i) append(Half::trailing, i);
 }
 
-void RollingLayout::pressure_basis(const RollingPanel& panel, double xi, std::vector<double>& values) const {
+void ViscoelasticLayout::pressure_basis(const ViscoelasticPanel& panel, double xi,
+                                        std::vector<double>& values) const {
   values.resize(static_cast<std::size_t>(terms_));
   shifted_chebyshev(panel.x(xi), values);
   if (!panel.at_end()) return;
   for (double& value : values) value *= xi;
 }
 
-std::vector<ContactPlace> RollingLayout::matching_points() const {
+std::vector<ContactPlace> ViscoelasticLayout::matching_points() const {
   std::vector<ContactPlace> points;
-  for (const RollingPanel& panel : panels_) {
+  for (const ViscoelasticPanel& panel : panels_) {
     const int count = terms_ + (panel.at_end() ? 1 : 0);
     for (int i = 0; i < count; ++i) {
       const double x = std::pow(std::sin((2 * i + 1) * pi / (4 * count)), 2);
@@ -53,8 +54,8 @@ std::vector<ContactPlace> RollingLayout::matching_points() const {
   return points;
 }
 
-std::size_t RollingLayout::panel_of(ContactPlace place) const {
-  const auto found = std::ranges::find_if(panels_, [&](const RollingPanel& panel) {
+std::size_t ViscoelasticLayout::panel_of(ContactPlace place) const {
+  const auto found = std::ranges::find_if(panels_, [&](const ViscoelasticPanel& panel) {
     return panel.half == place.half && panel.left <= place.e && place.e <= panel.left + panel.width;
   });
   return static_cast<std::size_t>(found - panels_.begin());

@@ -16,7 +16,7 @@ struct ContactPlace {
 /// left <= e <= left + width. In each panel everything is a polynomial in xi, with x = (e - left)/width: xi =
 /// sqrt x in the panel at the end, where pressures are sqrt x times analytic functions and their memory is
 /// analytic in sqrt x, and xi = x elsewhere.
-struct RollingPanel {
+struct ViscoelasticPanel {
   Half half;
   double left;
   double width;
@@ -28,21 +28,21 @@ struct RollingPanel {
 };
 
 /// A contact of half length A (half-thicknesses), cut into panels that double away from both ends.
-class RollingLayout {
+class ViscoelasticLayout {
  public:
   /// `panels` on each half; `terms` pressure coefficients on each panel.
-  RollingLayout(double half_length, int panels, int terms);
+  ViscoelasticLayout(double half_length, int panels, int terms);
 
   [[nodiscard]] double half_length() const { return half_length_; }
   [[nodiscard]] int terms() const { return terms_; }
   /// Downstream: from the leading to the trailing end.
-  [[nodiscard]] const std::vector<RollingPanel>& panels() const { return panels_; }
+  [[nodiscard]] const std::vector<ViscoelasticPanel>& panels() const { return panels_; }
   /// Degree in xi that holds the pressure and its memory: one more than the pressure's.
-  [[nodiscard]] int degree(const RollingPanel& panel) const {
+  [[nodiscard]] int degree(const ViscoelasticPanel& panel) const {
     return panel.at_end() ? 2 * terms_ + 1 : terms_ + 1;
   }
   /// Number `k` of the pressure's basis on a panel at xi: T_k(2x - 1), times xi at an end.
-  void pressure_basis(const RollingPanel& panel, double xi, std::vector<double>& values) const;
+  void pressure_basis(const ViscoelasticPanel& panel, double xi, std::vector<double>& values) const;
   /// As many as there are coefficients and two more, the freedoms of the roller's place.
   [[nodiscard]] std::vector<ContactPlace> matching_points() const;
   /// Distance from the leading end, 0 to 2A inside.
@@ -55,7 +55,7 @@ class RollingLayout {
  private:
   double half_length_;
   int terms_;
-  std::vector<RollingPanel> panels_;
+  std::vector<ViscoelasticPanel> panels_;
 };
 
 /// T_0 .. of 2 x - 1.

@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// alpha increases towards the leading side, e away from the end: +1 on the trailing half.
-double orientation(const RollingPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
+double orientation(const ViscoelasticPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
 
 struct UnitGauss {
   std::vector<double> x, weight;
@@ -52,7 +52,8 @@ void chebyshev_rows(std::span<const double> xi, int degree, Eigen::MatrixXd& row
 
 }  // namespace
 
-RollingOperator::RollingOperator(const RollingLayout& layout, double tolerance, ContactKernels& kernels)
+ViscoelasticOperator::ViscoelasticOperator(const ViscoelasticLayout& layout, double tolerance,
+                                           CountedKernels& kernels)
     : layout_(layout),
       tolerance_(tolerance),
       reach_(-std::log(tolerance) / 2.1),
@@ -60,20 +61,20 @@ RollingOperator::RollingOperator(const RollingLayout& layout, double tolerance, 
       kernels_(kernels) {}
 
 /// The point's e, counted from the end of the panel's half.
-double RollingOperator::coordinate(ContactPlace point, const RollingPanel& panel) const {
+double ViscoelasticOperator::coordinate(ContactPlace point, const ViscoelasticPanel& panel) const {
   return point.half == panel.half ? point.e : 2 * layout_.half_length() - point.e;
 }
 
 /// So far that the kernel is as smooth on the panel as the pressure.
-bool RollingOperator::is_far(double at, const RollingPanel& panel) const {
+bool ViscoelasticOperator::is_far(double at, const ViscoelasticPanel& panel) const {
   const double gap = std::max(panel.left - at, at - (panel.left + panel.width));
   return panel.width <= 8 && gap >= panel.width;
 }
 
 /// Pieces end where the kernel is singular, and where it has decayed, for it may be thousands of
 /// half-thicknesses to the panel's ends.
-void RollingOperator::append_near_nodes(double at, const RollingPanel& panel, RollingKernel kernel,
-                                        Nodes& nodes) const {
+void ViscoelasticOperator::append_near_nodes(double at, const ViscoelasticPanel& panel,
+                                             ViscoelasticKernel kernel, Nodes& nodes) const {
   const double right = panel.left + panel.width;
   std::vector<double> ends{panel.left, right};
   for (const double cut : {at, at - 5, at + 5, at - reach_, at + reach_}) {
@@ -82,7 +83,7 @@ void RollingOperator::append_near_nodes(double at, const RollingPanel& panel, Ro
   std::ranges::sort(ends);
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double from = ends[i - 1], to = ends[i], width = to - from;
-    if (kernel == RollingKernel::normal && (to <= at - reach_ || from >= at + reach_)) continue;
+    if (kernel == ViscoelasticKernel::normal && (to <= at - reach_ || from >= at + reach_)) continue;
     for (const UnitNode& node : rule_) {
       const double x = from == panel.left && node.from_left < node.from_right
                            ? width / panel.width * node.from_left
@@ -96,11 +97,12 @@ void RollingOperator::append_near_nodes(double at, const RollingPanel& panel, Ro
   }
 }
 
-std::vector<double> RollingOperator::values(RollingKernel kernel, const std::vector<double>& alpha) {
+std::vector<double> ViscoelasticOperator::values(ViscoelasticKernel kernel,
+                                                 const std::vector<double>& alpha) {
   std::vector<double> result;
-  if (kernel == RollingKernel::normal) {
+  if (kernel == ViscoelasticKernel::normal) {
     result = kernels_.I1(alpha);
-  } else if (kernel == RollingKernel::tangential) {
+  } else if (kernel == ViscoelasticKernel::tangential) {
     result = kernels_.I3(alpha);
   } else {
     for (const double a : alpha) result.push_back(a == 0 ? 0 : std::copysign(pi / 2, a));
@@ -109,8 +111,9 @@ std::vector<double> RollingOperator::values(RollingKernel kernel, const std::vec
   return result;
 }
 
-void RollingOperator::near_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
-                                   const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result) {
+void ViscoelasticOperator::near_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                                        const ViscoelasticPanel& panel, ViscoelasticKernel kernel,
+                                        Eigen::MatrixXd& result) {
   if (rows.empty()) return;
   Nodes nodes;
   std::vector<std::size_t> ends;
@@ -134,8 +137,9 @@ void RollingOperator::near_moments(const std::vector<double>& at, const std::vec
   }
 }
 
-void RollingOperator::far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
-                                  const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result) {
+void ViscoelasticOperator::far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
+                                       const ViscoelasticPanel& panel, ViscoelasticKernel kernel,
+                                       Eigen::MatrixXd& result) {
   if (rows.empty()) return;
   const int degree = layout_.degree(panel);
   // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
@@ -160,8 +164,8 @@ void RollingOperator::far_moments(const std::vector<double>& at, const std::vect
     result.row(static_cast<Eigen::Index>(rows[i])) = product.row(static_cast<Eigen::Index>(i));
 }
 
-Eigen::MatrixXd RollingOperator::moments(const std::vector<ContactPlace>& points, const RollingPanel& panel,
-                                         RollingKernel kernel) {
+Eigen::MatrixXd ViscoelasticOperator::moments(const std::vector<ContactPlace>& points,
+                                              const ViscoelasticPanel& panel, ViscoelasticKernel kernel) {
   const int degree = layout_.degree(panel);
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(points.size()), degree + 1);
   std::vector<double> at;
@@ -169,7 +173,7 @@ Eigen::MatrixXd RollingOperator::moments(const std::vector<ContactPlace>& points
   for (std::size_t i = 0; i < points.size(); ++i) {
     at.push_back(coordinate(points[i], panel));
     const double gap = std::max(panel.left - at[i], at[i] - (panel.left + panel.width));
-    if (kernel == RollingKernel::normal && gap > reach_) continue;
+    if (kernel == ViscoelasticKernel::normal && gap > reach_) continue;
     (is_far(at[i], panel) ? far : near).push_back(i);
   }
   near_moments(at, near, panel, kernel, result);
@@ -177,13 +181,13 @@ Eigen::MatrixXd RollingOperator::moments(const std::vector<ContactPlace>& points
   return result;
 }
 
-std::complex<double> RollingOperator::trail(ContactPlace place, std::complex<double> rate,
-                                            RollingKernel kernel) {
+std::complex<double> ViscoelasticOperator::trail(ContactPlace place, std::complex<double> rate,
+                                                 ViscoelasticKernel kernel) {
   // Of the point ahead of the trailing end.
   const double ahead = place.half == Half::trailing ? place.e : 2 * layout_.half_length() - place.e;
   const double nats = -std::log(tolerance_);
   double last = nats / rate.real();
-  if (kernel == RollingKernel::normal) last = std::min(last, std::max(reach_ - ahead, 0.0));
+  if (kernel == ViscoelasticKernel::normal) last = std::min(last, std::max(reach_ - ahead, 0.0));
   if (last == 0) return 0;
   std::vector<double> ends{0, last};
   for (const double cut :

@@ -11,43 +11,44 @@
 namespace nipref::fast {
 
 /// What a line load at distance alpha = y - y' does at a point, over pi.
-enum class RollingKernel {
+enum class ViscoelasticKernel {
   normal,      ///< I1/pi: the normal displacement
   tangential,  ///< I3/pi: of the tangential displacement, what N acts in
   sign         ///< I2/pi: what theta2 acts in
 };
 
 /// Displacements of single points by what is given on panels, or trails behind the contact.
-class RollingOperator {
+class ViscoelasticOperator {
  public:
-  RollingOperator(const RollingLayout& layout, double tolerance, ContactKernels& kernels);
+  ViscoelasticOperator(const ViscoelasticLayout& layout, double tolerance, CountedKernels& kernels);
 
   /// int kernel(y - y') T_j(2 xi - 1) dy' over a panel, j = 0 .. degree, at each of the points: one row each.
-  [[nodiscard]] Eigen::MatrixXd moments(const std::vector<ContactPlace>& points, const RollingPanel& panel,
-                                        RollingKernel kernel);
+  [[nodiscard]] Eigen::MatrixXd moments(const std::vector<ContactPlace>& points,
+                                        const ViscoelasticPanel& panel, ViscoelasticKernel kernel);
   /// int_0^inf kernel(y - y_T + w) e^(-rate w) dw, y_T the trailing end: what a memory that fades behind the
   /// contact does, per unit of what it is there. At any place, behind the contact too.
   [[nodiscard]] std::complex<double> trail(ContactPlace place, std::complex<double> rate,
-                                           RollingKernel kernel);
+                                           ViscoelasticKernel kernel);
 
  private:
   struct Nodes {
     std::vector<double> xi, weight, alpha;
   };
-  [[nodiscard]] double coordinate(ContactPlace point, const RollingPanel& panel) const;
-  [[nodiscard]] bool is_far(double at, const RollingPanel& panel) const;
-  void append_near_nodes(double at, const RollingPanel& panel, RollingKernel kernel, Nodes& nodes) const;
-  [[nodiscard]] std::vector<double> values(RollingKernel kernel, const std::vector<double>& alpha);
+  [[nodiscard]] double coordinate(ContactPlace point, const ViscoelasticPanel& panel) const;
+  [[nodiscard]] bool is_far(double at, const ViscoelasticPanel& panel) const;
+  void append_near_nodes(double at, const ViscoelasticPanel& panel, ViscoelasticKernel kernel,
+                         Nodes& nodes) const;
+  [[nodiscard]] std::vector<double> values(ViscoelasticKernel kernel, const std::vector<double>& alpha);
   void near_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
-                    const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result);
+                    const ViscoelasticPanel& panel, ViscoelasticKernel kernel, Eigen::MatrixXd& result);
   void far_moments(const std::vector<double>& at, const std::vector<std::size_t>& rows,
-                   const RollingPanel& panel, RollingKernel kernel, Eigen::MatrixXd& result);
+                   const ViscoelasticPanel& panel, ViscoelasticKernel kernel, Eigen::MatrixXd& result);
 
-  const RollingLayout& layout_;
+  const ViscoelasticLayout& layout_;
   double tolerance_;
   double reach_;  ///< where I1 and pi/4 - I3 have decayed below the tolerance
   std::vector<UnitNode> rule_;
-  ContactKernels& kernels_;
+  CountedKernels& kernels_;
 };
 
 }  // namespace nipref::fast

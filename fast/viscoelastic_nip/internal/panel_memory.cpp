@@ -8,9 +8,9 @@ namespace {
 
 /// Rate is double or complex<double>.
 template <typename Rate>
-PanelMemory memory_at(const RollingLayout& layout, const RollingPanel& panel, Rate rate) {
+PanelMemory memory_at(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel, Rate rate) {
   using Matrix = Eigen::Matrix<Rate, Eigen::Dynamic, Eigen::Dynamic>;
-  const RollingBasis& basis = rolling_basis(layout.terms(), panel.at_end());
+  const ViscoelasticBasis& basis = viscoelastic_basis(layout.terms(), panel.at_end());
   const int degree = basis.degree;
   // Downstream is towards larger xi on the leading half, towards smaller on the trailing one.
   const bool leading = panel.half == Half::leading;
@@ -40,12 +40,13 @@ PanelMemory memory_at(const RollingLayout& layout, const RollingPanel& panel, Ra
 
 }  // namespace
 
-Eigen::MatrixXd pressure_in_chebyshev(const RollingLayout& layout, const RollingPanel& panel) {
-  const RollingBasis& basis = rolling_basis(layout.terms(), panel.at_end());
+Eigen::MatrixXd pressure_in_chebyshev(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel) {
+  const ViscoelasticBasis& basis = viscoelastic_basis(layout.terms(), panel.at_end());
   return basis.chebyshev * basis.pressure;
 }
 
-PanelMemory panel_memory(const RollingLayout& layout, const RollingPanel& panel, std::complex<double> rate) {
+PanelMemory panel_memory(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,
+                         std::complex<double> rate) {
   return rate.imag() == 0 ? memory_at(layout, panel, rate.real()) : memory_at(layout, panel, rate);
 }
 

@@ -24,9 +24,10 @@ struct PanelMemory {
   std::complex<double> outflow_by_inflow;
 };
 
-PanelMemory panel_memory(const RollingLayout& layout, const RollingPanel& panel, std::complex<double> rate);
+PanelMemory panel_memory(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,
+                         std::complex<double> rate);
 
 /// The pressure basis of a panel in coefficients of T_j(2 xi - 1).
-Eigen::MatrixXd pressure_in_chebyshev(const RollingLayout& layout, const RollingPanel& panel);
+Eigen::MatrixXd pressure_in_chebyshev(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel);
 
 }  // namespace nipref::fast

@@ -13,13 +13,14 @@ using Complex = std::complex<double>;
 
 }  // namespace
 
-RollingPressure::RollingPressure(const RollingLayout& layout, const RollingMaterial& material,
-                                 double tolerance, ContactKernels& kernels)
+ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
+                                           const ViscoelasticMaterial& material, double tolerance,
+                                           CountedKernels& kernels)
     : layout_(layout) {
   std::vector<TermMemory> memory;
   for (const MemoryTerm& term : material.normal) {
     memory.push_back({term, {}});
-    for (const RollingPanel& panel : layout.panels())
+    for (const ViscoelasticPanel& panel : layout.panels())
       memory.back().on_panel.push_back(panel_memory(layout, panel, term.rate));
   }
   solve(memory, tolerance, kernels);
@@ -30,8 +31,9 @@ RollingPressure::RollingPressure(const RollingLayout& layout, const RollingMater
 
 /// Each row is u at a matching point. What leaves a panel acts through the panels downstream of it and, at
 /// last, through the trail: it is gathered upstream, so that a row costs no more than its own length.
-void RollingPressure::solve(const std::vector<TermMemory>& terms, double tolerance, ContactKernels& kernels) {
-  RollingOperator from(layout_, tolerance, kernels);
+void ViscoelasticPressure::solve(const std::vector<TermMemory>& terms, double tolerance,
+                                 CountedKernels& kernels) {
+  ViscoelasticOperator from(layout_, tolerance, kernels);
   const auto points = layout_.matching_points();
   const auto rows = static_cast<Eigen::Index>(points.size());
   const auto& panels = layout_.panels();
@@ -39,12 +41,12 @@ void RollingPressure::solve(const std::vector<TermMemory>& terms, double toleran
   std::vector<Eigen::VectorXcd> by_outflow;  // of each term's memory behind the panel at hand
   for (const TermMemory& block : terms) {
     by_outflow.push_back(Eigen::VectorXcd::NullaryExpr(rows, [&](Eigen::Index i) {
-      return from.trail(points[static_cast<std::size_t>(i)], block.term.rate, RollingKernel::normal);
+      return from.trail(points[static_cast<std::size_t>(i)], block.term.rate, ViscoelasticKernel::normal);
     }));
   }
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rows, rows);
   for (std::size_t p = panels.size(); p-- > 0;) {
-    const Eigen::MatrixXd moments = from.moments(points, panels[p], RollingKernel::normal);
+    const Eigen::MatrixXd moments = from.moments(points, panels[p], ViscoelasticKernel::normal);
     Eigen::MatrixXd to_response = pressure_in_chebyshev(layout_, panels[p]);
     auto columns = matrix.middleCols(static_cast<Eigen::Index>(p) * layout_.terms(), layout_.terms());
     for (std::size_t r = 0; r < terms.size(); ++r) {
@@ -70,13 +72,13 @@ void RollingPressure::solve(const std::vector<TermMemory>& terms, double toleran
   offset_ = unknowns_(rows - 1);
 }
 
-Eigen::VectorXd RollingPressure::coefficients(std::size_t panel) const {
+Eigen::VectorXd ViscoelasticPressure::coefficients(std::size_t panel) const {
   return unknowns_.segment(static_cast<Eigen::Index>(panel) * layout_.terms(), layout_.terms());
 }
 
-RollingPressure::Response RollingPressure::response(double instantaneous,
-                                                    const std::vector<MemoryTerm>& terms,
-                                                    const std::vector<TermMemory>& memory) const {
+ViscoelasticPressure::Response ViscoelasticPressure::response(double instantaneous,
+                                                              const std::vector<MemoryTerm>& terms,
+                                                              const std::vector<TermMemory>& memory) const {
   Response result;
   const auto& panels = layout_.panels();
   for (std::size_t p = 0; p < panels.size(); ++p)
@@ -96,11 +98,11 @@ RollingPressure::Response RollingPressure::response(double instantaneous,
   return result;
 }
 
-void RollingPressure::integrate() {
+void ViscoelasticPressure::integrate() {
   const auto& panels = layout_.panels();
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    const RollingPanel& panel = panels[p];
-    const RollingBasis& basis = rolling_basis(layout_.terms(), panel.at_end());
+    const ViscoelasticPanel& panel = panels[p];
+    const ViscoelasticBasis& basis = viscoelastic_basis(layout_.terms(), panel.at_end());
     const Eigen::VectorXd c = coefficients(p);
     const double sum = panel.width * (basis.integral * c)(0);
     const double from_end = panel.left * sum + panel.width * panel.width * (basis.moment * c)(0);
@@ -110,37 +112,37 @@ void RollingPressure::integrate() {
   }
 }
 
-ContactPlace RollingPressure::place(double y) const {
+ContactPlace ViscoelasticPressure::place(double y) const {
   const double from_middle = y - offset_;
   return {from_middle >= 0 ? Half::leading : Half::trailing, half_length() - std::fabs(from_middle)};
 }
 
-double RollingPressure::pressure(ContactPlace place) const {
+double ViscoelasticPressure::pressure(ContactPlace place) const {
   const std::size_t p = layout_.panel_of(place);
-  const RollingPanel& panel = layout_.panels()[p];
+  const ViscoelasticPanel& panel = layout_.panels()[p];
   std::vector<double> basis;
   layout_.pressure_basis(panel, panel.xi((place.e - panel.left) / panel.width), basis);
   return Eigen::Map<Eigen::VectorXd>(basis.data(), layout_.terms()).dot(coefficients(p));
 }
 
-double RollingPressure::normal_displacement(ContactPlace place, double tolerance,
-                                            ContactKernels& kernels) const {
+double ViscoelasticPressure::normal_displacement(ContactPlace place, double tolerance,
+                                                 CountedKernels& kernels) const {
   const double d = layout_.downstream(place);
   if (place.e >= 0) return edge_displacement_ + place.e * (2 * half_length() - place.e) + 2 * offset_ * d;
-  RollingOperator from(layout_, tolerance, kernels);
+  ViscoelasticOperator from(layout_, tolerance, kernels);
   double sum = 0;
   for (std::size_t p = 0; p < layout_.panels().size(); ++p)
-    sum +=
-        (from.moments({place}, layout_.panels()[p], RollingKernel::normal) * normal_response_.on_panel[p])(0);
+    sum += (from.moments({place}, layout_.panels()[p], ViscoelasticKernel::normal) *
+            normal_response_.on_panel[p])(0);
   for (const MemoryTerm& term : normal_response_.trailing)
-    sum += (term.amplitude * from.trail(place, term.rate, RollingKernel::normal)).real();
+    sum += (term.amplitude * from.trail(place, term.rate, ViscoelasticKernel::normal)).real();
   return sum;
 }
 
-double RollingPressure::tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
-                                                ContactKernels& kernels) const {
-  RollingOperator from(layout_, tolerance, kernels);
-  const auto at = [&](const Response& response, RollingKernel kernel) {
+double ViscoelasticPressure::tangential_displacement(ContactPlace place, ContactPlace reference,
+                                                     double tolerance, CountedKernels& kernels) const {
+  ViscoelasticOperator from(layout_, tolerance, kernels);
+  const auto at = [&](const Response& response, ViscoelasticKernel kernel) {
     double sum = 0;
     for (std::size_t p = 0; p < layout_.panels().size(); ++p) {
       const Eigen::VectorXd both =
@@ -153,7 +155,8 @@ double RollingPressure::tangential_displacement(ContactPlace place, ContactPlace
               .real();
     return sum;
   };
-  return at(normal_response_, RollingKernel::tangential) - at(theta2_response_, RollingKernel::sign);
+  return at(normal_response_, ViscoelasticKernel::tangential) -
+         at(theta2_response_, ViscoelasticKernel::sign);
 }
 
 }  // namespace nipref::fast

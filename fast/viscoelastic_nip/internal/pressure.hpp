@@ -10,7 +10,7 @@ namespace nipref::fast {
 
 /// The compliances of a steadily rolling sheet, in units of the instantaneous N: lengths in half-thicknesses,
 /// so that rate = (relaxation rate) b/speed, amplitude = (amplitude) b/(speed N_0).
-struct RollingMaterial {
+struct ViscoelasticMaterial {
   std::vector<MemoryTerm> normal;  ///< of N beside its instantaneous part 1
   double theta2_instantaneous;     ///< over that of N
   std::vector<MemoryTerm> theta2;  ///< its rates are among those of N = theta1 + theta2
@@ -19,12 +19,12 @@ struct RollingMaterial {
 /// A frictionless rolling contact of given length, solved: dimensionless as HalfContact (pressure times 2 R
 /// N_0/b, displacements times 2 R/b^2). With d the distance from the leading end the surface follows u =
 /// edge_displacement + d (2A - d) + 2 offset d.
-class RollingPressure {
+class ViscoelasticPressure {
  public:
-  RollingPressure(const RollingLayout& layout, const RollingMaterial& material, double tolerance,
-                  ContactKernels& kernels);
+  ViscoelasticPressure(const ViscoelasticLayout& layout, const ViscoelasticMaterial& material,
+                       double tolerance, CountedKernels& kernels);
 
-  [[nodiscard]] const RollingLayout& layout() const { return layout_; }
+  [[nodiscard]] const ViscoelasticLayout& layout() const { return layout_; }
   [[nodiscard]] double half_length() const { return layout_.half_length(); }
   [[nodiscard]] double edge_displacement() const { return edge_displacement_; }  ///< at the leading end
   /// Of the middle of the contact from the line through the rollers' centres, towards the leading side.
@@ -40,10 +40,10 @@ class RollingPressure {
 
   /// Normal displacement anywhere: of the roller inside the contact, by quadrature outside.
   [[nodiscard]] double normal_displacement(ContactPlace place, double tolerance,
-                                           ContactKernels& kernels) const;
+                                           CountedKernels& kernels) const;
   /// Tangential displacement at `place` less that at `reference`, along the leading direction.
   [[nodiscard]] double tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
-                                               ContactKernels& kernels) const;
+                                               CountedKernels& kernels) const;
 
  private:
   /// instantaneous p + sum of the terms' memories, on each panel, and what of it trails behind the contact.
@@ -56,13 +56,13 @@ class RollingPressure {
     MemoryTerm term;
     std::vector<PanelMemory> on_panel;
   };
-  void solve(const std::vector<TermMemory>& memory, double tolerance, ContactKernels& kernels);
+  void solve(const std::vector<TermMemory>& memory, double tolerance, CountedKernels& kernels);
   [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
   [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms,
                                   const std::vector<TermMemory>& memory) const;
   void integrate();
 
-  RollingLayout layout_;
+  ViscoelasticLayout layout_;
   Eigen::VectorXd unknowns_;
   double edge_displacement_ = 0;
   double offset_ = 0;

@@ -93,7 +93,7 @@ void add_arc(Real& sum, const Exact& rate) {
 
 }  // namespace
 
-Interval fading_memory(MemoryKernel kernel, const Exact& alpha, const Exact& rate, double nats) {
+Interval steady_memory(MemoryKernel kernel, const Exact& alpha, const Exact& rate, double nats) {
   const double ln_alpha = alpha.magnitude().log2_magnitude() * ln2;
   const Rule rule = make_rule(kernel, ln_alpha, rate.log2_magnitude() * ln2, nats);
   const auto nodes = ray_nodes(rule.key);

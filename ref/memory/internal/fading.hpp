@@ -26,6 +26,6 @@ enum class MemoryKernel { I1, I3, I4, I5 };
 /// off are covered in the same way.
 /// Measured at 600 random arguments (|alpha| from 1e-12 to 50 and 0, rate from 1e-8 to 1e8), the error was
 /// below e^{-25} of the width.
-Interval fading_memory(MemoryKernel kernel, const Exact& alpha, const Exact& rate, double nats);
+Interval steady_memory(MemoryKernel kernel, const Exact& alpha, const Exact& rate, double nats);
 
 }  // namespace nipref::ref

@@ -7,7 +7,7 @@
 
 namespace nipref::ref {
 
-/// What a set of nodes on the ray arg z = 1/2 is for, see fading_memory.hpp; sets are kept and shared by
+/// What a set of nodes on the ray arg z = 1/2 is for, see fading.hpp; sets are kept and shared by
 /// every load position and every rate that ask for the same.
 struct RayKey {
   MemoryKernel kernel;

@@ -21,7 +21,7 @@ using data::ElasticNip;
 using data::Friction;
 using fast::converged_for_length;
 using fast::converged_for_load;
-using fast::ConvergedContact;
+using fast::ConvergedElasticNip;
 using fast::Estimate;
 
 namespace {
@@ -31,9 +31,9 @@ const ElasticNip table_nip{6, 0.25, {1.45e5, 1.0 / 3}};
 /// What the operator makes of a solved contact at distance e from the end: (u, v), dimensionless.
 std::array<double, 2> displacements(const fast::HalfContact& contact, double e, Friction friction,
                                     double beta) {
-  fast::ContactWork work;
-  fast::ContactKernels kernels(fast::Accuracy{}, work);
-  const fast::ContactOperator from(contact.half_length, beta, 1e-16, kernels);
+  fast::Work work;
+  fast::CountedKernels kernels(fast::Accuracy{}, work);
+  const fast::ElasticNipOperator from(contact.half_length, beta, 1e-16, kernels);
   const bool shear = friction == Friction::full;
   std::array<double, 2> sum{};
   for (std::size_t i = 1; i < contact.breaks.size(); ++i) {
@@ -49,26 +49,29 @@ std::array<double, 2> displacements(const fast::HalfContact& contact, double e, 
   return sum;
 }
 
-std::vector<std::function<Estimate(const ConvergedContact&)>> results(Friction friction) {
-  std::vector<std::function<Estimate(const ConvergedContact&)>> all{
-      [](const ConvergedContact& contact) { return contact.contact_length(); },
-      [](const ConvergedContact& contact) { return contact.load(); },
-      [](const ConvergedContact& contact) { return contact.indentation(); },
-      [](const ConvergedContact& contact) { return contact.edge_displacement(); },
-      [](const ConvergedContact& contact) { return contact.creep_ratio(); },
-      [](const ConvergedContact& contact) { return contact.pressure(0); },
-      [](const ConvergedContact& contact) { return contact.pressure(0.3 * contact.contact_length().value); },
-      [](const ConvergedContact& contact) { return contact.peak_pressure(); },
-      [](const ConvergedContact& contact) {
+std::vector<std::function<Estimate(const ConvergedElasticNip&)>> results(Friction friction) {
+  std::vector<std::function<Estimate(const ConvergedElasticNip&)>> all{
+      [](const ConvergedElasticNip& contact) { return contact.contact_length(); },
+      [](const ConvergedElasticNip& contact) { return contact.load(); },
+      [](const ConvergedElasticNip& contact) { return contact.indentation(); },
+      [](const ConvergedElasticNip& contact) { return contact.edge_displacement(); },
+      [](const ConvergedElasticNip& contact) { return contact.creep_ratio(); },
+      [](const ConvergedElasticNip& contact) { return contact.pressure(0); },
+      [](const ConvergedElasticNip& contact) {
+        return contact.pressure(0.3 * contact.contact_length().value);
+      },
+      [](const ConvergedElasticNip& contact) { return contact.peak_pressure(); },
+      [](const ConvergedElasticNip& contact) {
         return contact.normal_displacement(contact.contact_length().value);
       },
-      [](const ConvergedContact& contact) {
+      [](const ConvergedElasticNip& contact) {
         return contact.tangential_displacement(contact.contact_length().value);
       }};
   if (friction == Friction::full) {
-    all.push_back(
-        [](const ConvergedContact& contact) { return contact.shear(0.3 * contact.contact_length().value); });
-    all.push_back([](const ConvergedContact& contact) { return contact.peak_shear(); });
+    all.push_back([](const ConvergedElasticNip& contact) {
+      return contact.shear(0.3 * contact.contact_length().value);
+    });
+    all.push_back([](const ConvergedElasticNip& contact) { return contact.peak_shear(); });
   }
   return all;
 }
@@ -78,8 +81,8 @@ std::vector<std::function<Estimate(const ConvergedContact&)>> results(Friction f
 TEST_CASE("one expansion with its logarithm in closed form and panels with quadrature agree") {
   for (const double half_length : {1e-6, 0.05, 0.7, 3.0, 9.0}) {
     CAPTURE(half_length);
-    fast::ContactWork work;
-    fast::ContactKernels kernels(fast::Accuracy{}, work);
+    fast::Work work;
+    fast::CountedKernels kernels(fast::Accuracy{}, work);
     const int panels = half_length > 4 ? 3 : half_length > 2 ? 2 : 1;
     const auto one = fast::spectral_contact(half_length, half_length > 2 ? 50 : 20, kernels);
     const auto other = fast::panel_contact(half_length, Friction::none, 0.3, {panels, 22, 1e-16}, kernels);
@@ -100,7 +103,7 @@ TEST_CASE("between its matching points a solution satisfies its equations") {
         CAPTURE(half_length);
         CAPTURE(poisson);
         const double beta = (1 - 2 * poisson) / (2 * (1 - poisson));
-        const auto ladder = fast::ContactLadder::at_half_length(half_length, friction, poisson, 1e-12);
+        const auto ladder = fast::ElasticNipLadder::at_half_length(half_length, friction, poisson, 1e-12);
         const fast::HalfContact& contact = ladder.last();
         const double depth = contact.edge_displacement + half_length * half_length;
         const double peak = contact.traction(half_length).pressure;

@@ -13,15 +13,15 @@
 
 using namespace nipref;
 using data::Friction;
-using fast::ContactLadder;
+using fast::ElasticNipLadder;
 using fast::HalfContact;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-ContactLadder solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
-  return ContactLadder::at_half_length(half_length, friction, poisson, 1e-13);
+ElasticNipLadder solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
+  return ElasticNipLadder::at_half_length(half_length, friction, poisson, 1e-13);
 }
 
 double indentation(const HalfContact& contact) {

@@ -110,7 +110,7 @@ TEST_CASE("the thesis's creep is the least in size, and there may be none") {
   CHECK(thin_range.lower > 0);  // squeezed out
   CHECK(*fast::thesis_line_loads_for_length(thin, 10, 0.03)->gripped_creep == thin_range.lower);
   // One factorisation, whatever the number of conditions.
-  fast::ContactWork work;
+  fast::Work work;
   CHECK(fast::creep_ranges(middling, 10, 1.164 * 0.0625, {}, &work).empty());
   CHECK(work.systems == 1);
   CHECK_FALSE(fast::thesis_line_loads_for_length(middling, 10, 1.164 * 0.0625).has_value());
@@ -120,8 +120,8 @@ TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
   for (const data::ElasticNip& nip : {thick, thin}) {
     const int m = nip.sheet_thickness == 1.0 ? 2 : 10;
     CAPTURE(m);
-    fast::ContactWork fast_work;
-    fast::ContactWork thesis_work;
+    fast::Work fast_work;
+    fast::Work thesis_work;
     const auto fast_search = fast::thesis_line_loads_for_load(nip, m, 100.0, {}, &fast_work);
     const auto thesis_search = fast::thesis_line_loads_for_load(
         nip, m, 100.0, {fast::LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);

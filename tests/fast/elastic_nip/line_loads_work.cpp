@@ -11,9 +11,9 @@
 #include <nipref/fast/sheet/plain_series.hpp>
 
 using namespace nipref;
-using fast::ContactWork;
 using fast::LineLoadMethod;
 using fast::LoadSearch;
+using fast::Work;
 
 namespace {
 
@@ -24,7 +24,7 @@ const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
 }  // namespace
 
 TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a solve") {
-  ContactWork work;
+  Work work;
   const auto solution = fast::line_loads_for_length(nip, 7, 0.1, &work);
   CHECK(work.kernel_evaluations == Counts{14, 0, 0, 0, 0, 0, 0});
   CHECK(work.systems == 1);
@@ -38,16 +38,16 @@ TEST_CASE("without friction and creep nothing but I1 is evaluated, 2m values a s
 }
 
 TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only") {
-  ContactWork fast_work;
+  Work fast_work;
   fast::line_loads_for_load(nip, 7, 100.0, {}, &fast_work);
   CHECK(fast_work.kernel_evaluations == Counts{14 * fast_work.systems, 0, 0, 0, 0, 0, 0});
-  ContactWork thesis_work;
+  Work thesis_work;
   const auto by_thesis =
       fast::line_loads_for_load(nip, 7, 100.0, {LoadSearch::Iteration::thesis, 1e-12}, &thesis_work);
   CHECK(by_thesis.load == doctest::Approx(100.0).epsilon(1e-12).scale(0));
   CHECK(fast_work.systems < thesis_work.systems);
   // The thesis stopped within 0.2 %.
-  ContactWork coarse_work;
+  Work coarse_work;
   const auto coarse =
       fast::line_loads_for_load(nip, 7, 100.0, {LoadSearch::Iteration::thesis, 2e-3}, &coarse_work);
   CHECK(std::abs(coarse.load / 100.0 - 1) <= 2e-3);
@@ -56,7 +56,7 @@ TEST_CASE("a search for the load counts every solve of it, and evaluates I1 only
 }
 
 TEST_CASE("with full friction three kernels at the same distances, one system") {
-  ContactWork work;
+  Work work;
   const auto solution = fast::gripped_line_loads_for_length(nip, 7, 0.1, 1e-4, &work);
   CHECK(work.kernel_evaluations == Counts{14, 0, 14, 0, 0, 14, 0});
   CHECK(work.systems == 1);
@@ -67,8 +67,8 @@ TEST_CASE("with full friction three kernels at the same distances, one system") 
 }
 
 TEST_CASE("work adds up") {
-  ContactWork sum{{1, 0, 2, 0, 0, 3, 0}, 10, 1, 5};
-  sum += ContactWork{{4, 0, 0, 0, 0, 1, 7}, 20, 2, 3};
+  Work sum{{1, 0, 2, 0, 0, 3, 0}, 10, 1, 5};
+  sum += Work{{4, 0, 0, 0, 0, 1, 7}, 20, 2, 3};
   CHECK(sum.kernel_evaluations == Counts{5, 0, 2, 0, 0, 4, 7});
   CHECK(sum.terms == 30);
   CHECK(sum.systems == 3);
@@ -76,7 +76,7 @@ TEST_CASE("work adds up") {
 }
 
 TEST_CASE("residues: as many terms as asked for, and the library's kernels where they suffice") {
-  ContactWork work;
+  Work work;
   const auto by_residues = fast::gripped_line_loads_for_length(nip, {5, 500}, 0.1, 1e-4, &work);
   CHECK(work.terms == 3 * 10 * 500);
   const auto by_library = fast::gripped_line_loads_for_length(nip, 5, 0.1, 1e-4);

@@ -16,7 +16,7 @@ using namespace nipref;
 using fast::Direction;
 using fast::rolling_sphere_for_force;
 using fast::rolling_sphere_for_span;
-using fast::RollingLine;
+using fast::ViscoelasticLine;
 using std::numbers::pi;
 
 namespace {
@@ -32,7 +32,7 @@ TEST_CASE("rolling: the tractions give the slope and the stretch of the sphere o
     const auto contact = rolling_sphere_for_span(steel, radius, speed, 0.5);
     for (int i = 0; i < 25; ++i) {
       const Direction psi = Direction::of_angle(-1.5 + 0.13 * i);
-      const RollingLine line = contact.along(psi);
+      const ViscoelasticLine line = contact.along(psi);
       const double half = line.span / 2, x = half * (-0.97 + 1.94 * ((7 * i) % 25) / 24.);
       const auto [normal_compliance, coupling, across] = test::isotropic_line(steel.poisson, speed, psi);
       // K_tt of the sagittal plane: X wS/R = (X wD/R) wS/wD.
@@ -64,7 +64,7 @@ TEST_CASE("rolling: the force against quadrature of the normal traction") {
     constexpr int directions = 128;
     double force = 0;
     for (int i = 0; i < directions; ++i) {
-      const RollingLine line = contact.along(Direction::of_angle(pi * i / directions));
+      const ViscoelasticLine line = contact.along(Direction::of_angle(pi * i / directions));
       const auto integrand = [&](double v) {  // x = L/2 tanh v counts the oscillations
         const double x = line.span / 2 * std::tanh(v);
         return -line.normal_traction(x) * x * line.span / 2 / std::pow(std::cosh(v), 2);
@@ -100,14 +100,14 @@ TEST_CASE("rolling: almost incompressible at rest the shear vanishes and the sli
   const auto contact = rolling_sphere_for_span(rubber, radius, 0, 0.1);
   const double hertz = 8 * std::pow(0.05, 3) / (3 * 0.5 * radius);
   CHECK(contact.force().value == doctest::Approx(pi / 4 * hertz).scale(0).epsilon(1e-11));
-  const RollingLine line = contact.along({1, 0});
+  const ViscoelasticLine line = contact.along({1, 0});
   CHECK(std::fabs(line.shear_traction(0.03)) < 0.02 * std::fabs(line.normal_traction(0.03)));
   CHECK(line.compressed_radius() == line.span / 2);
 }
 
 TEST_CASE("rolling: compressive up to the compressed radius, the strip of the notes") {
   const auto contact = rolling_sphere_for_span(steel, radius, 0.9, 1e-6);
-  const RollingLine line = contact.along({1, 0});
+  const ViscoelasticLine line = contact.along({1, 0});
   CHECK(line.normal_traction(line.compressed_radius() * (1 - 1e-5)) < 0);
   CHECK(line.normal_traction(line.compressed_radius() * (1 + 1e-5)) > 0);
   const auto strip = [](double speed) {
@@ -132,6 +132,6 @@ TEST_CASE("rolling: bad input is one line that names it") {
   CHECK_THROWS_AS(rolling_sphere_for_span(steel, radius, 0.5, -0.1), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_force(steel, radius, 0.5, nan), data::BadInput);
   CHECK_THROWS_AS(rolling_sphere_for_force({1, 0.5, 1}, radius, 0.5, 1), data::BadInput);
-  const RollingLine line = rolling_sphere_for_span(steel, radius, 0.5, 0.1).along({1, 0});
+  const ViscoelasticLine line = rolling_sphere_for_span(steel, radius, 0.5, 0.1).along({1, 0});
   CHECK_THROWS_AS(static_cast<void>(line.shear_traction(nan)), data::BadInput);
 }

@@ -32,7 +32,7 @@ double integral(const Function& f, double from, double to) {
   return (to - from) * h * sum;
 }
 
-/// The hereditary integral as it is defined, kernel by kernel.
+/// The memory integral as it is defined, kernel by kernel.
 double brute_force(double (*kernel)(double, Accuracy), double alpha, double s, double rate) {
   const auto faded = [&](double w) { return std::exp(-rate * (w - alpha)) * (w == 0 ? 0 : kernel(w, {})); };
   std::vector<double> ends{alpha};
@@ -66,7 +66,7 @@ TEST_CASE(
     double residues = 0;  // of the part that ends at the load, closed by its own integral from -2
     for (int n = 1; n <= 40; ++n) {
       const ComplexL z = root(n);
-      const ComplexL c = ComplexL(0, 2 * kPiL) * residue::I1(z) * std::exp(ComplexL(0, 1) * z * 2.0L);
+      const ComplexL c = ComplexL(0, 2 * pi_long) * residue::I1(z) * std::exp(ComplexL(0, 1) * z * 2.0L);
       residues += static_cast<double>((c / (static_cast<long double>(L) + ComplexL(0, 1) * z)).real());
     }
     const double behind = brute_force(I1, -2, 2, L) + std::exp(-2 * L) * steady_I1(0, L);
@@ -111,7 +111,7 @@ TEST_CASE("steady memory in batches, with less accuracy, and bad input") {
   CHECK_THROWS_AS(steady_I1(alpha, 1, std::span(value).first(3)), BadInput);
 }
 
-TEST_CASE("Un and Vn are the hereditary integrals of the elastic kernels, in all four cases") {
+TEST_CASE("Un and Vn are the memory integrals of the elastic kernels, in all four cases") {
   const double speed = 3, b = 0.5, unit = b / speed;  // times below in units of b/F0
   const double l1 = 0.4, l2 = 2.5;
   ViscoelasticMaterial material{{1, {{0.05 * l1 / unit, l1 / unit}}},
@@ -126,7 +126,8 @@ TEST_CASE("Un and Vn are the hereditary integrals of the elastic kernels, in all
         return brute_force(kernel, at, t, rate);
       };
       double un = 1.4 * I1(alpha) + 0.45 * l1 * memory(I1, alpha, l1) + 0.3 * l2 * memory(I1, alpha, l2);
-      CHECK(load.Un(t * unit, T * unit) == doctest::Approx(un / pi).epsilon(1e-12).scale(1e-3));
+      CHECK(load.normal_displacement(t * unit, T * unit) ==
+            doctest::Approx(un / pi).epsilon(1e-12).scale(1e-3));
       for (const double t0 : {-2.0, 0.4, 7.0}) {
         const double eta = t0 - t;
         double vn = 1.4 * I3(alpha) - 0.4 * I2(alpha) + 0.4 * I4(eta) - I5(eta);
@@ -135,7 +136,8 @@ TEST_CASE("Un and Vn are the hereditary integrals of the elastic kernels, in all
           vn += amplitude *
                 (memory(I3, alpha, rate) - memory(I2_as_kernel, alpha, rate) + memory(I4, eta, rate));
         }
-        CHECK(load.Vn(t * unit, T * unit, t0 * unit) == doctest::Approx(vn / pi).epsilon(1e-12).scale(0.1));
+        CHECK(load.tangential_displacement(t * unit, T * unit, t0 * unit) ==
+              doctest::Approx(vn / pi).epsilon(1e-12).scale(0.1));
       }
     }
   }
@@ -145,23 +147,30 @@ TEST_CASE("the four cases meet") {
   const MovingLoad load(solid(0.7), 1, 1);
   constexpr double h = 1e-11;
   for (const double t : {0.3, 1.0, 5.0}) {
-    CHECK(load.Un(t, h) == doctest::Approx(load.Un(t, -h)).epsilon(1e-8));  // T = 0
-    CHECK(load.Un(t, t + h) ==
-          doctest::Approx(load.Un(t, t - h)).epsilon(1e-8));  // T = t, symmetric logarithm
+    CHECK(load.normal_displacement(t, h) ==
+          doctest::Approx(load.normal_displacement(t, -h)).epsilon(1e-8));  // T = 0
+    CHECK(load.normal_displacement(t, t + h) ==
+          doctest::Approx(load.normal_displacement(t, t - h)).epsilon(1e-8));  // T = t, symmetric logarithm
     for (const double T : {-1.0, 0.2, 8.0}) {
-      CHECK(load.Vn(t, T, h) == doctest::Approx(load.Vn(t, T, -h)).epsilon(1e-8));  // t0 = 0
+      CHECK(load.tangential_displacement(t, T, h) ==
+            doctest::Approx(load.tangential_displacement(t, T, -h)).epsilon(1e-8));  // t0 = 0
     }
-    CHECK(load.Vn(t, h, 0.5) == doctest::Approx(load.Vn(t, -h, 0.5)).epsilon(1e-8));
+    CHECK(load.tangential_displacement(t, h, 0.5) ==
+          doctest::Approx(load.tangential_displacement(t, -h, 0.5)).epsilon(1e-8));
   }
-  CHECK(load.Un(0, 0.3) == doctest::Approx(1.5 * I1(0.3) / pi).epsilon(1e-15));  // no memory yet
+  CHECK(load.normal_displacement(0, 0.3) ==
+        doctest::Approx(1.5 * I1(0.3) / pi).epsilon(1e-15));  // no memory yet
 }
 
 TEST_CASE("fading memory: the start is forgotten like e^(-lambda t)") {
   const MovingLoad load(solid(2), 1, 1);
   for (const double alpha : {-3.0, -0.4, 0.2, 1.7}) {
-    const auto forgotten = [&](double t) { return std::fabs(load.Un(t, t + alpha) - load.Un_steady(alpha)); };
+    const auto forgotten = [&](double t) {
+      return std::fabs(load.normal_displacement(t, t + alpha) - load.steady_normal_displacement(alpha));
+    };
     CHECK(forgotten(30) <= 1e-13);
-    CHECK(load.Vn(30, 30 + alpha, 29) == doctest::Approx(load.Vn_steady(alpha, -1)).epsilon(1e-14));
+    CHECK(load.tangential_displacement(30, 30 + alpha, 29) ==
+          doctest::Approx(load.steady_tangential_displacement(alpha, -1)).epsilon(1e-14));
   }
 }
 
@@ -169,10 +178,10 @@ TEST_CASE("slow and fast relaxation: the two elastic limits, approached in first
   for (const double alpha : {-2.5, -0.6, 0.3, 1.3}) {
     const double elastic = 1.5 * I1(alpha) / pi;
     const auto stiff = [&](double rate) {
-      return std::fabs(MovingLoad(solid(rate), 1, 1).Un(4, 4 + alpha) - elastic);
+      return std::fabs(MovingLoad(solid(rate), 1, 1).normal_displacement(4, 4 + alpha) - elastic);
     };
     const auto soft = [&](double rate) {
-      return std::fabs(MovingLoad(solid(rate), 1, 1).Un(4, 4 + alpha) - 2 * elastic);
+      return std::fabs(MovingLoad(solid(rate), 1, 1).normal_displacement(4, 4 + alpha) - 2 * elastic);
     };
     CHECK(stiff(1e-5) / stiff(1e-4) == doctest::Approx(0.1).epsilon(0.01));
     CHECK(soft(1e5) / soft(1e4) == doctest::Approx(0.1).epsilon(0.01));
@@ -185,9 +194,9 @@ TEST_CASE("rates beyond any scale of the sheet neither overflow nor lose digits"
   for (const double alpha : {-1e4, -300.0, -1.0, -1e-9, 1e-9, 1.0, 300.0, 1e4}) {
     for (const double rate : {1e-12, 1.0, 1e12}) {
       const MovingLoad load(solid(rate), 1, 1);
-      const double un = load.Un_steady(alpha);
+      const double un = load.steady_normal_displacement(alpha);
       CHECK(std::isfinite(un));
-      CHECK(std::isfinite(load.Un(2e4, 2e4 + alpha)));
+      CHECK(std::isfinite(load.normal_displacement(2e4, 2e4 + alpha)));
       if (std::fabs(alpha) > 200 && rate >= 1) CHECK(std::fabs(un) < 1e-120);
       if (rate == 1e12 && std::fabs(alpha) <= 1) {
         CHECK(un == doctest::Approx(3 * I1(alpha) / pi).epsilon(1 / std::fabs(alpha * 1e12)));
@@ -199,7 +208,8 @@ TEST_CASE("rates beyond any scale of the sheet neither overflow nor lose digits"
 TEST_CASE("a way too short to be seen beside the distance still counts") {
   const MovingLoad load(solid(1e25), 1, 1);
   for (const double T : {-2.5, -0.75, -0.4, 0.4, 0.75, 2.5}) {
-    CHECK(load.Un(1e-25, T) == doctest::Approx(1.5 * I1(T) * (2 - std::exp(-1.0)) / pi).epsilon(1e-14));
+    CHECK(load.normal_displacement(1e-25, T) ==
+          doctest::Approx(1.5 * I1(T) * (2 - std::exp(-1.0)) / pi).epsilon(1e-14));
   }
 }
 
@@ -225,10 +235,11 @@ TEST_CASE("a pair of complex rates: brute force again, and a pair that is nearly
       }
       ends.push_back(alpha + t);
       for (std::size_t i = 1; i < ends.size(); ++i) sum += integral(faded, ends[i - 1], ends[i]);
-      CHECK(load.Un(t, t + alpha) == doctest::Approx(1.5 * sum / pi).epsilon(1e-12).scale(1e-3));
+      CHECK(load.normal_displacement(t, t + alpha) ==
+            doctest::Approx(1.5 * sum / pi).epsilon(1e-12).scale(1e-3));
     }
-    const double steady = load.Un_steady(alpha);
-    CHECK(load.Un(60, 60 + alpha) == doctest::Approx(steady).epsilon(1e-13));
+    const double steady = load.steady_normal_displacement(alpha);
+    CHECK(load.normal_displacement(60, 60 + alpha) == doctest::Approx(steady).epsilon(1e-13));
   }
 }
 
@@ -240,12 +251,12 @@ TEST_CASE("bad input to the moving load") {
   CHECK_THROWS_AS(MovingLoad(solid(1), 1, HUGE_VAL), BadInput);
   CHECK_THROWS_AS(MovingLoad(solid(-1), 1, 1), BadInput);
   const MovingLoad load(solid(1), 1, 1);
-  CHECK_THROWS_AS(static_cast<void>(load.Un(2, 2)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.Un(-1, 2)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.Un(1, std::nan(""))), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.Un_steady(0)), BadInput);
-  CHECK_THROWS_AS(static_cast<void>(load.Vn(1, 2, HUGE_VAL)), BadInput);
-  CHECK_NOTHROW(static_cast<void>(load.Vn(2, 2, 2)));
+  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(2, 2)), BadInput);
+  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(-1, 2)), BadInput);
+  CHECK_THROWS_AS(static_cast<void>(load.normal_displacement(1, std::nan(""))), BadInput);
+  CHECK_THROWS_AS(static_cast<void>(load.steady_normal_displacement(0)), BadInput);
+  CHECK_THROWS_AS(static_cast<void>(load.tangential_displacement(1, 2, HUGE_VAL)), BadInput);
+  CHECK_NOTHROW(static_cast<void>(load.tangential_displacement(2, 2, 2)));
 }
 
 TEST_SUITE_END();

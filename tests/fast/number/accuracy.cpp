@@ -11,7 +11,7 @@ TEST_SUITE_BEGIN("fast sheet kernels");
 namespace {
 /// Eight tolerances a decade over everything that can be asked for.
 std::vector<double> tolerances() {
-  std::vector<double> all{Accuracy::kBest};
+  std::vector<double> all{Accuracy::best_rtol};
   for (int eighth = -122; eighth < 0; ++eighth) all.push_back(std::pow(10.0, eighth / 8.0));
   return all;
 }
@@ -73,7 +73,7 @@ TEST_CASE("tolerances that cannot be kept are refused with the best that can") {
     CHECK_THROWS_AS(Accuracy{bad}, nipref::data::BadInput);
   CHECK_THROWS_WITH(Accuracy{0.0},
                     "rtol = 0: must satisfy 4.44e-16 <= rtol < 1 (best reachable: 2^-51 = 4.44e-16)");
-  CHECK(Accuracy(Accuracy::kBest).tier() == Accuracy().tier());
+  CHECK(Accuracy(Accuracy::best_rtol).tier() == Accuracy().tier());
   CHECK(Accuracy(0.5).tier() == 0);
 }
 

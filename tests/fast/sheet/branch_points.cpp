@@ -13,8 +13,8 @@ using nipref::data::BadInput;
 TEST_SUITE_BEGIN("fast sheet kernels");
 
 namespace {
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
 }  // namespace
 
 TEST_CASE("even kernels are even and odd ones odd, to the last bit") {
@@ -38,7 +38,7 @@ TEST_CASE("no jump at any branch point") {
     CAPTURE(kernel.name);
     for (const double x : nipref::fast::branch_points()) {
       const double left = std::nextafter(x, 0.0);
-      const double right = std::nextafter(x, kLargest);
+      const double right = std::nextafter(x, largest);
       const double reach = x * 0x1p-12;
       const double slope = (kernel.scalar(x + reach, {}) - kernel.scalar(x - reach, {})) / (2 * reach);
       const double at = kernel.scalar(x, {});
@@ -69,7 +69,7 @@ TEST_CASE("odd kernels vanish at zero, linearly down to the denormal numbers") {
     for (const double x : log_uniform(1e-307, 1e-12, 300, 6)) {
       CHECK(std::fabs(kernel.scalar(x, {}) - slope * x) <= 3 * ulp(slope * x));
     }
-    CHECK(kernel.scalar(100 * kSmallest, {}) == std::nearbyint(100 * slope) * kSmallest);
+    CHECK(kernel.scalar(100 * smallest, {}) == std::nearbyint(100 * slope) * smallest);
   }
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("logarithmic kernels down to the denormal numbers") {
   // I1 = -ln x - 0.35167539261870... + O(x^2), notes/thesis.md; I6(a, e) - I1(a) does not depend on a as a ->
   // 0.
   const double difference = nipref::fast::I6(1e-20, 0.7) - nipref::fast::I1(1e-20);
-  for (const double x : {kSmallest, 3 * kSmallest, 0x1p-1022, 1e-300, 1e-100, 1e-20, 1e-9}) {
+  for (const double x : {smallest, 3 * smallest, 0x1p-1022, 1e-300, 1e-100, 1e-20, 1e-9}) {
     CAPTURE(x);
     const double value = nipref::fast::I1(x);
     CHECK(std::fabs(value + std::log(x) + 0.3516753926187) <= 4 * ulp(value) + 1e-13);
@@ -88,19 +88,19 @@ TEST_CASE("logarithmic kernels down to the denormal numbers") {
 TEST_CASE("limits at infinity") {
   for (const Kernel& kernel : kernels()) {
     const double limit = kernel.residues.odd ? std::numbers::pi / 4 : 0;
-    for (const double x : {400.0, 1e3, 1e20, kLargest}) CHECK(kernel.scalar(x, {}) == limit);
+    for (const double x : {400.0, 1e3, 1e20, largest}) CHECK(kernel.scalar(x, {}) == limit);
     CHECK(kernel.scalar(350.0, {}) != (kernel.residues.odd ? 0 : limit));  // still representable
   }
   using nipref::fast::I6;
   CHECK(I6(1e20, 3e20) == doctest::Approx(std::numbers::pi / 2 * 1e20).epsilon(1e-15));
   CHECK(I6(1e20, 1e20) == 0);
-  CHECK(I6(kLargest, 1.0) == -std::numbers::pi / 4 * kLargest);
-  CHECK(I6(1.0, kLargest) == std::numbers::pi / 4 * kLargest);
+  CHECK(I6(largest, 1.0) == -std::numbers::pi / 4 * largest);
+  CHECK(I6(1.0, largest) == std::numbers::pi / 4 * largest);
 }
 
 TEST_CASE("I2 is the step") {
   using nipref::fast::I2;
-  CHECK(I2(kSmallest) == std::numbers::pi / 2);
+  CHECK(I2(smallest) == std::numbers::pi / 2);
   CHECK(I2(-7.0) == -std::numbers::pi / 2);
   CHECK(I2(0.0) == 0);
   CHECK_THROWS_AS(I2(std::nan("")), BadInput);

@@ -26,8 +26,8 @@ TEST_CASE("I6 within two units of its residue sums, its linear part included") {
     const double a = alphas[i];
     // Every third pair differs by a few units in the last place: only the residues are left.
     const double e = i % 3 == 0 ? a * (1 + 0x1p-50) : etas[i];
-    const long double linear = kPiL / 4 * (static_cast<long double>(e) - static_cast<long double>(a));
-    const long double expected = linear + kAlphaPart(a) - kEtaPart(e);
+    const long double linear = pi_long / 4 * (static_cast<long double>(e) - static_cast<long double>(a));
+    const long double expected = linear + alpha_sum(a) - eta_sum(e);
     CAPTURE(a);
     CAPTURE(e);
     const double allowed = 2 * ulp(I6_scale(a, e, static_cast<double>(expected)));

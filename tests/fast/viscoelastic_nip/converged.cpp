@@ -19,14 +19,14 @@
 using namespace nipref;
 using data::ElasticNip;
 using data::ViscoelasticNip;
-using fast::ContactWork;
+using fast::converged_for_length;
+using fast::converged_for_load;
+using fast::ConvergedViscoelasticNip;
 using fast::Estimate;
 using fast::Half;
-using fast::rolling_for_length;
-using fast::rolling_for_load;
-using fast::RollingContact;
-using fast::RollingMaterial;
-using fast::RollingPressure;
+using fast::ViscoelasticMaterial;
+using fast::ViscoelasticPressure;
+using fast::Work;
 
 namespace {
 
@@ -46,31 +46,31 @@ ViscoelasticNip nip(double relaxation_length) { return {radius, thickness, solid
 ElasticNip elastic(double compliance) { return {radius, thickness, {bulk / compliance, 1.0 / 3}}; }
 
 /// The same, dimensionless.
-RollingMaterial rolling_material(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }
+ViscoelasticMaterial viscoelastic_material(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }
 
-RollingPressure solve(double half_length, const RollingMaterial& material, int panels, int terms) {
-  ContactWork work;
-  fast::ContactKernels kernels(fast::Accuracy{}, work);
-  return {fast::RollingLayout(half_length, panels, terms), material, 1e-16, kernels};
+ViscoelasticPressure solve(double half_length, const ViscoelasticMaterial& material, int panels, int terms) {
+  Work work;
+  fast::CountedKernels kernels(fast::Accuracy{}, work);
+  return {fast::ViscoelasticLayout(half_length, panels, terms), material, 1e-16, kernels};
 }
 
-using Result = std::function<Estimate(const RollingContact&)>;
+using Result = std::function<Estimate(const ConvergedViscoelasticNip&)>;
 
 std::vector<Result> results() {
-  return {[](const RollingContact& contact) { return contact.contact_length(); },
-          [](const RollingContact& contact) { return contact.indentation(); },
-          [](const RollingContact& contact) { return contact.peak_pressure(); },
-          [](const RollingContact& contact) { return contact.rolling_resistance(); },
-          [](const RollingContact& contact) { return contact.leading_length(); },
-          [](const RollingContact& contact) { return contact.load(); },
-          [](const RollingContact& contact) { return contact.leading_displacement(); },
-          [](const RollingContact& contact) { return contact.trailing_displacement(); },
-          [](const RollingContact& contact) { return contact.creep_ratio(); },
-          [](const RollingContact& contact) { return contact.pressure(0); },
-          [](const RollingContact& contact) {
+  return {[](const ConvergedViscoelasticNip& contact) { return contact.contact_length(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.indentation(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.peak_pressure(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.rolling_resistance(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.leading_length(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.load(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.leading_displacement(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.trailing_displacement(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.creep_ratio(); },
+          [](const ConvergedViscoelasticNip& contact) { return contact.pressure(0); },
+          [](const ConvergedViscoelasticNip& contact) {
             return contact.normal_displacement(-1.5 * contact.trailing_length().value);
           },
-          [](const RollingContact& contact) {
+          [](const ConvergedViscoelasticNip& contact) {
             return contact.tangential_displacement(-2 * contact.trailing_length().value);
           }};
 }
@@ -79,7 +79,7 @@ std::vector<Result> results() {
 
 TEST_CASE("without relaxation the rolling contact is the elastic one") {
   const ViscoelasticNip rolling{radius, thickness, {{4 / (3 * bulk), {}}, {4 / (9 * bulk), {}}}, 1};
-  const auto contact = rolling_for_load(rolling, load, 1e-12);
+  const auto contact = converged_for_load(rolling, load, 1e-12);
   const auto expected = fast::converged_for_load(elastic(1), data::Friction::none, load, 1e-12);
   const auto check = [](const Estimate& found, const Estimate& truth) {
     CHECK(found.value == doctest::Approx(truth.value).scale(0).epsilon(3e-12));
@@ -103,7 +103,8 @@ TEST_CASE("fast and slow relaxation give the two elastic contacts, with errors o
     const double truth =
         elastic_result(fast::converged_for_load(elastic(compliance), data::Friction::none, load, 1e-12))
             .value;
-    return std::fabs(rolling_result(rolling_for_load(nip(relaxation_length), load, 1e-11)).value / truth - 1);
+    return std::fabs(rolling_result(converged_for_load(nip(relaxation_length), load, 1e-11)).value / truth -
+                     1);
   };
   const auto check = [&](double quick_order, const auto& rolling_result, const auto& elastic_result) {
     // The error shrinks as the small number is halved.
@@ -117,18 +118,18 @@ TEST_CASE("fast and slow relaxation give the two elastic contacts, with errors o
   };
   // The first correction of fast relaxation is odd in Y: the indentation knows the second only.
   check(
-      2, [](const RollingContact& c) { return c.indentation(); },
-      [](const fast::ConvergedContact& c) { return c.indentation(); });
+      2, [](const ConvergedViscoelasticNip& c) { return c.indentation(); },
+      [](const fast::ConvergedElasticNip& c) { return c.indentation(); });
   check(
-      1, [](const RollingContact& c) { return c.creep_ratio(); },
-      [](const fast::ConvergedContact& c) { return c.creep_ratio(); });
+      1, [](const ConvergedViscoelasticNip& c) { return c.creep_ratio(); },
+      [](const fast::ConvergedElasticNip& c) { return c.creep_ratio(); });
 }
 
 TEST_CASE("towards both elastic limits the pressure becomes its own mirror image") {
   for (const double relaxation_length : {1e5, 1e-5}) {
     CAPTURE(relaxation_length);
     const auto asymmetry = [](double length) {
-      const auto contact = rolling_for_load(nip(length), load, 1e-11);
+      const auto contact = converged_for_load(nip(length), load, 1e-11);
       return contact.pressure(0.03).value / contact.pressure(-0.03).value - 1;
     };
     const double here = asymmetry(relaxation_length);
@@ -144,7 +145,7 @@ TEST_CASE("two discretisations agree") {
     for (const double rate_length : {0.01, 1.0, 30.0}) {  // A over the relaxation length
       CAPTURE(half_length);
       CAPTURE(rate_length);
-      const auto material = rolling_material(rate_length / half_length);
+      const auto material = viscoelastic_material(rate_length / half_length);
       const int panels = half_length > 10 || rate_length > 10 ? 7 : 3;
       const auto one = solve(half_length, material, panels, 18),
                  two = solve(half_length, material, panels + 2, 15);
@@ -169,7 +170,7 @@ namespace {
 /// int_0^inf |p^(x)|^2 x Im theta(x) G(x) dx/(2 pi), with theta(x) = 1 + sum g/(rate - i x) and G = 2 sinh^2
 /// x/(x (sinh 2x + 2x)) the transform of I1: by Parseval the work that the pressure does on the passing
 /// surface, which goes into loss.
-double dissipation(const RollingPressure& contact, const RollingMaterial& material) {
+double dissipation(const ViscoelasticPressure& contact, const ViscoelasticMaterial& material) {
   // The pressure at nodes on its panels.
   std::vector<double> y, weight;
   const auto& gauss = boost::math::quadrature::gauss<double, 60>{};
@@ -222,7 +223,7 @@ TEST_CASE("rolling resistance times speed is the energy lost, computed in freque
                                           std::pair(0.4, 1e-3), std::pair(0.4, 100.0)}) {
     CAPTURE(half_length);
     CAPTURE(rate);
-    const auto material = rolling_material(rate);
+    const auto material = viscoelastic_material(rate);
     const auto contact = solve(half_length, material, half_length * rate > 10 ? 7 : 3, 18);
     const double resistance = contact.load() * fast::eccentricity(contact);
     CHECK(dissipation(contact, material) == doctest::Approx(resistance).scale(0).epsilon(1e-8));
@@ -233,8 +234,8 @@ TEST_CASE("results at 1e-8 over twelve decades of the relaxation length") {
   for (const double relaxation : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3, 1e6}) {
     CAPTURE(relaxation);
     const double length = 0.1;
-    const auto rough = rolling_for_length(nip(relaxation * length), length, 1e-8);
-    const auto fine = rolling_for_length(nip(relaxation * length), length, 1e-11);
+    const auto rough = converged_for_length(nip(relaxation * length), length, 1e-8);
+    const auto fine = converged_for_length(nip(relaxation * length), length, 1e-11);
     CHECK(rough.work().unknowns < fine.work().unknowns);
     for (const Result& result : {results()[1], results()[2], results()[3], results()[5]}) {
       CHECK(result(rough).value == doctest::Approx(result(fine).value).scale(0).epsilon(1e-8));
@@ -244,9 +245,9 @@ TEST_CASE("results at 1e-8 over twelve decades of the relaxation length") {
 
 TEST_CASE("the error estimates cover the errors and are not idle") {
   for (const double relaxation_length : {3.0, 0.1, 0.004}) {
-    const auto best = rolling_for_load(nip(relaxation_length), load, 1e-13);
+    const auto best = converged_for_load(nip(relaxation_length), load, 1e-13);
     for (const double accuracy : {1e-3, 1e-5, 1e-7, 1e-9}) {
-      const auto contact = rolling_for_load(nip(relaxation_length), load, accuracy);
+      const auto contact = converged_for_load(nip(relaxation_length), load, accuracy);
       int index = 0;
       for (const Result& result : results()) {
         CAPTURE(relaxation_length);
@@ -265,8 +266,8 @@ TEST_CASE("the error estimates cover the errors and are not idle") {
 }
 
 TEST_CASE("asking for less costs less") {
-  const auto cost = [](double accuracy) { return rolling_for_load(nip(0.1), load, accuracy).work(); };
-  const ContactWork little = cost(1e-4), much = cost(1e-11);
+  const auto cost = [](double accuracy) { return converged_for_load(nip(0.1), load, accuracy).work(); };
+  const Work little = cost(1e-4), much = cost(1e-11);
   CHECK(little.unknowns < much.unknowns);
   CHECK(little.kernel_evaluations[0] < much.kernel_evaluations[0]);
   CHECK(much.kernel_evaluations[2] == 0);  // no tangential kernel before the creep is asked for
@@ -286,13 +287,13 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
 TEST_CASE("rolling contacts refuse what is outside their domain") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto rolling = nip(0.1);
-  CHECK_THROWS_AS(rolling_for_load(rolling, 0, 1e-6), data::BadInput);
-  CHECK_THROWS_AS(rolling_for_load(rolling, nan, 1e-6), data::BadInput);
-  CHECK_THROWS_AS(rolling_for_load(rolling, 1e9, 1e-6), data::BadInput);  // L > R
-  CHECK_THROWS_AS(rolling_for_length(rolling, 7, 1e-6), data::BadInput);
-  CHECK_THROWS_AS(rolling_for_length(rolling, 0.1, 1e-14), data::BadInput);
-  CHECK_THROWS_AS((void)rolling_for_length(rolling, 0.1, 1e-6).pressure(nan), data::BadInput);
+  CHECK_THROWS_AS(converged_for_load(rolling, 0, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(converged_for_load(rolling, nan, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(converged_for_load(rolling, 1e9, 1e-6), data::BadInput);  // L > R
+  CHECK_THROWS_AS(converged_for_length(rolling, 7, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(converged_for_length(rolling, 0.1, 1e-14), data::BadInput);
+  CHECK_THROWS_AS((void)converged_for_length(rolling, 0.1, 1e-6).pressure(nan), data::BadInput);
   auto standing = rolling;
   standing.speed = 0;
-  CHECK_THROWS_AS(rolling_for_length(standing, 0.1, 1e-6), data::BadInput);
+  CHECK_THROWS_AS(converged_for_length(standing, 0.1, 1e-6), data::BadInput);
 }

@@ -16,8 +16,8 @@
 using namespace nipref;
 using data::ViscoelasticMaterial;
 using data::ViscoelasticNip;
-using fast::RollingLineLoadMethod;
-using fast::RollingLineLoads;
+using fast::ViscoelasticLineLoadMethod;
+using fast::ViscoelasticLineLoads;
 
 namespace {
 
@@ -37,12 +37,13 @@ ViscoelasticNip nip(double relaxation_length) { return {radius, thickness, solid
 data::ElasticNip elastic(double compliance) { return {radius, thickness, {bulk / compliance, 1.0 / 3}}; }
 
 /// Started so long before the nip that the start is forgotten.
-RollingLineLoadMethod method(int leading, int trailing, int terms = 500) {
+ViscoelasticLineLoadMethod method(int leading, int trailing, int terms = 500) {
   return {leading, trailing, 30, terms};
 }
 
-RollingLineLoads for_length(double relaxation_length, const RollingLineLoadMethod& how, double length) {
-  return fast::rolling_line_loads_for_length(nip(relaxation_length), how, length);
+ViscoelasticLineLoads for_length(double relaxation_length, const ViscoelasticLineLoadMethod& how,
+                                 double length) {
+  return fast::viscoelastic_line_loads_for_length(nip(relaxation_length), how, length);
 }
 
 void check_close(double found, double truth, double relative) {
@@ -57,7 +58,7 @@ TEST_CASE("plain sums: before the load they are exact, after it their rest falls
   const fast::MovingLoad exact(material, speed, half);
   const auto error = [&](int terms, double t, double T) {
     const fast::PlainMovingLoad plain(material, speed, half, terms);
-    return (plain.Un(t, T) - exact.Un(t * unit, T * unit)) /
+    return (plain.normal_displacement(t, T) - exact.normal_displacement(t * unit, T * unit)) /
            (material.normal_compliance().terms[0].amplitude.real() * unit / std::acos(-1.0));
   };
   CHECK(std::fabs(error(500, 1, 2)) < 1e-13);
@@ -79,7 +80,8 @@ TEST_CASE("plain sums of the tangential displacement agree with the exact one as
     CAPTURE(t);
     CAPTURE(T);
     CAPTURE(t0);
-    CHECK(std::fabs(plain.Vn(t, T, t0) - exact.Vn(t, T, t0)) < 1e-3 * scale);
+    CHECK(std::fabs(plain.tangential_displacement(t, T, t0) - exact.tangential_displacement(t, T, t0)) <
+          1e-3 * scale);
   }
 }
 
@@ -89,7 +91,7 @@ TEST_CASE("fast and slow relaxation give the elastic line loads") {
     CAPTURE(terms);
     for (const auto& [relaxation_length, compliance] : {std::pair(1e7, 1.0), std::pair(1e-7, 2.0)}) {
       CAPTURE(relaxation_length);
-      const RollingLineLoads found = for_length(relaxation_length, method(5, 5, terms), length);
+      const ViscoelasticLineLoads found = for_length(relaxation_length, method(5, 5, terms), length);
       const auto truth = fast::line_loads_for_length(elastic(compliance), {5, terms}, 2 * length);
       // After 500 terms what is quickly relaxed still lacks up to 0.2/500 of the kernel.
       const double accuracy = terms > 0 && relaxation_length < 1 ? 3e-3 : 1e-5;
@@ -100,7 +102,7 @@ TEST_CASE("fast and slow relaxation give the elastic line loads") {
       check_close(found.peak_pressure, truth.peak_pressure, accuracy);
       CHECK(std::fabs(found.rolling_resistance) < accuracy * length / radius);
     }
-    const RollingLineLoads slow = for_length(1e7, method(5, 5, terms), length);
+    const ViscoelasticLineLoads slow = for_length(1e7, method(5, 5, terms), length);
     const fast::LineLoadMethod how(5, terms);
     const double creep =
         fast::creep_ratio(elastic(1), fast::line_loads_for_length(elastic(1), how, 2 * length), how);
@@ -109,8 +111,8 @@ TEST_CASE("fast and slow relaxation give the elastic line loads") {
 }
 
 TEST_CASE("with enough residues line loads are those of exact displacements") {
-  const RollingLineLoads plain = for_length(0.1, method(5, 4), 0.08);
-  const RollingLineLoads exact = for_length(0.1, method(5, 4, 0), 0.08);
+  const ViscoelasticLineLoads plain = for_length(0.1, method(5, 4), 0.08);
+  const ViscoelasticLineLoads exact = for_length(0.1, method(5, 4, 0), 0.08);
   CHECK(plain.load != exact.load);
   check_close(plain.load, exact.load, 2e-3);
   check_close(plain.indentation, exact.indentation, 2e-3);
@@ -125,8 +127,8 @@ TEST_CASE("the contact is linear: a stiffer sheet carries as much more at the sa
     function->instantaneous /= 7;
     for (auto& term : function->terms) term.amplitude /= 7;
   }
-  const RollingLineLoads soft = for_length(0.1, method(4, 3), 0.05);
-  const RollingLineLoads hard = fast::rolling_line_loads_for_length(stiff, method(4, 3), 0.05);
+  const ViscoelasticLineLoads soft = for_length(0.1, method(4, 3), 0.05);
+  const ViscoelasticLineLoads hard = fast::viscoelastic_line_loads_for_length(stiff, method(4, 3), 0.05);
   check_close(hard.load, 7 * soft.load, 1e-12);
   check_close(hard.indentation, soft.indentation, 1e-12);
   check_close(hard.rolling_resistance, soft.rolling_resistance, 1e-11);
@@ -136,8 +138,8 @@ TEST_CASE("the contact is linear: a stiffer sheet carries as much more at the sa
 
 TEST_CASE("what the loads leave: the roller's shape at every matching point, and the moment (7.15)") {
   const ViscoelasticNip rolling = nip(0.1);
-  const RollingLineLoadMethod how = method(4, 3, 0);
-  const RollingLineLoads found = fast::rolling_line_loads_for_length(rolling, how, 0.06);
+  const ViscoelasticLineLoadMethod how = method(4, 3, 0);
+  const ViscoelasticLineLoads found = fast::viscoelastic_line_loads_for_length(rolling, how, 0.06);
   const double half = rolling.half_thickness(), element = found.element_width() / 2;
   CHECK(found.loads.size() == 7);
   check_close(found.trailing_length, 0.06 * 3 / 4, 1e-14);
@@ -148,7 +150,7 @@ TEST_CASE("what the loads leave: the roller's shape at every matching point, and
     double u = 0;
     for (int j = 0; j < 7; ++j)
       u += found.loads[static_cast<std::size_t>(j)] *
-           sheet.Un(start + 2 * i * element, start + (2 * j + 1) * element);
+           sheet.normal_displacement(start + 2 * i * element, start + (2 * j + 1) * element);
     const double y = 0.06 - 2 * i * element;
     check_close(u, found.indentation - y * y / (2 * radius), 1e-10);
     if (i < 7) moment += found.loads[static_cast<std::size_t>(i)] * (y - element);
@@ -158,18 +160,18 @@ TEST_CASE("what the loads leave: the roller's shape at every matching point, and
 }
 
 TEST_CASE("the load found is the load asked for") {
-  check_close(fast::rolling_line_loads_for_load(nip(0.1), method(5, 4), load).load, load, 1e-9);
+  check_close(fast::viscoelastic_line_loads_for_load(nip(0.1), method(5, 4), load).load, load, 1e-9);
 }
 
 TEST_CASE("the search for m2: the first from m1 down that leaves no tension") {
   const auto at = [](double relaxation_length, int trailing) {
-    return fast::rolling_line_loads_for_load(nip(relaxation_length), method(10, trailing), load);
+    return fast::viscoelastic_line_loads_for_load(nip(relaxation_length), method(10, trailing), load);
   };
   const auto searched = [](double relaxation_length) {
-    return fast::rolling_line_loads_by_search(nip(relaxation_length), method(10, 1), load);
+    return fast::viscoelastic_line_loads_by_search(nip(relaxation_length), method(10, 1), load);
   };
   CHECK(searched(1e4).loads.size() == 20);  // nearly elastic: symmetric
-  const RollingLineLoads found = searched(0.1);
+  const ViscoelasticLineLoads found = searched(0.1);
   const int trailing = static_cast<int>(found.loads.size()) - 10;
   REQUIRE(trailing < 10);
   CHECK(trailing > 0);
@@ -180,7 +182,7 @@ TEST_CASE("the search for m2: the first from m1 down that leaves no tension") {
 
 TEST_CASE("line loads refuse what is outside their domain") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto refuses = [](const RollingLineLoadMethod& how, double length) {
+  const auto refuses = [](const ViscoelasticLineLoadMethod& how, double length) {
     CHECK_THROWS_AS(for_length(0.1, how, length), data::BadInput);
   };
   refuses({0, 1, 5, 500}, 0.1);
@@ -193,8 +195,8 @@ TEST_CASE("line loads refuse what is outside their domain") {
   refuses(method(2, 2), 0);
   refuses(method(2, 2), nan);
   refuses(method(2, 2), 7);
-  CHECK_THROWS_AS(fast::rolling_line_loads_for_load(nip(0.1), method(2, 2), -1), data::BadInput);
-  CHECK_THROWS_AS(fast::rolling_line_loads_by_search(nip(0.1), method(2, 2), 0), data::BadInput);
+  CHECK_THROWS_AS(fast::viscoelastic_line_loads_for_load(nip(0.1), method(2, 2), -1), data::BadInput);
+  CHECK_THROWS_AS(fast::viscoelastic_line_loads_by_search(nip(0.1), method(2, 2), 0), data::BadInput);
   CHECK_THROWS_AS(fast::PlainMovingLoad(solid(1), 1, 1, 0), data::BadInput);
   CHECK_THROWS_AS(fast::PlainMovingLoad(solid(1), 0, 1, 10), data::BadInput);
   CHECK_THROWS_AS(fast::PlainMovingLoad(solid(1), 1, nan, 10), data::BadInput);

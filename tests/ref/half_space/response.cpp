@@ -19,8 +19,8 @@ using namespace nipref;
 using ref::Enclosure;
 using ref::Exact;
 using ref::ExactStiffness;
+using ref::LineResponse;
 using ref::SurfaceDirection;
-using ref::SurfaceResponse;
 using stroh::Float;
 
 namespace {
@@ -37,18 +37,18 @@ Float bound(const Enclosure& x) {
   return result;
 }
 
-std::vector<Enclosure> all(const SurfaceResponse& x) {
+std::vector<Enclosure> all(const LineResponse& x) {
   return {x.compliance, x.coupling, x.coupling_across, x.shear_compliance, x.shear_compliance_across,
           x.in_line,    x.across};
 }
 
-Float scale(const SurfaceResponse& x) {
+Float scale(const LineResponse& x) {
   return std::max(
       {Float(abs(value(x.compliance))), Float(abs(value(x.in_line))), Float(abs(value(x.across)))});
 }
 
 /// Every component within the sum of the bounds, and these as narrow as promised.
-void check_agree(const SurfaceResponse& x, const SurfaceResponse& y, int digits, double factor = 1) {
+void check_agree(const LineResponse& x, const LineResponse& y, int digits, double factor = 1) {
   const auto a = all(x);
   const auto b = all(y);
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -110,7 +110,7 @@ TEST_CASE("random anisotropic solids: Stroh's eigenvectors give the same respons
     const auto line = pair(psi[0], psi[1]);
     const auto motion = pair(theta[0], theta[1]);
     const double speed = 0.98 * uniform(generator) * ref::limiting_speed(solid, motion, line, 16).to_double();
-    const auto response = ref::surface_response(solid, Exact(speed), motion, line, 30);
+    const auto response = ref::line_response(solid, Exact(speed), motion, line, 30);
     const Float cosine = (Float(psi[0]) * theta[0] + Float(psi[1]) * theta[1]) /
                          sqrt((Float(psi[0]) * psi[0] + Float(psi[1]) * psi[1]) *
                               (Float(theta[0]) * theta[0] + Float(theta[1]) * theta[1]));
@@ -140,12 +140,12 @@ TEST_CASE("isotropic solids: the closed form, in every direction") {
       CAPTURE(speed);
       const data::IsotropicSolid solid{3.7, poisson, 3.7};
       const auto response =
-          ref::surface_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(-8, 6), 30);
+          ref::line_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(-8, 6), 30);
       // cos(psi - theta) = 0: as at rest.
       CHECK(abs(value(response.compliance) - (1 - Float(poisson)) / Float(3.7)) <=
             bound(response.compliance));
       const auto moving =
-          ref::surface_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(6, 8), 30);
+          ref::line_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(6, 8), 30);
       const Float x = Float(speed) * speed;
       const Float squared_ratio = (2 - 2 * Float(poisson)) / (1 - 2 * Float(poisson));
       const Float shear = sqrt(1 - x);
@@ -167,7 +167,7 @@ TEST_CASE("isotropic solids: the closed form, in every direction") {
 TEST_CASE("at rest an isotropic surface answers with (1 - nu)/mu, whatever its units") {
   const data::IsotropicSolid steel{77.2e9, 0.25, 7860};
   const auto response =
-      ref::surface_response(ref::exact_stiffness(steel), Exact(0.0), degrees(10), degrees(70), 50);
+      ref::line_response(ref::exact_stiffness(steel), Exact(0.0), degrees(10), degrees(70), 50);
   const Float truth = Float(0.75) / Float(77.2e9);
   CHECK(abs(value(response.compliance) - truth) <= bound(response.compliance));
   CHECK(bound(response.compliance) <= Float("1e-50") * truth);
@@ -176,10 +176,10 @@ TEST_CASE("at rest an isotropic surface answers with (1 - nu)/mu, whatever its u
 TEST_CASE("an isotropic solid is the same transversely isotropic solid with either axis") {
   const data::TransverselyIsotropicSolid as_transverse{3, 3, 1, 1, 1, 1};
   const auto isotropic = ref::exact_stiffness(data::IsotropicSolid{1, 0.25, 1});
-  const auto reference = ref::surface_response(isotropic, Exact(0.8), degrees(20), degrees(50), 30);
+  const auto reference = ref::line_response(isotropic, Exact(0.8), degrees(20), degrees(50), 30);
   for (const auto axis : {data::SymmetryAxis::normal, data::SymmetryAxis::in_plane}) {
-    check_agree(ref::surface_response(ref::exact_stiffness(as_transverse, axis), Exact(0.8), degrees(20),
-                                      degrees(50), 30),
+    check_agree(ref::line_response(ref::exact_stiffness(as_transverse, axis), Exact(0.8), degrees(20),
+                                   degrees(50), 30),
                 reference, 30);
   }
 }
@@ -190,26 +190,25 @@ TEST_CASE("solid, motion and line turned together change nothing; directions nee
   const mpq_class sine(12, 13);
   for (int sample = 0; sample < 5; ++sample) {
     const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
-    const auto reference = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
+    const auto reference = ref::line_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
     const SurfaceDirection turned_motion(Exact{mpq_class(cosine)}, Exact{mpq_class(sine)});
     const SurfaceDirection turned_line(Exact(mpq_class(2 * cosine - sine)),
                                        Exact(mpq_class(2 * sine + cosine)));
-    check_agree(
-        ref::surface_response(turned(solid, cosine, sine), Exact(0.2), turned_motion, turned_line, 30),
-        reference, 30);
-    check_agree(ref::surface_response(solid, Exact(-0.2), pair(1e-300, 0), pair(3e200, 1.5e200), 30),
+    check_agree(ref::line_response(turned(solid, cosine, sine), Exact(0.2), turned_motion, turned_line, 30),
                 reference, 30);
+    check_agree(ref::line_response(solid, Exact(-0.2), pair(1e-300, 0), pair(3e200, 1.5e200), 30), reference,
+                30);
   }
   const auto solid = ref::exact_stiffness(random_solid(generator));
-  check_agree(ref::surface_response(solid, Exact(0.1), degrees(0), degrees(45), 30),
-              ref::surface_response(solid, Exact(0.1), pair(1, 0), pair(1, 1), 30), 30);
+  check_agree(ref::line_response(solid, Exact(0.1), degrees(0), degrees(45), 30),
+              ref::line_response(solid, Exact(0.1), pair(1, 0), pair(1, 1), 30), 30);
 }
 
 TEST_CASE("a line read backwards keeps its compliance and turns the sign of its coupling") {
   std::mt19937_64 generator(8);
   const ExactStiffness solid = ref::exact_stiffness(random_solid(generator));
-  const auto there = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
-  const auto back = ref::surface_response(solid, Exact(0.2), pair(1, 0), pair(-2, -1), 30);
+  const auto there = ref::line_response(solid, Exact(0.2), pair(1, 0), pair(2, 1), 30);
+  const auto back = ref::line_response(solid, Exact(0.2), pair(1, 0), pair(-2, -1), 30);
   CHECK(abs(value(there.compliance) - value(back.compliance)) <= 2 * bound(there.compliance));
   // tau turns its sign with n, and so does du3/dx: the coupling is left; the Hilbert transform turns, too.
   CHECK(abs(value(there.coupling) - value(back.coupling)) <= 2 * bound(there.compliance) * 100);
@@ -225,8 +224,8 @@ TEST_CASE("half the stiffness answers with twice the compliance") {
   for (auto& row : soft.voigt) {
     for (double& modulus : row) modulus /= 1048576;
   }
-  check_agree(ref::surface_response(ref::exact_stiffness(soft), Exact(0.2), pair(1, 2), pair(2, 1), 30),
-              ref::surface_response(ref::exact_stiffness(stiff), Exact(0.2), pair(1, 2), pair(2, 1), 30), 30,
+  check_agree(ref::line_response(ref::exact_stiffness(soft), Exact(0.2), pair(1, 2), pair(2, 1), 30),
+              ref::line_response(ref::exact_stiffness(stiff), Exact(0.2), pair(1, 2), pair(2, 1), 30), 30,
               1048576);
 }
 
@@ -301,7 +300,7 @@ TEST_CASE("the compliance has its pole at the surface wave, and there is no resp
   const auto wave = ref::surface_wave_speed(solid, pair(1, 0), pair(2, 1), 20);
   REQUIRE(wave.has_value());
   const auto compliance = [&](double speed) {
-    return ref::surface_response(solid, Exact(speed), pair(1, 0), pair(2, 1), 20).compliance.to_double();
+    return ref::line_response(solid, Exact(speed), pair(1, 0), pair(2, 1), 20).compliance.to_double();
   };
   CHECK(compliance(wave->to_double() * (1 - 1e-9)) > 1e6);
   CHECK(compliance(wave->to_double() * (1 + 1e-9)) < -1e6);
@@ -320,9 +319,9 @@ TEST_CASE("the composite of brock2013: surface wave with the axis upright, criti
   const auto wave = ref::surface_wave_speed(sagittal, degrees(0), degrees(60), 20);
   REQUIRE(wave.has_value());
   CHECK(wave->to_double() == doctest::Approx(2 * 0.63882964015).epsilon(1e-10));
-  auto whole = ref::surface_response(upright, Exact(0.4), degrees(0), degrees(30), 30);
+  auto whole = ref::line_response(upright, Exact(0.4), degrees(0), degrees(30), 30);
   whole.across = ref::exact_zero(30);
-  auto part = ref::surface_response(sagittal, Exact(0.4), degrees(0), degrees(30), 30);
+  auto part = ref::line_response(sagittal, Exact(0.4), degrees(0), degrees(30), 30);
   part.across = ref::exact_zero(30);
   check_agree(whole, part, 30);
   const auto lying = ref::exact_stiffness(composite, data::SymmetryAxis::in_plane);
@@ -393,7 +392,7 @@ TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by one cle
   starts(message([&] { pair(0, 0); }), "direction = ");
   const auto solid = ref::exact_stiffness(good);
   const auto respond = [&](double speed, int digits) {
-    return message([&] { ref::surface_response(solid, Exact(speed), degrees(0), degrees(0), digits); });
+    return message([&] { ref::line_response(solid, Exact(speed), degrees(0), degrees(0), digits); });
   };
   CHECK(respond(0.1, 20) == "accepted");
   starts(respond(5, 20), "speed = 5");

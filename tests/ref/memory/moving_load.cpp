@@ -14,8 +14,8 @@
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
-// The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the hereditary
-// integral itself, by quadrature over the elastic kernels in real space, and what is known of its limits.
+// The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the integral over
+// the past itself, by quadrature over the elastic kernels in real space, and what is known of its limits.
 
 using namespace nipref::ref;
 using nipref::data::BadInput;
@@ -43,7 +43,7 @@ Float kernel_4(const Float& w) { return number(I4(exact(w), 36)); }
 Float kernel_5(const Float& w) { return number(I5(exact(w), 36)); }
 
 /// int_from^to e^{-rate (w - from)} I(w) dw in pieces that end at 0, where I1 and I2 are singular.
-Float hereditary(const KernelFunction& kernel, const Float& from, const Float& to, const Float& rate) {
+Float memory_integral(const KernelFunction& kernel, const Float& from, const Float& to, const Float& rate) {
   static boost::math::quadrature::tanh_sinh<Float> rule(9);
   const Float nothing("1e-80");
   const Float zero = 0;
@@ -77,7 +77,7 @@ Float convolution(const ExactFunction& theta, const KernelFunction& kernel, cons
   };
   Float sum = real(theta.instantaneous) * kernel(from);
   for (const ExactFunction::Term& term : theta.terms)
-    sum += real(term.amplitude) * hereditary(kernel, from, to, real(term.rate));
+    sum += real(term.amplitude) * memory_integral(kernel, from, to, real(term.rate));
   return sum;
 }
 
@@ -99,7 +99,7 @@ void check_Un(const std::string& t, const std::string& T) {
   CAPTURE(T);
   const ExactMaterial solid = two_times();
   const Float from = Float(T) - Float(t);
-  check_agrees(Un(exact(t), exact(T), one, one, solid, digits),
+  check_agrees(moving_load_normal_displacement(exact(t), exact(T), one, one, solid, digits),
                convolution(solid.normal(), kernel_1, from, Float(T)) / boost::math::constants::pi<Float>());
 }
 
@@ -114,7 +114,7 @@ void check_Vn(const std::string& t, const std::string& T, const std::string& t0)
                     convolution(solid.theta2, kernel_2, alpha, Float(T)) +
                     convolution(solid.theta2, kernel_4, eta, Float(t0)) -
                     convolution(solid.theta1, kernel_5, eta, Float(t0));
-  check_agrees(Vn(exact(t), exact(T), exact(t0), one, one, solid, digits),
+  check_agrees(moving_load_tangential_displacement(exact(t), exact(T), exact(t0), one, one, solid, digits),
                sum / boost::math::constants::pi<Float>());
 }
 
@@ -124,7 +124,7 @@ double relative_difference(const Enclosure& x, const Enclosure& y) {
 
 }  // namespace
 
-TEST_CASE("moving load: Un is the hereditary integral over the elastic kernel, in all cases of T") {
+TEST_CASE("moving load: Un is the memory integral over the elastic kernel, in all cases of T") {
   check_Un("1.5", "2.25");
   check_Un("1.5", "0.5");
   check_Un("1.5", "-0.75");
@@ -133,30 +133,32 @@ TEST_CASE("moving load: Un is the hereditary integral over the elastic kernel, i
   check_Un("6", "3");
 }
 
-TEST_CASE("moving load: Vn is the hereditary integral over the elastic kernels, in all four cases") {
+TEST_CASE("moving load: Vn is the memory integral over the elastic kernels, in all four cases") {
   check_Vn("1.5", "2.25", "1");
   check_Vn("1.5", "0.5", "-0.5");
   check_Vn("1.5", "-0.75", "0.25");
   check_Vn("1.5", "-0.75", "-2");
 }
 
-TEST_CASE("moving load: steady Un is the hereditary integral of a load that came from far away") {
+TEST_CASE("moving load: steady Un is the memory integral of a load that came from far away") {
   const ExactMaterial solid = two_times();
   for (const std::string alpha : {"0.5", "-1.25", "1e-6"}) {
     CAPTURE(alpha);
     // Beyond w = 40 the kernel is below e^{-84}.
     check_agrees(
-        Un_steady(exact(alpha), one, one, solid, digits),
+        moving_load_steady_normal_displacement(exact(alpha), one, one, solid, digits),
         convolution(solid.normal(), kernel_1, Float(alpha), Float(40)) / boost::math::constants::pi<Float>());
   }
 }
 
 TEST_CASE("moving load: the displacements do not jump where the cases meet") {
   const ExactMaterial solid = two_times();
-  const auto U = [&](const char* t, const char* T) { return Un(exact(t), exact(T), one, one, solid, 25); };
+  const auto U = [&](const char* t, const char* T) {
+    return moving_load_normal_displacement(exact(t), exact(T), one, one, solid, 25);
+  };
   CHECK(relative_difference(U("1.5", "1e-20"), U("1.5", "-1e-20")) < 1e-17);
   const auto V = [&](const char* T, const char* t0) {
-    return Vn(exact("1.5"), exact(T), exact(t0), one, one, solid, 25);
+    return moving_load_tangential_displacement(exact("1.5"), exact(T), exact(t0), one, one, solid, 25);
   };
   CHECK(relative_difference(V("1e-20", "0.4"), V("-1e-20", "0.4")) < 1e-18);
   CHECK(relative_difference(V("0.4", "1e-20"), V("0.4", "-1e-20")) < 1e-18);
@@ -170,26 +172,33 @@ TEST_CASE("moving load: the displacements do not jump where the cases meet") {
 TEST_CASE("moving load: what happened long ago is forgotten") {
   const ExactMaterial solid = two_times();
   // The slowest rate is 1/2: e^{-50} is 2e-22.
-  const Enclosure steady = Un_steady(exact("-0.75"), one, one, solid, 25);
-  CHECK(relative_difference(Un(exact("100"), exact("99.25"), one, one, solid, 25), steady) < 1e-19);
-  const Enclosure steady_shear = Vn_steady(exact("-0.75"), exact("1.5"), one, one, solid, 25);
-  CHECK(relative_difference(Vn(exact("100"), exact("99.25"), exact("101.5"), one, one, solid, 25),
+  const Enclosure steady = moving_load_steady_normal_displacement(exact("-0.75"), one, one, solid, 25);
+  CHECK(relative_difference(
+            moving_load_normal_displacement(exact("100"), exact("99.25"), one, one, solid, 25), steady) <
+        1e-19);
+  const Enclosure steady_shear =
+      moving_load_steady_tangential_displacement(exact("-0.75"), exact("1.5"), one, one, solid, 25);
+  CHECK(relative_difference(moving_load_tangential_displacement(exact("100"), exact("99.25"), exact("101.5"),
+                                                                one, one, solid, 25),
                             steady_shear) < 1e-19);
 }
 
 TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
   const ExactMaterial solid = two_times();
   const Float pi = boost::math::constants::pi<Float>();
-  check_agrees(Un(exact("0"), exact("0.75"), one, one, solid, digits),
+  check_agrees(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits),
                Float(4) / 3 * kernel_1(Float("0.75")) / pi);
   // Young 4/3 and Poisson 1/3 have theta1 = 1, theta2 = 1/3; their rounding to double is seen.
   const double elastic = vn(exact("0.75"), exact("0.5"), Exact(4.0 / 3), Exact(1.0 / 3), 25).to_double();
-  CHECK(Vn(exact("0"), exact("0.75"), exact("0.5"), one, one, solid, 25).to_double() ==
-        doctest::Approx(elastic).epsilon(1e-14));
+  CHECK(moving_load_tangential_displacement(exact("0"), exact("0.75"), exact("0.5"), one, one, solid, 25)
+            .to_double() == doctest::Approx(elastic).epsilon(1e-14));
   // The memory grows in proportion to the time.
-  const Float start = number(Un(exact("0"), exact("0.75"), one, one, solid, digits));
+  const Float start =
+      number(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits));
   const auto growth = [&](const char* t) -> Float {
-    return (number(Un(exact(t), exact("0.75"), one, one, solid, digits)) - start) / Float(t);
+    return (number(moving_load_normal_displacement(exact(t), exact("0.75"), one, one, solid, digits)) -
+            start) /
+           Float(t);
   };
   CHECK(static_cast<double>(abs(growth("1e-10") / growth("2e-10") - 1)) < 1e-9);
 }
@@ -197,7 +206,7 @@ TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
 TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic sheet, to first order") {
   const auto deviation = [](const char* tau, double stiffness) {
     const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, exact("1"), exact(tau));
-    const Float value = number(Un_steady(exact("0.5"), one, one, solid, 25));
+    const Float value = number(moving_load_steady_normal_displacement(exact("0.5"), one, one, solid, 25));
     const Float elastic =
         Float(stiffness) * 16 / 9 * kernel_1(Float("0.5")) / boost::math::constants::pi<Float>();
     return static_cast<double>(value / elastic - 1);
@@ -211,8 +220,10 @@ TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic 
 TEST_CASE("moving load: only speed tau/half thickness counts, and bulk scales") {
   const ExactMaterial solid = exact_solid(Solid::thesis, exact("2"), exact("0.5"));
   const ExactMaterial other = exact_solid(Solid::thesis, exact("1"), exact("1"));
-  const Enclosure x = Un(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
-  const Enclosure y = Un(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
+  const Enclosure x =
+      moving_load_normal_displacement(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
+  const Enclosure y =
+      moving_load_normal_displacement(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
   CHECK(abs(2 * number(x) / number(y) - 1) < Float("1e-24"));
 }
 
@@ -254,28 +265,36 @@ TEST_CASE("moving load: the estimated bounds hold against more digits, whatever 
         mpfr_sub(error.get(), few.value.get(), value(30).value.get(), MPFR_RNDA);
         CHECK(mpfr_cmpabs(error.get(), few.error_bound.get()) <= 0);
       };
-      difference([&](int n) { return Un_steady(exact(alpha), one, one, solid, n); });
-      difference([&](int n) { return Vn_steady(exact(alpha), exact("0.7"), one, one, solid, n); });
-      difference([&](int n) { return Un(exact("4"), exact(Float(alpha) + 4), one, one, solid, n); });
       difference(
-          [&](int n) { return Vn(exact("4"), exact(Float(alpha) + 4), exact("-3"), one, one, solid, n); });
+          [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });
+      difference([&](int n) {
+        return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), one, one, solid, n);
+      });
+      difference([&](int n) {
+        return moving_load_normal_displacement(exact("4"), exact(Float(alpha) + 4), one, one, solid, n);
+      });
+      difference([&](int n) {
+        return moving_load_tangential_displacement(exact("4"), exact(Float(alpha) + 4), exact("-3"), one, one,
+                                                   solid, n);
+      });
     }
   }
 }
 
 TEST_CASE("moving load: bad arguments are refused") {
   const ExactMaterial solid = two_times();
-  CHECK_THROWS_AS(Un(exact("-1"), one, one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(Un(one, one, one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(Un(one, exact("2000"), one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(Un(one, exact("2"), exact("0"), one, solid, 20), BadInput);
-  CHECK_THROWS_AS(Un(one, exact("2"), one, exact("-1"), solid, 20), BadInput);
-  CHECK_THROWS_AS(Un(one, exact("2"), one, one, solid, 10), BadInput);
-  CHECK_THROWS_AS(Un_steady(exact("0"), one, one, solid, 20), BadInput);
-  CHECK_THROWS_AS(Vn_steady(exact("2000"), one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(exact("-1"), one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(one, one, one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2000"), one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), exact("0"), one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), one, exact("-1"), solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(one, exact("2"), one, one, solid, 10), BadInput);
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("0"), one, one, solid, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_steady_tangential_displacement(exact("2000"), one, one, one, solid, 20),
+                  BadInput);
   CHECK_THROWS_AS(exact_solid(Solid::thesis, exact("0"), one), BadInput);
   CHECK_THROWS_AS(exact_solid(Solid::thesis, one, exact("-1")), BadInput);
   ExactMaterial growing = solid;
   growing.theta1.terms[0].rate = -1;
-  CHECK_THROWS_AS(Un_steady(one, one, one, growing, 20), BadInput);
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, one, one, growing, 20), BadInput);
 }

@@ -81,7 +81,7 @@ TEST_CASE("every entry of the catalogue is complete") {
     CHECK(quantity.by_fast_loop);
     CHECK(quantity.envelope);
     REQUIRE_FALSE(quantity.arguments.empty());
-    CHECK(quantity.arguments.size() <= verify::kMostArguments);
+    CHECK(quantity.arguments.size() <= verify::most_arguments);
     // Either each argument has its own hard values, or the quantity knows where to look.
     for (const verify::Argument& argument : quantity.arguments)
       CHECK(argument.hard_values.empty() == static_cast<bool>(quantity.draw));

@@ -133,20 +133,20 @@ TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
   }
   CHECK(largest(2, 3) > 0.1);
   // The corrected value carries the table's load with the solid as it was defined.
-  const auto solid = verify::rolling_nip_of_the_tables(replay.table, 3, true);
-  const auto contact = fast::rolling_for_load(solid, 50, 1e-9);
+  const auto solid = verify::viscoelastic_nip_of_the_tables(replay.table, 3, true);
+  const auto contact = fast::converged_for_load(solid, 50, 1e-9);
   const ReplayedCell& d0 = cell_of(replay, 3, "d0");
   CHECK(*d0.corrected == doctest::Approx(contact.indentation().value).scale(0).epsilon(1e-6));
   CHECK(*d0.corrected_with_seed_material != doctest::Approx(*d0.corrected).scale(0).epsilon(1e-3));
 }
 
 TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact kernels") {
-  const fast::RollingLineLoadMethod method{5, 5, 30, 300};
+  const fast::ViscoelasticLineLoadMethod method{5, 5, 30, 300};
   SUBCASE("without relaxation they are the elastic line loads") {
     const data::ElasticNip elastic{6, 0.25, {1.45e5, 0.3}};
     const data::ViscoelasticNip rolling{
         6, 0.25, {{elastic.material.theta1(), {}}, {elastic.material.theta2(), {}}}, 1};
-    const auto found = fast::rolling_line_loads_for_length(rolling, {5, 5, 3, 200}, 0.05);
+    const auto found = fast::viscoelastic_line_loads_for_length(rolling, {5, 5, 3, 200}, 0.05);
     const auto expected = fast::line_loads_for_length(elastic, {5, 200}, 0.1);
     CHECK(found.load == doctest::Approx(expected.load).scale(0).epsilon(1e-10));
     CHECK(found.indentation == doctest::Approx(expected.indentation).scale(0).epsilon(1e-10));
@@ -154,21 +154,22 @@ TEST_CASE("rolling line loads: elastic limits, load search, search for m2, exact
     CHECK(std::fabs(found.rolling_resistance) < 1e-12);
   }
   SUBCASE("the load search inverts the load") {
-    const auto at_length = fast::rolling_line_loads_for_length(nip, method, 0.05);
-    const auto at_load = fast::rolling_line_loads_for_load(nip, method, at_length.load);
+    const auto at_length = fast::viscoelastic_line_loads_for_length(nip, method, 0.05);
+    const auto at_load = fast::viscoelastic_line_loads_for_load(nip, method, at_length.load);
     CHECK(at_load.leading_length == doctest::Approx(0.05).scale(0).epsilon(1e-9));
   }
   SUBCASE("the search for m2 ends at the first that leaves no tension") {
-    const auto found = fast::rolling_line_loads_by_search(nip, {10, 10, 30, 300}, 50);
+    const auto found = fast::viscoelastic_line_loads_by_search(nip, {10, 10, 30, 300}, 50);
     const int trailing = static_cast<int>(found.loads.size()) - 10;
     CHECK(found.presses_everywhere());
     REQUIRE(trailing < 10);
-    CHECK_FALSE(fast::rolling_line_loads_for_load(nip, {10, trailing + 1, 30, 300}, 50).presses_everywhere());
+    CHECK_FALSE(
+        fast::viscoelastic_line_loads_for_load(nip, {10, trailing + 1, 30, 300}, 50).presses_everywhere());
   }
   SUBCASE("with exact kernels and more elements they approach the continuous contact") {
-    const auto converged = fast::rolling_for_load(nip, 50, 1e-9);
+    const auto converged = fast::converged_for_load(nip, 50, 1e-9);
     const auto error = [&](int elements) {
-      const auto found = fast::rolling_line_loads_by_search(nip, {elements, elements, 30, 0}, 50);
+      const auto found = fast::viscoelastic_line_loads_by_search(nip, {elements, elements, 30, 0}, 50);
       return std::fabs(found.rolling_resistance / converged.rolling_resistance().value - 1);
     };
     CHECK(error(40) < 0.5 * error(10));

@@ -71,7 +71,7 @@ void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineL
 
 /// The first of the kernels whose values the work counts and that is not among those allowed; 0 if there is
 /// none.
-int first_kernel_beside(const fast::ContactWork& work, const std::vector<int>& allowed) {
+int first_kernel_beside(const fast::Work& work, const std::vector<int>& allowed) {
   for (int kernel = 1; kernel <= 7; ++kernel) {
     const bool counted = work.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] > 0;
     if (counted && std::ranges::find(allowed, kernel) == allowed.end()) return kernel;
@@ -141,7 +141,7 @@ TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and s
     const auto solution = verify::solve(scene_of(problem_of(friction, 3), wanted));
     CHECK(solution.work.kernel_evaluations[0] > 0);
     CHECK(solution.error_work.kernel_evaluations[0] > 0);
-    fast::ContactWork both = solution.work;
+    fast::Work both = solution.work;
     both += solution.error_work;
     return both;
   };

@@ -43,12 +43,12 @@ std::vector<std::string> all_names() {
 }
 
 /// Values of the kernels that shear or tangential displacement need.
-std::uint64_t other_kernels(const fast::ContactWork& work) {
+std::uint64_t other_kernels(const fast::Work& work) {
   return std::accumulate(work.kernel_evaluations.begin() + 1, work.kernel_evaluations.end(),
                          std::uint64_t{0});
 }
 
-bool costs_no_more(const fast::ContactWork& less, const fast::ContactWork& more) {
+bool costs_no_more(const fast::Work& less, const fast::Work& more) {
   bool holds = less.terms <= more.terms && less.unknowns <= more.unknowns && less.systems <= more.systems;
   for (std::size_t k = 0; k < less.kernel_evaluations.size(); ++k)
     holds = holds && less.kernel_evaluations[k] <= more.kernel_evaluations[k];

@@ -71,7 +71,7 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
   const double length = ratio * nip.sheet_thickness;
   const bool shear = friction == Friction::full;
   const double creep = 1e-2 * length;
-  fast::ContactWork work;
+  fast::Work work;
   const auto solution = shear ? fast::gripped_line_loads_for_length(nip, m, length, creep, &work)
                               : fast::line_loads_for_length(nip, m, length, &work);
   const double condition = fast::condition_number(nip, m, length, friction);
@@ -95,7 +95,7 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
 }
 
 /// Shear in the middles of `count` equal elements, as line loads would have it.
-std::vector<double> sampled_shear(const fast::ConvergedContact& contact, int count) {
+std::vector<double> sampled_shear(const fast::ConvergedElasticNip& contact, int count) {
   const double half = contact.contact_length().value / 2;
   std::vector<double> shear;
   for (int k = 0; k < count; ++k) shear.push_back(contact.shear(half * (k + 0.5) / count).value);

@@ -54,15 +54,16 @@ struct Method {
 
 std::vector<Method> methods_for_Un() {
   std::vector<Method> all;
-  for (const double rtol : {fast::Accuracy::kBest, 1e-9, 1e-6, 1e-3}) {
+  for (const double rtol : {fast::Accuracy::best_rtol, 1e-9, 1e-6, 1e-3}) {
     const fast::MovingLoad load(unit_solid(), 1, 1, fast::Accuracy(rtol));
-    all.push_back({rtol == fast::Accuracy::kBest ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
-                   [load](const Times& at) { return load.Un(at.t, at.T); }});
+    all.push_back(
+        {rtol == fast::Accuracy::best_rtol ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
+         [load](const Times& at) { return load.normal_displacement(at.t, at.T); }});
   }
   for (const int terms : {500, 100, 20}) {
     const fast::PlainMovingLoad load(unit_solid(), 1, 1, terms);
-    all.push_back(
-        {fmt::format("thesis Un, {} terms", terms), [load](const Times& at) { return load.Un(at.t, at.T); }});
+    all.push_back({fmt::format("thesis Un, {} terms", terms),
+                   [load](const Times& at) { return load.normal_displacement(at.t, at.T); }});
   }
   return all;
 }
@@ -75,7 +76,8 @@ double largest_error(const Method& method, const std::vector<Times>& points) {
   double largest = 0;
   for (std::size_t i = 0; i < compared; ++i) {
     const auto [t, T] = points[i];
-    const auto truth = ref::Un(ref::Exact(t), ref::Exact(T), ref::Exact(1.0), ref::Exact(1.0), material, 20);
+    const auto truth = ref::moving_load_normal_displacement(ref::Exact(t), ref::Exact(T), ref::Exact(1.0),
+                                                            ref::Exact(1.0), material, 20);
     const double scale = Un.envelope(std::vector<double>{t, T, 1, 1, 0, 1, 1});
     largest = std::max(largest, std::fabs(truth.error_of(method.evaluate(points[i]))) / scale);
   }
@@ -114,17 +116,17 @@ struct NipMethod {
 
 BenchReport bench_nip() {
   const data::Table table = data::load_table_by_id("thesis-XXIV");
-  const RollingTable& how = *find_rolling_table(table.id);
+  const ViscoelasticTable& how = *find_viscoelastic_table(table.id);
   constexpr std::size_t row = 4;
-  const data::ViscoelasticNip nip = rolling_nip_of_the_tables(table, row, false);
+  const data::ViscoelasticNip nip = viscoelastic_nip_of_the_tables(table, row, false);
   const double load = table.parameter("W").value;
   std::vector<NipMethod> methods{
       {"thesis: m1=10, 500 terms, search for m2", [=, &how] {
-         return fast::rolling_line_loads_by_search(nip, rolling_method(how), load).contact_length();
+         return fast::viscoelastic_line_loads_by_search(nip, viscoelastic_method(how), load).contact_length();
        }}};
   for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10}) {
     methods.push_back({fmt::format("converged {:.0e}", accuracy),
-                       [=] { return fast::rolling_for_load(nip, load, accuracy).contact_length().value; }});
+                       [=] { return fast::converged_for_load(nip, load, accuracy).contact_length().value; }});
   }
   std::vector<Contender> contenders;
   for (const NipMethod& method : methods) {
@@ -135,7 +137,7 @@ BenchReport bench_nip() {
   }
   const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
   // No reference path solves this contact: the finest of its own, stated as such in the method's name.
-  const double truth = fast::rolling_for_load(nip, load, 1e-12).contact_length().value;
+  const double truth = fast::converged_for_load(nip, load, 1e-12).contact_length().value;
   BenchReport report;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const double error = std::fabs(methods[i].length() / truth - 1);
@@ -152,15 +154,15 @@ BenchReport bench_nip() {
 /// interval too.
 double seconds_of_replay(int residue_terms) {
   return seconds_of([&] {
-    for (const RollingTable& how : rolling_tables()) {
+    for (const ViscoelasticTable& how : viscoelastic_tables()) {
       const data::Table table = data::load_table_by_id(std::string(how.id));
       for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        const auto nip = rolling_nip_of_the_tables(table, row, false);
-        auto method = rolling_method(how);
-        const auto input = rolling_row_input(table, row, nip, method);
+        const auto nip = viscoelastic_nip_of_the_tables(table, row, false);
+        auto method = viscoelastic_method(how);
+        const auto input = viscoelastic_row_input(table, row, nip, method);
         method.trailing_elements = input.trailing_elements;
         method.residue_terms = residue_terms;
-        static_cast<void>(replay_rolling_row(nip, method, input.leading_length));
+        static_cast<void>(replay_viscoelastic_row(nip, method, input.leading_length));
       }
     }
   });
@@ -180,7 +182,7 @@ BenchReport bench_replay() {
 
 }  // namespace
 
-BenchReport bench_rolling(const BenchProgress& progress) {
+BenchReport bench_viscoelastic(const BenchProgress& progress) {
   BenchReport report;
   progress("Un");
   append(report, bench_Un());

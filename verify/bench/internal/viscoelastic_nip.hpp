@@ -7,6 +7,6 @@ namespace nipref::verify {
 /// plain sums (errors over the scale of the catalogue's Un), whole nips found for a load by the thesis's
 /// method and converged (errors of the contact length), and all rows of Tables XI to XXVI replayed with 500
 /// terms and with exact kernels.
-BenchReport bench_rolling(const BenchProgress& progress);
+BenchReport bench_viscoelastic(const BenchProgress& progress);
 
 }  // namespace nipref::verify

@@ -63,7 +63,7 @@ Quantity entry_die_span_ratio() {
        [](Doubles x) { return die_span_ratio_as_printed(x[0], x[2], x[1]); }},
       {"table",
        "as Table 1 was made: (35) printed, and friction left out of Delta_1 and Q_1, roots to 5 decimals",
-       [](Doubles x) { return die_span_ratio_as_tabulated(x[0], x[2], x[1], kTableRootDecimals); }}};
+       [](Doubles x) { return die_span_ratio_as_tabulated(x[0], x[2], x[1], table_root_decimals); }}};
   return entry;
 }
 
@@ -112,7 +112,7 @@ Quantity entry_rolling_span_ratio() {
   entry.seed_forms = {{"printed", "(53b) as it stands: a factor c_D under its second root",
                        [](Doubles x) { return rolling_span_ratio_as_printed(x[0], x[1]); }},
                       {"table", "as Table 2 was made: right, but with roots to 5 decimals", [](Doubles x) {
-                         return rolling_span_ratio_as_tabulated(x[0], x[1], kTableRootDecimals);
+                         return rolling_span_ratio_as_tabulated(x[0], x[1], table_root_decimals);
                        }}};
   return entry;
 }

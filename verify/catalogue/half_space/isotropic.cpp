@@ -49,15 +49,15 @@ Quantity isotropic_line(std::string name, std::string definition, FastMember of_
   draw_lines(entry);
   entry.by_ref = [of_ref](Exacts x, int digits) {
     check_line(x[0], x[1], x[2]);
-    return ref::surface_response(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
-                                 SurfaceDirection::of_degrees(x[2]), digits).*
+    return ref::line_response(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
+                              SurfaceDirection::of_degrees(x[2]), digits).*
            of_ref;
   };
   entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
     // All lines of an isotropic surface are alike: only the speed along them matters.
     const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});
     const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-    return ref::surface_response(exact_isotropic(Exact(x[0])), along, line, line, digits).*of_ref;
+    return ref::line_response(exact_isotropic(Exact(x[0])), along, line, line, digits).*of_ref;
   };
   set_fast(entry, [of_fast](Doubles x, Accuracy) {
     return fast::isotropic_response(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2])).*of_fast;
@@ -107,11 +107,11 @@ Quantity entry_rayleigh() {
 std::vector<Quantity> half_space_entries() {
   constexpr auto compliance = "K of lines at psi from the motion, speed in that of shear waves, over 1/mu";
   constexpr auto coupling = "S of such lines: du3/dx = -K H[sigma33] - S tau, over 1/mu";
-  return {isotropic_line("halfspace.compliance", compliance, &LineResponse::compliance,
-                         &ref::SurfaceResponse::compliance),
-          isotropic_line("halfspace.coupling", coupling, &LineResponse::coupling,
-                         &ref::SurfaceResponse::coupling),
-          entry_condition(), entry_rayleigh()};
+  return {
+      isotropic_line("halfspace.compliance", compliance, &LineResponse::compliance,
+                     &ref::LineResponse::compliance),
+      isotropic_line("halfspace.coupling", coupling, &LineResponse::coupling, &ref::LineResponse::coupling),
+      entry_condition(), entry_rayleigh()};
 }
 
 }  // namespace nipref::verify

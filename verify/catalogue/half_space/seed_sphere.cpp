@@ -60,7 +60,7 @@ ref::SurfaceAnswer exact_seed_contact(Exacts x) {
       Exact(mpq_class("29529/100000")), Exact(mpq_class(x[patch_at].value() * x[1].value())));
   return [=, theta = x[0].value(), speed = x[1]](const Exact& degrees, int digits) -> ref::LineAnswer {
     const auto psi = ref::SurfaceDirection::of_degrees(Exact(mpq_class(theta + degrees.value())));
-    const auto lower = ref::surface_response(solid, speed, motion, psi, digits);
+    const auto lower = ref::line_response(solid, speed, motion, psi, digits);
     const ref::LineAnswer upper = steel(degrees, digits);
     return {sum(lower.compliance.value, upper.compliance, 1), sum(lower.coupling.value, upper.coupling, -1),
             sum(lower.coupling_across.value, upper.coupling_across, -1),

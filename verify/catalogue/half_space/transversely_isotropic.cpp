@@ -96,13 +96,13 @@ Quantity transverse_line(std::string name, std::string definition, FastMember of
   entry.scale = "the larger of compliance and value";
   entry.by_ref = [of_ref](Exacts x, int digits) {
     check_subcritical(x, line_solid, x[0], x[2]);
-    return ref::surface_response(exact_transverse_at(x, line_solid), x[2], SurfaceDirection::of_degrees(x[0]),
-                                 SurfaceDirection::of_degrees(x[1]), digits).*
+    return ref::line_response(exact_transverse_at(x, line_solid), x[2], SurfaceDirection::of_degrees(x[0]),
+                              SurfaceDirection::of_degrees(x[1]), digits).*
            of_ref;
   };
   entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
     const LineOfDoubles line(x);
-    return ref::surface_response(line.solid, line.speed, line.psi, line.psi, digits).*of_ref;
+    return ref::line_response(line.solid, line.speed, line.psi, line.psi, digits).*of_ref;
   };
   const auto response = [](Doubles x) { return surface_at(x).along(direction_of_degrees(x[1])); };
   set_fast(entry, [response, of_fast](Doubles x, Accuracy) { return response(x).*of_fast; });
@@ -123,7 +123,7 @@ std::function<double(Doubles)> seed_compliance(Form form) {
 
 Quantity entry_transverse_compliance(std::string definition) {
   Quantity entry = transverse_line("ti.compliance", std::move(definition), &LineResponse::compliance,
-                                   &ref::SurfaceResponse::compliance);
+                                   &ref::LineResponse::compliance);
   entry.seed_forms = {
       {"printed", "(43) as it stands: the first term of M with the wrong sign, its last term missing",
        seed_compliance(in_plane_compliance_as_printed)},
@@ -265,10 +265,10 @@ std::vector<Quantity> transverse_half_space_entries() {
   constexpr auto transverse = " of a transversely isotropic half-space, over 1/mu of steel, speed in its v_S";
   return {entry_transverse_compliance(std::string("K") + transverse),
           transverse_line("ti.coupling", std::string("S") + transverse, &LineResponse::coupling,
-                          &ref::SurfaceResponse::coupling),
+                          &ref::LineResponse::coupling),
           transverse_line("ti.coupling_across",
                           std::string("S' of shear across the line, 90 degrees on from it,") + transverse,
-                          &LineResponse::coupling_across, &ref::SurfaceResponse::coupling_across),
+                          &LineResponse::coupling_across, &ref::LineResponse::coupling_across),
           entry_condition(),
           entry_transverse_rayleigh(),
           entry_branch(),

@@ -27,7 +27,7 @@ Argument nonzero_position_argument(std::string name);
 Argument position_argument(std::string name);
 
 /// Of any quantity; the catalogue's test holds every entry to it.
-inline constexpr std::size_t kMostArguments = 16;
+inline constexpr std::size_t most_arguments = 16;
 
 /// Sets the scalar evaluator and the loop over it; `evaluate` is known here as a type, so that the loop calls
 /// it directly and is timed without the cost of std::function.
@@ -36,7 +36,7 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
   entry.by_fast = evaluate;
   entry.by_fast_loop = [evaluate](Quantity::Columns columns, std::span<double> values,
                                   fast::Accuracy accuracy) {
-    std::array<double, kMostArguments> point{};
+    std::array<double, most_arguments> point{};
     const std::span<const double> arguments(point.data(), columns.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
       for (std::size_t j = 0; j < columns.size(); ++j) point[j] = columns[j][i];

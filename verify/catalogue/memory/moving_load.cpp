@@ -162,11 +162,16 @@ Quantity entry_Un() {
   entry.keep_off = [](Point& point) {
     if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
   };
-  entry.by_ref = [](Exacts x, int digits) { return ref::Un(x[0], x[1], x[2], x[3], exact_at(x, 2), digits); };
-  entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::Un(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2), digits);
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::moving_load_normal_displacement(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
   };
-  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Un(x[0], x[1]); });
+  entry.by_ref_of_doubles = [](Arguments x, int digits) {
+    return ref::moving_load_normal_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
+                                                exact_of_material_at(x, 2), digits);
+  };
+  set_fast(entry, [](Arguments x, Accuracy accuracy) {
+    return load_at(x, 2, accuracy).normal_displacement(x[0], x[1]);
+  });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[2] / x[3];
     return size_Un(material_at(x, 2), way_per_time, started(x[0], x[1], way_per_time));
@@ -191,14 +196,15 @@ Quantity entry_Vn() {
                   sheet);
   };
   entry.by_ref = [](Exacts x, int digits) {
-    return ref::Vn(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
+    return ref::moving_load_tangential_displacement(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
   };
   entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::Vn(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), Exact(x[4]),
-                   exact_of_material_at(x, 3), digits);
+    return ref::moving_load_tangential_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
+                                                    Exact(x[4]), exact_of_material_at(x, 3), digits);
   };
-  set_fast(entry,
-           [](Arguments x, Accuracy accuracy) { return load_at(x, 3, accuracy).Vn(x[0], x[1], x[2]); });
+  set_fast(entry, [](Arguments x, Accuracy accuracy) {
+    return load_at(x, 3, accuracy).tangential_displacement(x[0], x[1], x[2]);
+  });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[3] / x[4];
     return size_Vn(material_at(x, 3), way_per_time, started(x[0], x[1], way_per_time),
@@ -215,12 +221,15 @@ Quantity entry_Un_steady() {
   append_sheet(entry.arguments);
   entry.draw = [](Random& random) { return joined({draw_distance(random)}, draw_sheet(random)); };
   entry.by_ref = [](Exacts x, int digits) {
-    return ref::Un_steady(x[0], x[1], x[2], exact_at(x, 1), digits);
+    return ref::moving_load_steady_normal_displacement(x[0], x[1], x[2], exact_at(x, 1), digits);
   };
   entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::Un_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), exact_of_material_at(x, 1), digits);
+    return ref::moving_load_steady_normal_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]),
+                                                       exact_of_material_at(x, 1), digits);
   };
-  set_fast(entry, [](Arguments x, Accuracy accuracy) { return load_at(x, 1, accuracy).Un_steady(x[0]); });
+  set_fast(entry, [](Arguments x, Accuracy accuracy) {
+    return load_at(x, 1, accuracy).steady_normal_displacement(x[0]);
+  });
   entry.envelope = [](Arguments x) { return size_Un(material_at(x, 1), x[1] / x[2], steady(x[0])); };
   return entry;
 }
@@ -236,14 +245,15 @@ Quantity entry_Vn_steady() {
     return joined({draw_distance(random), draw_distance(random)}, draw_sheet(random));
   };
   entry.by_ref = [](Exacts x, int digits) {
-    return ref::Vn_steady(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
+    return ref::moving_load_steady_tangential_displacement(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
   };
   entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::Vn_steady(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]), exact_of_material_at(x, 2),
-                          digits);
+    return ref::moving_load_steady_tangential_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
+                                                           exact_of_material_at(x, 2), digits);
   };
-  set_fast(entry,
-           [](Arguments x, Accuracy accuracy) { return load_at(x, 2, accuracy).Vn_steady(x[0], x[1]); });
+  set_fast(entry, [](Arguments x, Accuracy accuracy) {
+    return load_at(x, 2, accuracy).steady_tangential_displacement(x[0], x[1]);
+  });
   entry.envelope = [](Arguments x) {
     return size_Vn(material_at(x, 2), x[2] / x[3], steady(x[0]), steady(x[1]));
   };

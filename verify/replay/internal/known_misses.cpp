@@ -55,14 +55,14 @@ constexpr Miss misses[] = {
 /// Rows (from 1) of a column of a viscoelastic table. Most are last digits: of the rolling resistance, a
 /// small difference of moments that single precision (16^-5) leaves some 1e-8 uncertain, and of d1 and d2 in
 /// thin sheets.
-struct RollingMisses {
+struct ViscoelasticMisses {
   std::string_view table;
   std::string_view column;
   std::vector<std::size_t> rows;
 };
 
-const std::vector<RollingMisses>& rolling_misses() {
-  static const std::vector<RollingMisses> all{
+const std::vector<ViscoelasticMisses>& viscoelastic_misses() {
+  static const std::vector<ViscoelasticMisses> all{
       {"thesis-XI", "muR", {1, 2}},
       {"thesis-XI", "p_max", {1}},
       {"thesis-XII", "L1", {5}},
@@ -127,10 +127,11 @@ const std::vector<RollingMisses>& rolling_misses() {
 }  // namespace
 
 bool is_known_miss(const Replay& replay, const ReplayedCell& cell) {
-  const bool is_rolling = std::ranges::any_of(rolling_misses(), [&](const RollingMisses& misses_of) {
-    return misses_of.table == replay.table.id && misses_of.column == cell.column &&
-           std::ranges::find(misses_of.rows, cell.row + 1) != misses_of.rows.end();
-  });
+  const bool is_rolling =
+      std::ranges::any_of(viscoelastic_misses(), [&](const ViscoelasticMisses& misses_of) {
+        return misses_of.table == replay.table.id && misses_of.column == cell.column &&
+               std::ranges::find(misses_of.rows, cell.row + 1) != misses_of.rows.end();
+      });
   return is_rolling || std::ranges::any_of(misses, [&](const Miss& miss) {
            return miss.table == replay.table.id && miss.row == cell.row + 1 && miss.column == cell.column;
          });

@@ -13,8 +13,8 @@ namespace {
 constexpr double accuracy = 1e-6;
 
 RowValues continuous(const data::ViscoelasticNip& nip, double load) {
-  const fast::RollingContact contact = fast::rolling_for_load(nip, load, accuracy);
-  return rolling_row_values(
+  const fast::ConvergedViscoelasticNip contact = fast::converged_for_load(nip, load, accuracy);
+  return viscoelastic_row_values(
       nip, {contact.load().value, contact.leading_length().value, contact.trailing_length().value,
             contact.indentation().value, contact.peak_pressure().value, contact.creep_ratio().value,
             contact.rolling_resistance().value});
@@ -26,21 +26,21 @@ struct CorrectedRow {
   RowValues replayed, exact_kernels, mesh, no_mistake;  ///< at the replay's load
 };
 
-CorrectedRow correct_row(const Replay& replay, std::size_t row, const RollingTable& how) {
-  const auto defined = rolling_nip_of_the_tables(replay.table, row, true);
-  const auto printed = rolling_nip_of_the_tables(replay.table, row, false);
+CorrectedRow correct_row(const Replay& replay, std::size_t row, const ViscoelasticTable& how) {
+  const auto defined = viscoelastic_nip_of_the_tables(replay.table, row, true);
+  const auto printed = viscoelastic_nip_of_the_tables(replay.table, row, false);
   const double stated = replay.table.parameter("W").value;
-  fast::RollingLineLoadMethod method = rolling_method(how);
-  const RollingRowInput input = rolling_row_input(replay.table, row, printed, method);
+  fast::ViscoelasticLineLoadMethod method = viscoelastic_method(how);
+  const ViscoelasticRowInput input = viscoelastic_row_input(replay.table, row, printed, method);
   method.trailing_elements = input.trailing_elements;
   CorrectedRow result;
   result.corrected = continuous(defined, stated);
   result.with_seed_material = continuous(printed, stated);
-  result.replayed = replay_rolling_row(printed, method, input.leading_length).at_centre;
+  result.replayed = replay_viscoelastic_row(printed, method, input.leading_length).at_centre;
   const double load = result.replayed.at("W");
   method.residue_terms = 0;
   result.exact_kernels =
-      rolling_row_values(printed, method, fast::rolling_line_loads_for_load(printed, method, load));
+      viscoelastic_row_values(printed, method, fast::viscoelastic_line_loads_for_load(printed, method, load));
   result.mesh = continuous(printed, load);
   result.no_mistake = continuous(defined, load);
   return result;
@@ -54,8 +54,8 @@ std::vector<RowValues> each(const std::vector<CorrectedRow>& rows, RowValues Cor
 
 }  // namespace
 
-void correct_rolling(Replay& replay) {
-  const RollingTable& how = *find_rolling_table(replay.table.id);
+void correct_viscoelastic(Replay& replay) {
+  const ViscoelasticTable& how = *find_viscoelastic_table(replay.table.id);
   std::vector<CorrectedRow> rows(replay.table.rows.size());
   parallel_for(rows.size(), [&](std::size_t row) { rows[row] = correct_row(replay, row, how); }, {});
   for (ReplayedCell& cell : replay.cells) {

@@ -9,6 +9,6 @@ namespace nipref::verify {
 /// replay, in L, d0, p_max and muR: "truncation", the replay against the same line loads with exact kernels;
 /// "discretisation", these against the continuous contact; "exponent", the continuous contact with the
 /// thesis's theta2 against the one with the solid's.
-void correct_rolling(Replay& replay);
+void correct_viscoelastic(Replay& replay);
 
 }  // namespace nipref::verify

@@ -15,38 +15,38 @@ namespace {
 
 constexpr int residue_terms = 500;
 
-constexpr std::array<RollingTable, 16> tables{{{"thesis-XI", 2, 24},
-                                               {"thesis-XII", 2, 24},
-                                               {"thesis-XIII", 2, 24},
-                                               {"thesis-XIV", 2, 24},
-                                               {"thesis-XV", 5, 24},
-                                               {"thesis-XVI", 5, 24},
-                                               {"thesis-XVII", 5, 24},
-                                               {"thesis-XVIII", 5, 24},
-                                               {"thesis-XIX", 5, 24},
-                                               {"thesis-XX", 5, 24},
-                                               {"thesis-XXI", 5, 24},
-                                               {"thesis-XXII", 5, 24},
-                                               {"thesis-XXIII", 10, 24},
-                                               {"thesis-XXIV", 10, 60},
-                                               {"thesis-XXV", 10, 60},
-                                               {"thesis-XXVI", 10, 60}}};
+constexpr std::array<ViscoelasticTable, 16> tables{{{"thesis-XI", 2, 24},
+                                                    {"thesis-XII", 2, 24},
+                                                    {"thesis-XIII", 2, 24},
+                                                    {"thesis-XIV", 2, 24},
+                                                    {"thesis-XV", 5, 24},
+                                                    {"thesis-XVI", 5, 24},
+                                                    {"thesis-XVII", 5, 24},
+                                                    {"thesis-XVIII", 5, 24},
+                                                    {"thesis-XIX", 5, 24},
+                                                    {"thesis-XX", 5, 24},
+                                                    {"thesis-XXI", 5, 24},
+                                                    {"thesis-XXII", 5, 24},
+                                                    {"thesis-XXIII", 10, 24},
+                                                    {"thesis-XXIV", 10, 60},
+                                                    {"thesis-XXV", 10, 60},
+                                                    {"thesis-XXVI", 10, 60}}};
 
 /// theta(t) = compliance (delta(t) + e^(-rate t)/relaxation_time).
 data::MaterialFunction relaxing(double compliance, double relaxation_time, double rate) {
   return {compliance, {{compliance / relaxation_time, rate}}};
 }
 
-class RollingRowReplay {
+class ViscoelasticRowReplay {
  public:
-  RollingRowReplay(const data::Table& table, std::size_t row, const RollingTable& how)
+  ViscoelasticRowReplay(const data::Table& table, std::size_t row, const ViscoelasticTable& how)
       : table_(table),
         row_(row),
-        nip_(rolling_nip_of_the_tables(table, row, false)),
-        method_(rolling_method(how)),
-        input_(rolling_row_input(table, row, nip_, method_)) {
+        nip_(viscoelastic_nip_of_the_tables(table, row, false)),
+        method_(viscoelastic_method(how)),
+        input_(viscoelastic_row_input(table, row, nip_, method_)) {
     method_.trailing_elements = input_.trailing_elements;
-    replayed_ = replay_rolling_row(nip_, method_, input_.leading_length);
+    replayed_ = replay_viscoelastic_row(nip_, method_, input_.leading_length);
   }
 
   [[nodiscard]] ReplayedCell cell(const std::string& column) const {
@@ -110,13 +110,13 @@ class RollingRowReplay {
   /// With up to one leading element more or less.
   [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
     std::string met;
-    fast::RollingLineLoadMethod other = method_;
+    fast::ViscoelasticLineLoadMethod other = method_;
     for (const int change : {-1, 0, 1}) {
       other.leading_elements = method_.leading_elements + change;
       for (other.trailing_elements = 1; other.trailing_elements <= other.leading_elements;
            ++other.trailing_elements) {
         const data::Interval range =
-            replay_rolling_row(nip_, other, input_.leading_length).range(missed.column);
+            replay_viscoelastic_row(nip_, other, input_.leading_length).range(missed.column);
         if (judge(table_.cell(row_, missed.column), range) != Verdict::unexplained)
           met += fmt::format(" {}+{}", other.leading_elements, other.trailing_elements);
       }
@@ -128,21 +128,21 @@ class RollingRowReplay {
   const data::Table& table_;
   std::size_t row_;
   data::ViscoelasticNip nip_;
-  fast::RollingLineLoadMethod method_;
-  RollingRowInput input_;
+  fast::ViscoelasticLineLoadMethod method_;
+  ViscoelasticRowInput input_;
   ReplayedRow replayed_;
 };
 
 }  // namespace
 
-std::span<const RollingTable> rolling_tables() { return tables; }
+std::span<const ViscoelasticTable> viscoelastic_tables() { return tables; }
 
-const RollingTable* find_rolling_table(std::string_view id) {
-  const auto* found = std::ranges::find(tables, id, &RollingTable::id);
+const ViscoelasticTable* find_viscoelastic_table(std::string_view id) {
+  const auto* found = std::ranges::find(tables, id, &ViscoelasticTable::id);
   return found == tables.end() ? nullptr : found;
 }
 
-fast::RollingLineLoadMethod rolling_method(const RollingTable& how) {
+fast::ViscoelasticLineLoadMethod viscoelastic_method(const ViscoelasticTable& how) {
   return {how.leading_elements, how.leading_elements, how.approach, residue_terms};
 }
 
@@ -150,7 +150,8 @@ double relaxation_length(const data::Table& table, std::size_t row) {
   return table.cell(row, "F0_tau").number->value;
 }
 
-data::ViscoelasticNip rolling_nip_of_the_tables(const data::Table& table, std::size_t row, bool as_defined) {
+data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, std::size_t row,
+                                                     bool as_defined) {
   const data::ElasticNip elastic = nip_of_the_tables(table);
   const double time = relaxation_length(table, row);  // at unit speed
   return {elastic.roller_radius,
@@ -160,7 +161,7 @@ data::ViscoelasticNip rolling_nip_of_the_tables(const data::Table& table, std::s
           1};
 }
 
-Replay replay_rolling(data::Table table, const RollingTable& how) {
+Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how) {
   const data::ElasticNip nip = nip_of_the_tables(table);
   Replay replay{
       std::move(table),
@@ -172,7 +173,7 @@ Replay replay_rolling(data::Table table, const RollingTable& how) {
   std::vector<std::vector<ReplayedCell>> rows(replay.table.rows.size());
   parallel_for(rows.size(),
                [&](std::size_t row) {
-                 const RollingRowReplay one(replay.table, row, how);
+                 const ViscoelasticRowReplay one(replay.table, row, how);
                  for (const data::TableColumn& column : replay.table.columns) {
                    if (!column.is_key) rows[row].push_back(one.cell(column.name));
                  }

@@ -9,29 +9,30 @@
 namespace nipref::verify {
 
 /// What a table of the viscoelastic nip was computed with; the thesis states neither number.
-struct RollingTable {
+struct ViscoelasticTable {
   std::string_view id;
   int leading_elements;  ///< m1
   /// C_L, half-thicknesses. From 16 on no cell depends on it but the creep at F0 tau = 1e-3 or 1e-2, by what
-  /// underflows (replay_rolling_row.hpp): 24 meets that in most tables, 60 in XXIV to XXVI.
+  /// underflows (replay_viscoelastic_row.hpp): 24 meets that in most tables, 60 in XXIV to XXVI.
   double approach;
 };
 
 /// Thesis XI to XXVI.
-std::span<const RollingTable> rolling_tables();
+std::span<const ViscoelasticTable> viscoelastic_tables();
 
 /// nullptr if it is none of them.
-const RollingTable* find_rolling_table(std::string_view id);
+const ViscoelasticTable* find_viscoelastic_table(std::string_view id);
 
 /// Of such a table, m2 = m1: each row has its own.
-fast::RollingLineLoadMethod rolling_method(const RollingTable& how);
+fast::ViscoelasticLineLoadMethod viscoelastic_method(const ViscoelasticTable& how);
 
 /// Replays such a table: each row from its printed L1, with 500 residue terms, at the material constants that
 /// reproduce the tables, those of the elastic ones with the thesis's wrong exponent in theta2 (AIII.15).
-Replay replay_rolling(data::Table table, const RollingTable& how);
+Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how);
 
 /// The nip of a row at those constants; `as_defined`: with the solid's own theta2 in place of the thesis's.
-data::ViscoelasticNip rolling_nip_of_the_tables(const data::Table& table, std::size_t row, bool as_defined);
+data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, std::size_t row,
+                                                     bool as_defined);
 
 /// The row's product of speed and relaxation time.
 double relaxation_length(const data::Table& table, std::size_t row);

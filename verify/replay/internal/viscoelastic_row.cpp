@@ -69,8 +69,8 @@ double underflown(const data::MaterialFunction& function, const std::vector<doub
 }
 
 /// At the leading end less at the trailing one.
-double underflown_memory(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
-                         const fast::RollingLineLoads& loads) {
+double underflown_memory(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+                         const fast::ViscoelasticLineLoads& loads) {
   const double step = loads.element_width() / nip.speed;
   const double start = method.approach * nip.half_thickness() / nip.speed;
   const auto at = [&](double t) {
@@ -80,19 +80,20 @@ double underflown_memory(const data::ViscoelasticNip& nip, const fast::RollingLi
   return at(start) - at(start + loads.contact_length() / nip.speed);
 }
 
-RowValues solve(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method, double length) {
-  const fast::RollingLineLoads loads = fast::rolling_line_loads_for_length(nip, method, length);
-  RowValues values = rolling_row_values(nip, method, loads);
+RowValues solve(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+                double length) {
+  const fast::ViscoelasticLineLoads loads = fast::viscoelastic_line_loads_for_length(nip, method, length);
+  RowValues values = viscoelastic_row_values(nip, method, loads);
   values[std::string(underflown_creep)] =
       values.at("creep") - underflown_memory(nip, method, loads) / values.at("L");
   return values;
 }
 
 /// The L1 at which the trailing end's displacement is d2, by secants from `guess`.
-double length_with(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method, double d2,
-                   double guess) {
+double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+                   double d2, double guess) {
   const auto excess = [&](double length) {
-    return fast::rolling_line_loads_for_length(nip, method, length).trailing_displacement - d2;
+    return fast::viscoelastic_line_loads_for_length(nip, method, length).trailing_displacement - d2;
   };
   double last = 1.01 * guess, at_last = excess(last), length = guess;
   for (int step = 0; step < 12; ++step) {
@@ -107,10 +108,11 @@ double length_with(const data::ViscoelasticNip& nip, const fast::RollingLineLoad
 }
 
 /// Where no length is legible: from d2 if that is, otherwise from the table's load.
-RollingRowInput without_length(const data::Table& table, std::size_t row, const data::ViscoelasticNip& nip,
-                               fast::RollingLineLoadMethod method) {
-  const fast::RollingLineLoads found =
-      fast::rolling_line_loads_by_search(nip, method, table.parameter("W").value);
+ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
+                                    const data::ViscoelasticNip& nip,
+                                    fast::ViscoelasticLineLoadMethod method) {
+  const fast::ViscoelasticLineLoads found =
+      fast::viscoelastic_line_loads_by_search(nip, method, table.parameter("W").value);
   method.trailing_elements = static_cast<int>(found.loads.size()) - method.leading_elements;
   const data::TableCell& d2 = table.cell(row, "d2");
   if (!d2.is_readable() || !d2.is_printed())
@@ -124,11 +126,12 @@ RollingRowInput without_length(const data::Table& table, std::size_t row, const 
 
 }  // namespace
 
-RollingRowInput rolling_row_input(const data::Table& table, std::size_t row, const data::ViscoelasticNip& nip,
-                                  fast::RollingLineLoadMethod method) {
+ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
+                                            const data::ViscoelasticNip& nip,
+                                            fast::ViscoelasticLineLoadMethod method) {
   const auto lengths = printed_lengths(table, row, nip.sheet_thickness);
   if (lengths.empty()) return without_length(table, row, nip, method);
-  std::optional<RollingRowInput> best;
+  std::optional<ViscoelasticRowInput> best;
   std::size_t most = 0;
   for (method.trailing_elements = method.leading_elements; method.trailing_elements > 0;
        --method.trailing_elements) {
@@ -141,9 +144,9 @@ RollingRowInput rolling_row_input(const data::Table& table, std::size_t row, con
       best = {lengths.front().column, leading, method.trailing_elements};
     } else {
       const auto presses = [&](int trailing_elements, double length) {
-        fast::RollingLineLoadMethod other = method;
+        fast::ViscoelasticLineLoadMethod other = method;
         other.trailing_elements = trailing_elements;
-        return fast::rolling_line_loads_for_length(nip, other, length).presses_everywhere();
+        return fast::viscoelastic_line_loads_for_length(nip, other, length).presses_everywhere();
       };
       if (!presses(best->trailing_elements, middle(best->leading_length)) &&
           presses(method.trailing_elements, middle(leading)))
@@ -153,7 +156,7 @@ RollingRowInput rolling_row_input(const data::Table& table, std::size_t row, con
   return *best;
 }
 
-RowValues rolling_row_values(const data::ViscoelasticNip& nip, const RollingNumbers& numbers) {
+RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip, const ViscoelasticNumbers& numbers) {
   const double thickness = nip.sheet_thickness;
   const double length = numbers.leading_length + numbers.trailing_length;
   const double d0 = numbers.indentation;
@@ -177,15 +180,17 @@ RowValues rolling_row_values(const data::ViscoelasticNip& nip, const RollingNumb
           {"muR", numbers.rolling_resistance}};
 }
 
-RowValues rolling_row_values(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
-                             const fast::RollingLineLoads& loads) {
-  return rolling_row_values(
+RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
+                                  const fast::ViscoelasticLineLoadMethod& method,
+                                  const fast::ViscoelasticLineLoads& loads) {
+  return viscoelastic_row_values(
       nip, {loads.load, loads.leading_length, loads.trailing_length, loads.indentation, loads.peak_pressure,
             fast::creep_ratio(nip, loads, method), loads.rolling_resistance});
 }
 
-ReplayedRow replay_rolling_row(const data::ViscoelasticNip& nip, const fast::RollingLineLoadMethod& method,
-                               const data::Interval& leading_length) {
+ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
+                                    const fast::ViscoelasticLineLoadMethod& method,
+                                    const data::Interval& leading_length) {
   return {solve(nip, method, middle(leading_length)),
           {solve(nip, method, leading_length.lower), solve(nip, method, leading_length.upper)}};
 }

@@ -18,10 +18,10 @@ std::unique_ptr<SolvedContact<fast::Estimate>> solve_line_loads(const data::Elas
 
 // The rolling viscoelastic nip likewise.
 
-std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling(const data::ViscoelasticNipProblem& problem,
-                                                             double accuracy);
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_viscoelastic(const data::ViscoelasticNipProblem& problem,
+                                                                  double accuracy);
 /// Without accuracy: their kernels are as good as double allows, or the series that the scene asks for.
-std::unique_ptr<SolvedContact<fast::Estimate>> solve_rolling_line_loads(
-    const data::ViscoelasticNipProblem& problem, const data::RollingLineLoads& loads);
+std::unique_ptr<SolvedContact<fast::Estimate>> solve_viscoelastic_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads);
 
 }  // namespace nipref::verify

@@ -9,8 +9,8 @@
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+#include <nipref/verify/solve/internal/counted_response.hpp>
 #include <nipref/verify/solve/internal/half_space.hpp>
-#include <nipref/verify/solve/internal/half_space_response.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -32,7 +32,7 @@ constexpr Direction along{1, 0}, across{0, 1};
 /// What all methods have in common: everything about lines through the point of first touch.
 class OnHalfSpace : public SolvedContact<Estimate> {
  public:
-  OnHalfSpace(HalfSpaceResponse response, double friction)
+  OnHalfSpace(CountedResponse response, double friction)
       : response_(std::move(response)), friction_(friction) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const final {
@@ -52,8 +52,8 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return to_rounding(name == "compliance" ? line.compliance : line.coupling);
   }
   [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
-  [[nodiscard]] fast::ContactWork work() const final {
-    fast::ContactWork work;
+  [[nodiscard]] fast::Work work() const final {
+    fast::Work work;
     work.line_responses = response_.evaluations();
     return work;
   }
@@ -69,7 +69,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
   }
 
  private:
-  HalfSpaceResponse response_;
+  CountedResponse response_;
   double friction_;
 };
 
@@ -99,7 +99,7 @@ struct LoadEllipse {
 
 class Exact : public OnHalfSpace {
  public:
-  Exact(const HalfSpaceResponse& response, const data::HalfSpaceProblem& problem)
+  Exact(const CountedResponse& response, const data::HalfSpaceProblem& problem)
       : OnHalfSpace(response, 0),
         contact_(response, std::visit(IndenterOf{}, problem.body)),
         load_(std::visit(LoadEllipse{contact_}, problem.given)),
@@ -129,7 +129,7 @@ class Exact : public OnHalfSpace {
 };
 
 struct Slide {
-  const HalfSpaceResponse& response;
+  const CountedResponse& response;
   const data::HalfSpaceProblem& problem;
 
   fast::SlidingContact operator()(const data::GivenNormalForce& load) const {
@@ -154,7 +154,7 @@ Estimate peak(const fast::RollingSphere& contact) {
 template <class Contact>
 class ByRule : public OnHalfSpace {
  public:
-  ByRule(const HalfSpaceResponse& response, double friction, Contact contact)
+  ByRule(const CountedResponse& response, double friction, Contact contact)
       : OnHalfSpace(response, friction), contact_(std::move(contact)) {}
 
  private:
@@ -191,7 +191,7 @@ struct Roll {
 
 std::unique_ptr<SolvedContact<Estimate>> solve_half_space(const data::Scene& scene,
                                                           const data::HalfSpaceProblem& problem) {
-  const HalfSpaceResponse response(problem, scene.origin);
+  const CountedResponse response(problem, scene.origin);
   if (problem.rule == data::ContourRule::exact) return std::make_unique<Exact>(response, problem);
   if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
     return std::make_unique<ByRule<fast::RollingSphere>>(response, 0,

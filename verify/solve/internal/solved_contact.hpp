@@ -25,8 +25,8 @@ class SolvedContact {
   [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
   /// Spent so far on the results, and on nothing but their error estimates.
-  [[nodiscard]] virtual fast::ContactWork work() const = 0;
-  [[nodiscard]] virtual fast::ContactWork error_work() const { return {}; }
+  [[nodiscard]] virtual fast::Work work() const = 0;
+  [[nodiscard]] virtual fast::Work error_work() const { return {}; }
 };
 
 }  // namespace nipref::verify

@@ -23,7 +23,7 @@ TEST_CASE("batches agree with single values, for every size up to several blocks
   for (const int size : {0, 1, 7, 8, 9, 15, 511, 512, 513, 2000}) {
     const std::vector<double> x = mixed_arguments(size, 11);
     for (const Kernel& kernel : kernels()) {
-      for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::kBest}) {
+      for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::best_rtol}) {
         std::vector<double> value(x.size(), -1);
         kernel.batch(x, value, Accuracy(rtol));
         double worst = 0;
@@ -44,7 +44,7 @@ TEST_CASE("I6 in batches agrees with single values") {
   const std::vector<double> a = mixed_arguments(1300, 12);
   const std::vector<double> e = mixed_arguments(1300, 13);
   std::vector<double> value(a.size());
-  for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::kBest}) {
+  for (const double rtol : {1e-3, 1e-6, 1e-9, 1e-12, Accuracy::best_rtol}) {
     nipref::fast::I6(a, e, value, Accuracy(rtol));
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double single = nipref::fast::I6(a[i], e[i], Accuracy(rtol));
@@ -82,7 +82,7 @@ TEST_CASE("a batch with one bad element names it and writes nothing") {
 TEST_CASE("the code for every instruction set of this processor keeps the promise") {
   namespace internal = nipref::fast::internal;
   const std::vector<double> x = mixed_arguments(4000, 15);
-  for (int set = 0; set < internal::kInstructionSetCount; ++set) {
+  for (int set = 0; set < internal::instruction_set_count; ++set) {
     const internal::SheetCode* code = internal::sheet_code_for(set);
     if (code == nullptr) continue;
     CAPTURE(set);
@@ -90,11 +90,11 @@ TEST_CASE("the code for every instruction set of this processor keeps the promis
       const Kernel& kernel = kernels()[k];
       CAPTURE(kernel.name);
       std::vector<double> batch(x.size());
-      code->batch[k][internal::kFullTier](x.data(), batch.data(), x.size());
+      code->batch[k][internal::full_tier](x.data(), batch.data(), x.size());
       for (std::size_t i = 0; i < x.size(); ++i) {
         const double chosen = kernel.scalar(x[i], {});
         const double allowed = 2 * ulp(kernel.scale(x[i], chosen));
-        CHECK(std::fabs(code->scalar[k][internal::kFullTier](x[i]) - chosen) <= allowed);
+        CHECK(std::fabs(code->scalar[k][internal::full_tier](x[i]) - chosen) <= allowed);
         CHECK(std::fabs(batch[i] - chosen) <= allowed);
       }
     }

@@ -79,7 +79,7 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
   return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
     const auto answer =
-        ref::surface_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
+        ref::line_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
     return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
             answer.in_line.value};
   };

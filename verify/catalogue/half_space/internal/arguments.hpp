@@ -3,7 +3,6 @@
 #include <vector>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/line_response.hpp>
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/ref/half_space/contact.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>

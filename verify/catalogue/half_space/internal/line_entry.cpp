@@ -39,8 +39,8 @@ ref::Enclosure exact_condition(const ref::ExactStiffness& solid, const Exact& sp
   const Exact step = Exact::parse("1e-" + std::to_string(digits + below_a_rounding));
   const auto ln_K = [&](int sign) {
     const Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));
-    ref::Real value = ref::surface_response(solid, moved, motion, psi, 2 * digits + below_a_rounding + guard)
-                          .compliance.value;
+    ref::Real value =
+        ref::line_response(solid, moved, motion, psi, 2 * digits + below_a_rounding + guard).compliance.value;
     mpfr_log(value.get(), value.get(), MPFR_RNDN);
     return value;
   };

@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 
-#include <nipref/fast/half_space/line_response.hpp>
+#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::verify {
 
@@ -39,7 +39,7 @@ double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction,
 
 /// To which w_S and w_D stand in the arithmetic of (brock2012) Tables 1 and 2: found by trial, and then all
 /// cells of both but one are within a unit.
-inline constexpr int kTableRootDecimals = 5;
+inline constexpr int table_root_decimals = 5;
 
 /// mu_0 K of the sphere, by (brock2013 20). `cosine_from_motion`: of psi - theta.
 double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed);

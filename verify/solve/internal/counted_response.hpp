@@ -9,10 +9,10 @@ namespace nipref::verify {
 
 /// What body and half-space of a scene answer together, by the angle from the motion, and how often it was
 /// asked.
-class HalfSpaceResponse {
+class CountedResponse {
  public:
   /// BadInput naming the scene's speed unless it is subcritical on every line.
-  HalfSpaceResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin);
+  CountedResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin);
 
   [[nodiscard]] fast::LineResponse operator()(fast::Direction from_motion) const;
   /// The smallest critical speed of this motion, unit of speed.

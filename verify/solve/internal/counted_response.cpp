@@ -9,7 +9,7 @@
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/solve/internal/half_space_response.hpp>
+#include <nipref/verify/solve/internal/counted_response.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -76,7 +76,7 @@ void refuse_supercritical(const data::HalfSpaceProblem& problem, double limit, s
 
 }  // namespace
 
-HalfSpaceResponse::HalfSpaceResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin)
+CountedResponse::CountedResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin)
     : problem_(&problem) {
   if (const auto* solid = std::get_if<data::IsotropicSolid>(&problem.half_space))
     refuse_supercritical(problem, CriticalSpeedOf{motion_of(problem)}(*solid), "half-space", origin);
@@ -90,13 +90,13 @@ HalfSpaceResponse::HalfSpaceResponse(const data::HalfSpaceProblem& problem, cons
   }
 }
 
-fast::LineResponse HalfSpaceResponse::operator()(Direction from_motion) const {
+fast::LineResponse CountedResponse::operator()(Direction from_motion) const {
   ++*evaluations_;
   const fast::LineResponse half_space = half_space_(from_motion);
   return body_ ? fast::in_contact(half_space, body_(from_motion)) : half_space;
 }
 
-double HalfSpaceResponse::critical_speed() const {
+double CountedResponse::critical_speed() const {
   const CriticalSpeedOf critical{motion_of(*problem_)};
   const auto* sphere = std::get_if<data::ElasticSphere>(&problem_->body);
   const double of_body =
