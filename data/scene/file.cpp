@@ -10,10 +10,10 @@
 namespace nipref::data {
 namespace {
 
-ElasticNip read_nip(const SceneTable& file) {
-  const SceneTable roller = file.table("roller");
-  const SceneTable sheet = file.table("sheet");
-  const SceneTable material = file.table("material");
+ElasticNip read_nip(const TomlTable& file) {
+  const TomlTable roller = file.table("roller");
+  const TomlTable sheet = file.table("sheet");
+  const TomlTable material = file.table("material");
   roller.allow({"radius"});
   sheet.allow({"thickness"});
   material.allow({"model", "young", "poisson"});
@@ -22,19 +22,19 @@ ElasticNip read_nip(const SceneTable& file) {
           {material.number("young"), material.number("poisson")}};
 }
 
-GivenLoad read_load(const SceneTable& load) {
+GivenLoad read_load(const TomlTable& load) {
   load.allow({"per_length"});
   return {load.number("per_length")};
 }
 
-GivenLength read_contact(const SceneTable& contact) {
+GivenLength read_contact(const TomlTable& contact) {
   contact.allow({"length"});
   return {contact.number("length")};
 }
 
-Given read_given(const SceneTable& file, const SceneOrigin& origin) {
+Given read_given(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("contact")) {
-    const SceneTable contact = file.table("contact");
+    const TomlTable contact = file.table("contact");
     if (file.has("load"))
       origin.refuse("contact", "(beside load)", "must be left out, or load: one of the two");
     return read_contact(contact);
@@ -45,27 +45,27 @@ Given read_given(const SceneTable& file, const SceneOrigin& origin) {
   return read_load(file.table("load"));
 }
 
-void read_friction(const SceneTable& friction, ElasticNipProblem& problem) {
+void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
   friction.allow({"model", "creep_ratio"});
   problem.friction = friction.choice("model", {"none", "full"}) == "full" ? Friction::full : Friction::none;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
 }
 
 /// It has nothing to say but its name.
-bool is_converged(const SceneTable& method) {
+bool is_converged(const TomlTable& method) {
   if (method.choice("kind", {"converged", "line-loads"}) != "converged") return false;
   method.allow({"kind"});
   return true;
 }
 
-std::variant<ConvergedMethod, LineLoads> read_method(const SceneTable& method) {
+std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
   method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms"});
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
 
-ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& origin) {
+ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& origin) {
   ElasticNipProblem problem{.nip = read_nip(file),
                             .given = read_given(file, origin),
                             .creep_ratio = {},
@@ -77,7 +77,7 @@ ElasticNipProblem read_elastic_nip(const SceneTable& file, const SceneOrigin& or
   return problem;
 }
 
-std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const SceneTable& method) {
+std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
   method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms", "approach_lengths"});
   ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
@@ -88,10 +88,10 @@ std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(co
   return loads;
 }
 
-ViscoelasticNip read_viscoelastic_nip(const SceneTable& file, const SceneOrigin& origin) {
-  const SceneTable roller = file.table("roller");
-  const SceneTable sheet = file.table("sheet");
-  const SceneTable rolling = file.table("rolling");
+ViscoelasticNip read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
+  const TomlTable roller = file.table("roller");
+  const TomlTable sheet = file.table("sheet");
+  const TomlTable rolling = file.table("rolling");
   roller.allow({"radius"});
   sheet.allow({"thickness"});
   rolling.allow({"speed"});
@@ -99,14 +99,14 @@ ViscoelasticNip read_viscoelastic_nip(const SceneTable& file, const SceneOrigin&
           read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
 }
 
-void read_no_friction(const SceneTable& friction, const SceneOrigin& origin) {
+void read_no_friction(const TomlTable& friction, const SceneOrigin& origin) {
   friction.allow({"model"});
   const std::string model = friction.choice("model", {"none", "full"});
   if (model != "none")
     origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
 }
 
-ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const SceneOrigin& origin) {
+ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const SceneOrigin& origin) {
   ViscoelasticNipProblem problem{.nip = read_viscoelastic_nip(file, origin),
                                  .given = read_given(file, origin),
                                  .method = {},
@@ -118,7 +118,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const SceneTable& file, const S
 }
 
 /// A sheet that rolls is a viscoelastic one, if only by name.
-decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& origin) {
+decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
               "friction", "method", "profile"});
@@ -131,7 +131,7 @@ decltype(Scene::system) read_system(const SceneTable& file, const SceneOrigin& o
 
 Scene load_scene(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
-  const SceneTable top = SceneTable::read(file, origin);
+  const TomlTable top = TomlTable::read(file, origin);
   Scene scene{.title = top.text("title"),
               .wanted = top.texts("wanted"),
               .system = read_system(top, origin),

@@ -14,11 +14,11 @@ namespace {
 using Body = decltype(HalfSpaceProblem::body);
 using HalfSpace = decltype(HalfSpaceProblem::half_space);
 
-IsotropicSolid read_isotropic(const SceneTable& table) {
+IsotropicSolid read_isotropic(const TomlTable& table) {
   return {table.number("shear"), table.number("poisson"), table.number("density")};
 }
 
-HalfSpace read_half_space(const SceneTable& table) {
+HalfSpace read_half_space(const TomlTable& table) {
   if (table.choice("model", {"isotropic", "transversely-isotropic"}) == "isotropic") {
     table.allow({"model", "shear", "poisson", "density"});
     return read_isotropic(table);
@@ -30,59 +30,59 @@ HalfSpace read_half_space(const SceneTable& table) {
                                    is_normal ? SymmetryAxis::normal : SymmetryAxis::in_plane};
 }
 
-Body read_body(const SceneTable& file, const SceneOrigin& origin) {
+Body read_body(const TomlTable& file, const SceneOrigin& origin) {
   const bool bodies[] = {file.has("die"), file.has("rolling_sphere"), file.has("sphere")};
   if (std::ranges::count(bodies, true) != 1) {
     origin.refuse("die", file.has("die") ? "(beside another body)" : "(missing)",
                   "there must be one of die, rolling_sphere and sphere");
   }
   if (file.has("die")) {
-    const SceneTable die = file.table("die");
+    const TomlTable die = file.table("die");
     die.allow({"radius_along", "radius_across"});
     return RigidDie{die.number("radius_along"), die.number("radius_across")};
   }
   if (file.has("rolling_sphere")) {
-    const SceneTable sphere = file.table("rolling_sphere");
+    const TomlTable sphere = file.table("rolling_sphere");
     sphere.allow({"radius"});
     return RigidRollingSphere{sphere.number("radius")};
   }
-  const SceneTable sphere = file.table("sphere");
+  const TomlTable sphere = file.table("sphere");
   sphere.allow({"radius", "shear", "poisson", "density", "patch"});
   const bool moving = sphere.has("patch") && sphere.choice("patch", {"fixed", "moving"}) == "moving";
   return ElasticSphere{sphere.number("radius"), read_isotropic(sphere), moving};
 }
 
-void read_motion(const SceneTable& file, HalfSpaceProblem& problem) {
+void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
   if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
-    const SceneTable rolling = file.table("rolling");
+    const TomlTable rolling = file.table("rolling");
     rolling.allow({"speed"});
     problem.speed = rolling.number("speed");
     return;
   }
-  const SceneTable sliding = file.table("sliding");
+  const TomlTable sliding = file.table("sliding");
   sliding.allow({"speed", "direction", "friction"});
   problem.speed = sliding.number("speed");
   if (sliding.has("direction")) problem.direction = sliding.number("direction");
   if (sliding.has("friction")) problem.friction = sliding.number("friction");
 }
 
-void read_given(const SceneTable& file, const SceneOrigin& origin, HalfSpaceProblem& problem) {
+void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProblem& problem) {
   if (file.has("load") == file.has("contact")) {
     origin.refuse("load", file.has("load") ? "(beside contact)" : "(missing)",
                   "there must be either [load] normal_force or [contact] span_along");
   }
   if (file.has("load")) {
-    const SceneTable load = file.table("load");
+    const TomlTable load = file.table("load");
     load.allow({"normal_force"});
     problem.given = GivenNormalForce{load.number("normal_force")};
     return;
   }
-  const SceneTable contact = file.table("contact");
+  const TomlTable contact = file.table("contact");
   contact.allow({"span_along"});
   problem.given = GivenSpan{contact.number("span_along")};
 }
 
-ContourRule read_rule(const SceneTable& method) {
+ContourRule read_rule(const TomlTable& method) {
   method.allow({"kind"});
   return method.choice("kind", {"exact", "stationary-force"}) == "exact" ? ContourRule::exact
                                                                          : ContourRule::stationary_force;
@@ -178,7 +178,7 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string&
   origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
 }
 
-HalfSpaceProblem read_half_space_problem(const SceneTable& file, const SceneOrigin& origin) {
+HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
   file.allow({"title", "wanted", "accuracy", "half_space", "die", "rolling_sphere", "sphere", "sliding",
               "rolling", "load", "contact", "method", "profile"});
   HalfSpaceProblem problem{.body = read_body(file, origin),
@@ -207,7 +207,7 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   check_rule(problem, origin);
 }
 
-Profile read_profile(const SceneTable& profile, const SceneOrigin& origin) {
+Profile read_profile(const TomlTable& profile, const SceneOrigin& origin) {
   profile.allow({"points", "positions"});
   if (profile.has("points") == profile.has("positions")) {
     origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",

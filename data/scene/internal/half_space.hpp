@@ -9,7 +9,7 @@
 namespace nipref::data {
 
 /// A scene about a half-space: what else may stand in it, and what stands there. BadInput naming the key.
-[[nodiscard]] HalfSpaceProblem read_half_space_problem(const SceneTable& file, const SceneOrigin& origin);
+[[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
 
 /// Throws BadInput naming the key and its place unless every value is in its domain. Whether the speed is
 /// subcritical is for the solvers to find out.
@@ -20,6 +20,6 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string&
                              const SceneOrigin& origin);
 
 /// The reading of [profile], for all systems.
-[[nodiscard]] Profile read_profile(const SceneTable& profile, const SceneOrigin& origin);
+[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);
 
 }  // namespace nipref::data

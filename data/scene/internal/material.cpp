@@ -11,14 +11,14 @@ namespace {
 /// What was read, before it is judged: what a model refuses has yet to be given its place.
 using Build = std::function<ViscoelasticMaterial()>;
 
-Build read_elastic(const SceneTable& material) {
+Build read_elastic(const TomlTable& material) {
   material.allow({"model", "young", "poisson"});
   const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
   return [=] { return elastic_solid(elastic); };
 }
 
 /// By its one relaxation time or by all six constants.
-Build read_standard_linear(const SceneTable& material) {
+Build read_standard_linear(const TomlTable& material) {
   if (material.has("relaxation_time")) {
     material.allow({"model", "bulk", "shear", "relaxation_time"});
     const double bulk = material.number("bulk"), shear = material.number("shear");
@@ -33,7 +33,7 @@ Build read_standard_linear(const SceneTable& material) {
   return [=] { return standard_linear_solid(solid); };
 }
 
-Build read_thesis_misprint(const SceneTable& material) {
+Build read_thesis_misprint(const TomlTable& material) {
   material.allow({"model", "bulk", "shear", "relaxation_time"});
   const double bulk = material.number("bulk");
   // The thesis's solid has Poisson's ratio 1/3. (AIII.12)
@@ -42,12 +42,12 @@ Build read_thesis_misprint(const SceneTable& material) {
   return [=] { return misprinted_thesis_solid(bulk, shear, relaxation_time); };
 }
 
-PronyList read_prony_list(const SceneTable& material, const std::string& name) {
+PronyList read_prony_list(const TomlTable& material, const std::string& name) {
   return {material.number(name + "_instantaneous"), material.numbers(name + "_amplitudes"),
           material.numbers(name + "_rates")};
 }
 
-Build read_prony(const SceneTable& material) {
+Build read_prony(const TomlTable& material) {
   material.allow({"model", "theta1_instantaneous", "theta1_amplitudes", "theta1_rates",
                   "theta2_instantaneous", "theta2_amplitudes", "theta2_rates"});
   return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
@@ -55,14 +55,14 @@ Build read_prony(const SceneTable& material) {
   };
 }
 
-Build read_operators(const SceneTable& material) {
+Build read_operators(const TomlTable& material) {
   material.allow({"model", "P", "Q", "P_dilatation", "Q_dilatation"});
   const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
                                         material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
   return [=] { return operator_solid(operators); };
 }
 
-Build read_model(const SceneTable& material) {
+Build read_model(const TomlTable& material) {
   const std::string model = material_model(material);
   if (model == "elastic") return read_elastic(material);
   if (model == "standard-linear-solid") return read_standard_linear(material);
@@ -73,12 +73,12 @@ Build read_model(const SceneTable& material) {
 
 }  // namespace
 
-std::string material_model(const SceneTable& material) {
+std::string material_model(const TomlTable& material) {
   return material.choice("model",
                          {"elastic", "standard-linear-solid", "prony", "operators", "thesis-misprint"});
 }
 
-ViscoelasticMaterial read_viscoelastic_material(const SceneTable& material, const SceneOrigin& origin) {
+ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const SceneOrigin& origin) {
   const Build build = read_model(material);
   try {
     return build();

@@ -9,10 +9,10 @@
 namespace nipref::data {
 
 /// material.model; BadInput unless it is one that there is.
-[[nodiscard]] std::string material_model(const SceneTable& material);
+[[nodiscard]] std::string material_model(const TomlTable& material);
 
 /// The material of a rolling nip: any model, "elastic" included. BadInput naming the scene's key.
-[[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const SceneTable& material,
+[[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material,
                                                               const SceneOrigin& origin);
 
 /// Throws again what a material refused, as a key of [material] and with its place.

@@ -17,13 +17,13 @@
 
 namespace nipref::data {
 
-struct SceneTable::Contents {
+struct TomlTable::Contents {
   std::shared_ptr<const toml::table> file;  ///< owns all tables
   const toml::table* table;
 };
 
 /// A value with the key that refusals name.
-struct SceneTable::Item {
+struct TomlTable::Item {
   const toml::node* node;
   std::string name;
   std::string_view allowed;  ///< says which type is wanted
@@ -41,7 +41,7 @@ struct SceneTable::Item {
   [[nodiscard]] std::string shown() const;
 };
 
-std::string SceneTable::Item::shown() const {
+std::string TomlTable::Item::shown() const {
   if (node->is_table()) return "(a table)";
   if (node->is_array()) return "(a list)";
   std::ostringstream text;
@@ -74,10 +74,10 @@ std::string line_of(const std::string& text, std::size_t number) {
 
 }  // namespace
 
-SceneTable::SceneTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
+TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
     : contents_(std::move(contents)), name_(std::move(name)), origin_(&origin) {}
 
-SceneTable SceneTable::read(const std::filesystem::path& file, SceneOrigin& origin) {
+TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin) {
   const std::string text = contents_of(file, origin);
   try {
     auto parsed = std::make_shared<const toml::table>(toml::parse(text));
@@ -90,11 +90,11 @@ SceneTable SceneTable::read(const std::filesystem::path& file, SceneOrigin& orig
   }
 }
 
-std::string SceneTable::full_name(std::string_view key) const {
+std::string TomlTable::full_name(std::string_view key) const {
   return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
-void SceneTable::allow(std::initializer_list<std::string_view> known) const {
+void TomlTable::allow(std::initializer_list<std::string_view> known) const {
   for (const auto& [key, node] : *contents_->table) {
     if (std::ranges::find(known, key.str()) != known.end()) continue;
     const std::string name = full_name(key.str());
@@ -106,9 +106,9 @@ void SceneTable::allow(std::initializer_list<std::string_view> known) const {
   }
 }
 
-bool SceneTable::has(std::string_view key) const { return contents_->table->contains(key); }
+bool TomlTable::has(std::string_view key) const { return contents_->table->contains(key); }
 
-SceneTable::Item SceneTable::item(std::string_view key, std::string_view allowed) const {
+TomlTable::Item TomlTable::item(std::string_view key, std::string_view allowed) const {
   const auto found = contents_->table->find(key);
   const std::string name = full_name(key);
   if (found == contents_->table->end()) origin_->refuse(name, "(missing)", allowed);
@@ -116,7 +116,7 @@ SceneTable::Item SceneTable::item(std::string_view key, std::string_view allowed
   return {&found->second, name, allowed, origin_};
 }
 
-std::vector<SceneTable::Item> SceneTable::items(std::string_view key, std::string_view allowed) const {
+std::vector<TomlTable::Item> TomlTable::items(std::string_view key, std::string_view allowed) const {
   const Item whole = item(key, allowed);
   const toml::array* const array = whole.node->as_array();
   if (array == nullptr) whole.refuse();
@@ -129,20 +129,20 @@ std::vector<SceneTable::Item> SceneTable::items(std::string_view key, std::strin
   return elements;
 }
 
-SceneTable SceneTable::table(std::string_view key) const {
+TomlTable TomlTable::table(std::string_view key) const {
   const Item found = item(key, "must be a table");
   const toml::table* const inner = found.node->as_table();
   if (inner == nullptr) found.refuse();
   return {std::make_shared<const Contents>(Contents{contents_->file, inner}), found.name, *origin_};
 }
 
-std::string SceneTable::text(std::string_view key) const {
+std::string TomlTable::text(std::string_view key) const {
   return item(key, "must be a text in quotes").as<std::string>();
 }
 
-double SceneTable::number(std::string_view key) const { return item(key, "must be a number").as<double>(); }
+double TomlTable::number(std::string_view key) const { return item(key, "must be a number").as<double>(); }
 
-int SceneTable::whole(std::string_view key) const {
+int TomlTable::whole(std::string_view key) const {
   const Item found = item(key, "must be a whole number");
   if (!found.node->is_integer()) found.refuse();
   const std::optional<int> value = found.node->value<int>();  // none if too large for it
@@ -150,20 +150,20 @@ int SceneTable::whole(std::string_view key) const {
   return *value;
 }
 
-std::vector<std::string> SceneTable::texts(std::string_view key) const {
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
   std::vector<std::string> values;
   for (const Item& element : items(key, "must be a list of texts in quotes"))
     values.push_back(element.as<std::string>());
   return values;
 }
 
-std::vector<double> SceneTable::numbers(std::string_view key) const {
+std::vector<double> TomlTable::numbers(std::string_view key) const {
   std::vector<double> values;
   for (const Item& element : items(key, "must be a list of numbers")) values.push_back(element.as<double>());
   return values;
 }
 
-std::string SceneTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
+std::string TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
   const std::string chosen = text(key);
   if (std::ranges::find(choices, chosen) == choices.end()) {
     origin_->refuse(full_name(key), chosen, fmt::format("must be {}", fmt::join(choices, " or ")));

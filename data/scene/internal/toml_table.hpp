@@ -12,17 +12,17 @@ namespace nipref::data {
 
 /// One table of a TOML file. Whatever is taken from it leaves its line in the origin, which every refusal
 /// (BadInput) names and which must live as long as this does.
-class SceneTable {
+class TomlTable {
  public:
   /// The whole file. Refuses one that cannot be read or is no TOML (keys given twice included).
-  static SceneTable read(const std::filesystem::path& file, SceneOrigin& origin);
+  static TomlTable read(const std::filesystem::path& file, SceneOrigin& origin);
 
   /// Refuses all keys but these.
   void allow(std::initializer_list<std::string_view> known) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   // What the key holds. Refused if it is not there, or of another type.
-  [[nodiscard]] SceneTable table(std::string_view key) const;
+  [[nodiscard]] TomlTable table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
   [[nodiscard]] int whole(std::string_view key) const;
@@ -38,7 +38,7 @@ class SceneTable {
  private:
   struct Contents;
   struct Item;
-  SceneTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin);
+  TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin);
   [[nodiscard]] Item item(std::string_view key, std::string_view allowed) const;
   [[nodiscard]] std::vector<Item> items(std::string_view key, std::string_view allowed) const;
 
