@@ -24,11 +24,7 @@ void SceneOrigin::refuse(std::string_view key, double value, std::string_view al
 }
 
 void SceneOrigin::refuse_as(std::string_view key, const BadInput& error) const {
-  // what() is "ARGUMENT = VALUE: ALLOWED"; no argument of the library has these separators in its name.
-  const std::string_view message = error.what();
-  const std::size_t value = message.find(" = ") + 3;
-  const std::size_t allowed = message.find(": ", value);
-  refuse(key, message.substr(value, allowed - value), message.substr(allowed + 2));
+  refuse(key, error.value(), error.allowed());
 }
 
 }  // namespace nipref::data

@@ -38,7 +38,7 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
   try {
     return std::visit(SolveByMethod{problem, digits}, problem.method);
   } catch (const data::BadInput& error) {
-    if (std::string_view(error.what()).starts_with("digits = ")) throw;
+    if (error.argument() == "digits") throw;
     refuse_given(scene, problem.given, error);
   }
 }

@@ -88,8 +88,7 @@ ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const
 }
 
 void refuse_material(const BadInput& error, const SceneOrigin& origin) {
-  const std::string_view message = error.what();
-  std::string name(message.substr(0, message.find(" = ")));
+  std::string name = error.argument();
   constexpr std::string_view prefix = "material ";
   if (name.starts_with(prefix)) name.erase(0, prefix.size());
   origin.refuse_as("material." + name, error);

@@ -26,9 +26,8 @@ struct NameGiven {
 
 void refuse_given(const data::Scene& scene, const data::Given& given, const data::BadInput& error) {
   const auto [key, value, argument] = std::visit(NameGiven{}, given);
-  const std::string_view message = error.what();
-  if (message.starts_with(fmt::format("{} = ", argument))) scene.origin.refuse_as(key, error);
-  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", message));
+  if (error.argument() == argument) scene.origin.refuse_as(key, error);
+  scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }
 
 }  // namespace nipref::verify

@@ -1,0 +1,21 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+
+using nipref::data::BadInput;
+
+TEST_CASE("the parts of a refusal come back as they were given, whatever separators are in them") {
+  const BadInput error("a = b: c", "x: y = z", "must be = or: not");
+  CHECK(error.argument() == "a = b: c");
+  CHECK(error.value() == "x: y = z");
+  CHECK(error.allowed() == "must be = or: not");
+  CHECK(std::string(error.what()) == "a = b: c = x: y = z: must be = or: not");
+}
+
+TEST_CASE("a number is refused in the shortest text that is it") {
+  const BadInput error("alpha", 0.1, "must be a whole number");
+  CHECK(error.value() == "0.1");
+  CHECK(std::string(error.what()) == "alpha = 0.1: must be a whole number");
+}
