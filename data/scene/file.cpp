@@ -4,6 +4,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
 #include <nipref/data/scene/internal/material.hpp>
+#include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
 #include <nipref/data/table/index.hpp>
 

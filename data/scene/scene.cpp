@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 
 #include <nipref/data/scene/internal/closest_name.hpp>
-#include <nipref/data/scene/internal/half_space.hpp>
+#include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/material.hpp>
+#include <nipref/data/scene/internal/profile.hpp>
+#include <nipref/data/scene/internal/require.hpp>
 #include <nipref/data/scene/scene.hpp>
 
 namespace nipref::data {
@@ -18,43 +19,28 @@ namespace {
 constexpr int most_elements = 10000;
 constexpr int most_viscoelastic_elements = 500;
 constexpr int most_terms = 500;
-constexpr int most_points = 100'000;
-
-void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
-             std::string_view allowed) {
-  if (!holds) origin.refuse(key, value, allowed);
-}
-
-void check_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key) {
-  require(least <= value && value <= most, origin, key, value,
-          fmt::format("must be a whole number from {} to {}", least, most));
-}
-
-bool is_positive(double value) { return std::isfinite(value) && value > 0; }
 
 /// The nip's own checks name its C++ members.
 void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
-  static const std::map<std::string, std::string, std::less<>> keys{{"roller_radius", "roller.radius"},
-                                                                    {"sheet_thickness", "sheet.thickness"},
-                                                                    {"young", "material.young"},
-                                                                    {"poisson", "material.poisson"}};
+  static const std::map<std::string, std::string> keys{{"roller_radius", "roller.radius"},
+                                                       {"sheet_thickness", "sheet.thickness"},
+                                                       {"young", "material.young"},
+                                                       {"poisson", "material.poisson"}};
   try {
     nip.check();
   } catch (const BadInput& error) {
-    const std::string_view message = error.what();
-    origin.refuse_as(keys.find(message.substr(0, message.find(' ')))->second, error);
+    origin.refuse_as(keys.at(error.argument()), error);
   }
 }
 
 /// The material's own names are those of its functions, "theta1 rate"; all stand in one table.
 void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
-  static const std::map<std::string, std::string, std::less<>> keys{
+  static const std::map<std::string, std::string> keys{
       {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"}, {"speed", "rolling.speed"}};
   try {
     nip.check();
   } catch (const BadInput& error) {
-    const std::string_view message = error.what();
-    const auto known = keys.find(message.substr(0, message.find(' ')));
+    const auto known = keys.find(error.argument());
     if (known == keys.end()) refuse_material(error, origin);
     origin.refuse_as(known->second, error);
   }
@@ -65,12 +51,11 @@ struct GivenCheck {
   const SceneOrigin& origin;
 
   void operator()(const GivenLoad& load) const {
-    require(is_positive(load.per_length), origin, "load.per_length", load.per_length,
-            "must be finite and > 0");
+    require_positive(load.per_length, origin, "load.per_length");
   }
   void operator()(const GivenLength& length) const {
     const double value = length.contact_length;
-    require(is_positive(value), origin, "contact.length", value, "must be finite and > 0");
+    require_positive(value, origin, "contact.length");
     require(value <= roller_radius, origin, "contact.length", value,
             fmt::format("must be at most the roller's radius, {}: beyond it a parabola no longer stands for "
                         "the roller",
@@ -83,22 +68,21 @@ struct MethodCheck {
 
   void operator()(const ConvergedMethod&) const {}
   void operator()(const LineLoads& loads) const {
-    check_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
-    check_whole(loads.trailing_elements, 1, most_elements, origin, "method.trailing_elements");
-    check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
+    require_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
+    require_whole(loads.trailing_elements, 1, most_elements, origin, "method.trailing_elements");
+    require_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
     require(
         loads.leading_elements == loads.trailing_elements, origin, "method.trailing_elements",
         loads.trailing_elements,
         fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
   }
   void operator()(const ViscoelasticLineLoads& loads) const {
-    check_whole(loads.leading_elements, 1, most_viscoelastic_elements, origin, "method.leading_elements");
+    require_whole(loads.leading_elements, 1, most_viscoelastic_elements, origin, "method.leading_elements");
     if (loads.trailing_elements)
-      check_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
-                  "method.trailing_elements");
-    check_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
-    require(is_positive(loads.approach_lengths), origin, "method.approach_lengths", loads.approach_lengths,
-            "must be finite and > 0");
+      require_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
+                    "method.trailing_elements");
+    require_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
+    require_positive(loads.approach_lengths, origin, "method.approach_lengths");
   }
 };
 
@@ -120,21 +104,6 @@ void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const 
           "must be 0: the material has complex relaxation rates");
 }
 
-struct ProfileCheck {
-  const SceneOrigin& origin;
-
-  void operator()(const EvenlySpaced& spacing) const {
-    check_whole(spacing.points, 2, most_points, origin, "profile.points");
-  }
-  void operator()(const Positions& positions) const {
-    if (positions.y.empty()) origin.refuse("profile.positions", "[]", "must hold at least one position");
-    for (std::size_t i = 0; i < positions.y.size(); ++i) {
-      require(std::isfinite(positions.y[i]), origin, fmt::format("profile.positions[{}]", i), positions.y[i],
-              "must be finite");
-    }
-  }
-};
-
 void check_creep(const ElasticNipProblem& problem, const SceneOrigin& origin) {
   if (!problem.creep_ratio) return;
   constexpr const char* key = "friction.creep_ratio";
@@ -152,19 +121,16 @@ struct SystemCheck {
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     std::visit(MethodCheck{origin}, problem.method);
     check_creep(problem, origin);
-    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+    if (problem.profile) check_profile(*problem.profile, origin);
   }
   void operator()(const ViscoelasticNipProblem& problem) const {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     std::visit(MethodCheck{origin}, problem.method);
     check_viscoelastic_line_loads(problem, origin);
-    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
+    if (problem.profile) check_profile(*problem.profile, origin);
   }
-  void operator()(const HalfSpaceProblem& problem) const {
-    check_half_space_problem(problem, origin);
-    if (problem.profile) std::visit(ProfileCheck{origin}, *problem.profile);
-  }
+  void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
 };
 
 SceneKind kind_of(const Scene& scene) {

@@ -1,12 +1,7 @@
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <string_view>
-#include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
+#include <nipref/data/scene/internal/profile.hpp>
 
 namespace nipref::data {
 namespace {
@@ -88,95 +83,7 @@ ContourRule read_rule(const TomlTable& method) {
                                                                          : ContourRule::stationary_force;
 }
 
-void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
-             std::string_view allowed) {
-  if (!holds) origin.refuse(key, value, allowed);
-}
-
-void check_positive(double value, const SceneOrigin& origin, std::string_view key) {
-  require(std::isfinite(value) && value > 0, origin, key, value, "must be finite and > 0");
-}
-
-/// The solids' own checks name their members, which are the keys of their table.
-template <class Solid>
-void check_solid(const Solid& solid, const SceneOrigin& origin, std::string_view table) {
-  try {
-    solid.check();
-  } catch (const BadInput& error) {
-    const std::string_view message = error.what();
-    origin.refuse_as(std::string(table) + "." + std::string(message.substr(0, message.find(' '))), error);
-  }
-}
-
-/// Gives the smallest radius of curvature.
-struct BodyCheck {
-  const SceneOrigin& origin;
-
-  double operator()(const RigidDie& die) const {
-    check_positive(die.radius_along, origin, "die.radius_along");
-    check_positive(die.radius_across, origin, "die.radius_across");
-    return std::min(die.radius_along, die.radius_across);
-  }
-  double operator()(const RigidRollingSphere& sphere) const {
-    check_positive(sphere.radius, origin, "rolling_sphere.radius");
-    return sphere.radius;
-  }
-  double operator()(const ElasticSphere& sphere) const {
-    check_positive(sphere.radius, origin, "sphere.radius");
-    check_solid(sphere.solid, origin, "sphere");
-    return sphere.radius;
-  }
-};
-
-struct HalfSpaceCheck {
-  const SceneOrigin& origin;
-
-  void operator()(const IsotropicSolid& solid) const { check_solid(solid, origin, "half_space"); }
-  void operator()(const TransverselyIsotropicBody& body) const {
-    check_solid(body.solid, origin, "half_space");
-  }
-};
-
-struct GivenCheck {
-  const SceneOrigin& origin;
-  double smallest_radius;
-
-  void operator()(const GivenNormalForce& load) const {
-    check_positive(load.force, origin, "load.normal_force");
-  }
-  void operator()(const GivenSpan& span) const {
-    check_positive(span.along, origin, "contact.span_along");
-    require(
-        span.along <= smallest_radius, origin, "contact.span_along", span.along,
-        "must be at most the body's smallest radius: beyond it a paraboloid no longer stands for the body");
-  }
-};
-
-void check_viscoelastic(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
-  const bool rolls = std::holds_alternative<RigidRollingSphere>(problem.body);
-  if (rolls && !std::holds_alternative<IsotropicSolid>(problem.half_space)) {
-    origin.refuse("half_space.model", "transversely-isotropic", "must be isotropic under a rolling sphere");
-  }
-}
-
-void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
-  if (problem.rule != ContourRule::exact) return;
-  if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
-    origin.refuse("method.kind", "exact",
-                  "must be stationary-force for a rolling sphere: no exact solution is known");
-  }
-  require(problem.friction == 0, origin, "sliding.friction", problem.friction,
-          "must be 0 with the exact method, which is frictionless");
-}
-
 }  // namespace
-
-void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
-                             const SceneOrigin& origin) {
-  constexpr std::array<std::string_view, 3> of_the_ellipse{"axis_ratio", "orientation", "approach"};
-  if (problem.rule == ContourRule::exact || !std::ranges::count(of_the_ellipse, name)) return;
-  origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
-}
 
 HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
   file.allow({"title", "wanted", "accuracy", "half_space", "die", "rolling_sphere", "sphere", "sliding",
@@ -190,31 +97,6 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   problem.rule = read_rule(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
   return problem;
-}
-
-void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
-  const double smallest_radius = std::visit(BodyCheck{origin}, problem.body);
-  std::visit(HalfSpaceCheck{origin}, problem.half_space);
-  const bool rolls = std::holds_alternative<RigidRollingSphere>(problem.body);
-  require(std::isfinite(problem.speed) && problem.speed >= 0, origin,
-          rolls ? "rolling.speed" : "sliding.speed", problem.speed, "must be finite and >= 0");
-  require(std::fabs(problem.direction) <= 90, origin, "sliding.direction", problem.direction,
-          "must be from -90 to 90 degrees");
-  require(std::isfinite(problem.friction) && problem.friction >= 0, origin, "sliding.friction",
-          problem.friction, "must be finite and >= 0");
-  std::visit(GivenCheck{origin, smallest_radius}, problem.given);
-  check_viscoelastic(problem, origin);
-  check_rule(problem, origin);
-}
-
-Profile read_profile(const TomlTable& profile, const SceneOrigin& origin) {
-  profile.allow({"points", "positions"});
-  if (profile.has("points") == profile.has("positions")) {
-    origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
-                  "must hold points or positions, one of the two");
-  }
-  if (profile.has("points")) return EvenlySpaced{profile.whole("points")};
-  return Positions{profile.numbers("positions")};
 }
 
 }  // namespace nipref::data

@@ -1,7 +1,4 @@
 #pragma once
-#include <string>
-#include <string_view>
-
 #include <nipref/data/problem/half_space.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
 #include <nipref/data/scene/origin.hpp>
@@ -10,16 +7,5 @@ namespace nipref::data {
 
 /// A scene about a half-space: what else may stand in it, and what stands there. BadInput naming the key.
 [[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
-
-/// Throws BadInput naming the key and its place unless every value is in its domain. Whether the speed is
-/// subcritical is for the solvers to find out.
-void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin);
-
-/// Refuses a result, wanted as `key`, that the problem's method does not have.
-void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
-                             const SceneOrigin& origin);
-
-/// The reading of [profile], for all systems.
-[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);
 
 }  // namespace nipref::data

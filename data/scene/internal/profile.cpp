@@ -1,0 +1,44 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <nipref/data/scene/internal/profile.hpp>
+#include <nipref/data/scene/internal/require.hpp>
+
+namespace nipref::data {
+namespace {
+
+constexpr int most_points = 100'000;
+
+struct ProfileCheck {
+  const SceneOrigin& origin;
+
+  void operator()(const EvenlySpaced& spacing) const {
+    require_whole(spacing.points, 2, most_points, origin, "profile.points");
+  }
+  void operator()(const Positions& positions) const {
+    if (positions.y.empty()) origin.refuse("profile.positions", "[]", "must hold at least one position");
+    for (std::size_t i = 0; i < positions.y.size(); ++i) {
+      require(std::isfinite(positions.y[i]), origin, fmt::format("profile.positions[{}]", i), positions.y[i],
+              "must be finite");
+    }
+  }
+};
+
+}  // namespace
+
+Profile read_profile(const TomlTable& profile, const SceneOrigin& origin) {
+  profile.allow({"points", "positions"});
+  if (profile.has("points") == profile.has("positions")) {
+    origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
+                  "must hold points or positions, one of the two");
+  }
+  if (profile.has("points")) return EvenlySpaced{profile.whole("points")};
+  return Positions{profile.numbers("positions")};
+}
+
+void check_profile(const Profile& profile, const SceneOrigin& origin) {
+  std::visit(ProfileCheck{origin}, profile);
+}
+
+}  // namespace nipref::data

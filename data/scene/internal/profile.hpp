@@ -1,0 +1,15 @@
+#pragma once
+#include <nipref/data/problem/profile.hpp>
+#include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/scene/origin.hpp>
+
+namespace nipref::data {
+
+/// The reading of [profile], for all systems. BadInput naming the key.
+[[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);
+
+/// Throws BadInput naming the key and its place unless there are 2 to 100000 points, or at least one position
+/// and all of them finite.
+void check_profile(const Profile& profile, const SceneOrigin& origin);
+
+}  // namespace nipref::data

@@ -1,0 +1,18 @@
+#pragma once
+#include <string_view>
+
+#include <nipref/data/scene/origin.hpp>
+
+namespace nipref::data {
+
+// What the checks of a scene have in common. Each refuses the value, naming the key and its place.
+
+void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
+             std::string_view allowed);
+
+/// Finite and > 0.
+void require_positive(double value, const SceneOrigin& origin, std::string_view key);
+
+void require_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key);
+
+}  // namespace nipref::data
