@@ -1,12 +1,12 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
 #include <nipref/data/scene/internal/material.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
-#include <nipref/data/table/index.hpp>
 
 namespace nipref::data {
 namespace {
@@ -144,7 +144,7 @@ Scene load_scene(const std::filesystem::path& file) {
 }
 
 std::filesystem::path example_scene(const std::string& name) {
-  const auto folder = tables_directory().parent_path() / "scenes";
+  const auto folder = scenes_directory();
   const auto file = folder / (name + ".toml");
   if (!std::filesystem::is_regular_file(file)) {
     throw BadInput("scene", name, "must be one of the files in " + folder.string());

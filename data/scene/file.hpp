@@ -31,8 +31,8 @@ namespace nipref::data {
 /// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file);
 
-/// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in the folder "scenes"
-/// beside tables_directory(). BadInput if there is none of that name.
+/// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().
+/// BadInput if there is none of that name.
 [[nodiscard]] std::filesystem::path example_scene(const std::string& name);
 
 }  // namespace nipref::data

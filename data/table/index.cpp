@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
-#include <initializer_list>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
@@ -59,20 +57,6 @@ void count_values(const Table& table, std::size_t column, TableSummary& summary)
 }
 
 }  // namespace
-
-std::filesystem::path tables_directory() {
-  if (const char* const chosen = std::getenv("NIPREF_DATA")) {
-    const auto directory = std::filesystem::path(chosen) / "tables";
-    if (std::filesystem::is_directory(directory)) return directory;
-    throw BadInput("NIPREF_DATA", chosen, "must be a folder with a folder 'tables' in it");
-  }
-  for (const char* const place : {NIPREF_DATA_DIR, NIPREF_DATA_INSTALL_DIR}) {
-    const auto directory = std::filesystem::path(place) / "tables";
-    if (std::filesystem::is_directory(directory)) return directory;
-  }
-  throw BadInput("NIPREF_DATA", "(not set)",
-                 "must be the data folder, the tables were not found where they were built or installed");
-}
 
 std::vector<std::string> table_ids(const std::filesystem::path& directory) {
   std::vector<std::string> ids;

@@ -5,14 +5,10 @@
 #include <string>
 #include <vector>
 
+#include <nipref/data/directory.hpp>
 #include <nipref/data/table/table.hpp>
 
 namespace nipref::data {
-
-/// Folder of the seeds' tables: "tables" in the data folder, which is the first that exists of
-/// the environment variable NIPREF_DATA, the source tree this library was built from, and the place of
-/// installation. BadInput if none of them holds the tables; if NIPREF_DATA is set, only it is looked at.
-[[nodiscard]] std::filesystem::path tables_directory();
 
 /// Ids of all tables there, in the order of the seeds: thesis-III .. thesis-XXVI, then the others by name.
 [[nodiscard]] std::vector<std::string> table_ids(const std::filesystem::path& directory = tables_directory());

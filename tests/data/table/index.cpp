@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -124,18 +123,4 @@ TEST_CASE("what a table does not have is refused by name") {
   CHECK_THROWS_AS((void)table.cell(8, "L"), BadInput);
   CHECK_THROWS_AS((void)table.parameter("W"), BadInput);
   CHECK(table.parameter("R").value == 6);
-}
-
-TEST_CASE("a chosen data folder without tables is refused, not replaced by another") {
-  const char* const before = std::getenv("NIPREF_DATA");
-  const std::string saved = before ? before : "";
-  setenv("NIPREF_DATA", "no-such-folder", 1);
-  CHECK_THROWS_WITH_AS((void)tables_directory(),
-                       "NIPREF_DATA = no-such-folder: must be a folder with a folder 'tables' in it",
-                       BadInput);
-  if (before) {
-    setenv("NIPREF_DATA", saved.c_str(), 1);
-  } else {
-    unsetenv("NIPREF_DATA");
-  }
 }
