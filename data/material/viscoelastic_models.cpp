@@ -17,15 +17,20 @@ ViscoelasticMaterial checked(ViscoelasticMaterial material) {
   return material;
 }
 
-void check_moduli(double bulk, double shear, double relaxation_time) {
+Compliances compliances(double bulk, double shear) {
   check_positive("bulk", bulk);
   check_positive("shear", shear);
-  check_positive("relaxation_time", relaxation_time);
+  return {1 / (2 * shear), 3 / (6 * bulk + 2 * shear)};
 }
 
-/// instantaneous (delta(t) + e^(-rate t)/relaxation_time)
-MaterialFunction doubling(double instantaneous, double relaxation_time, double rate) {
-  return {instantaneous, {{instantaneous / relaxation_time, rate}}};
+/// theta = at_once (delta(t) + e^(-rate t)/relaxation_time), the rate of theta2 being so many times
+/// 1/relaxation_time.
+ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time, int theta2_rate_factor) {
+  check_positive("relaxation_time", relaxation_time);
+  const auto function = [&](double compliance, int rate_factor) -> MaterialFunction {
+    return {compliance, {{compliance / relaxation_time, rate_factor / relaxation_time}}};
+  };
+  return checked({function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor)});
 }
 
 MaterialFunction prony_function(const PronyList& list, const std::string& name) {
@@ -74,16 +79,19 @@ ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
 }
 
 ViscoelasticMaterial single_relaxation_time_solid(double bulk, double shear, double relaxation_time) {
-  check_moduli(bulk, shear, relaxation_time);
-  const double rate = 1 / relaxation_time;
-  return checked({doubling(1 / (2 * shear), relaxation_time, rate),
-                  doubling(3 / (6 * bulk + 2 * shear), relaxation_time, rate)});
+  return single_relaxation_time_solid(compliances(bulk, shear), relaxation_time);
 }
 
 ViscoelasticMaterial misprinted_thesis_solid(double bulk, double shear, double relaxation_time) {
-  check_moduli(bulk, shear, relaxation_time);
-  return checked({doubling(1 / (2 * shear), relaxation_time, 1 / relaxation_time),
-                  doubling(3 / (6 * bulk + 2 * shear), relaxation_time, 2 / relaxation_time)});
+  return misprinted_thesis_solid(compliances(bulk, shear), relaxation_time);
+}
+
+ViscoelasticMaterial single_relaxation_time_solid(const Compliances& at_once, double relaxation_time) {
+  return relaxing(at_once, relaxation_time, 1);
+}
+
+ViscoelasticMaterial misprinted_thesis_solid(const Compliances& at_once, double relaxation_time) {
+  return relaxing(at_once, relaxation_time, misprinted_rate_factor);
 }
 
 ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2) {

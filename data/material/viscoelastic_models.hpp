@@ -32,6 +32,23 @@ struct StandardLinearSolid {
 /// (thesis AIII.15)
 [[nodiscard]] ViscoelasticMaterial misprinted_thesis_solid(double bulk, double shear, double relaxation_time);
 
+/// How many times faster than it should theta2 fades by the misprint.
+inline constexpr int misprinted_rate_factor = 2;
+
+/// G/K of the thesis's solid, exactly: Poisson's ratio is 1/3. (thesis AIII.12)
+inline constexpr double thesis_shear_over_bulk = 3.0 / 8;
+
+/// What a solid answers at once, 1/(2G) and 3/(6K + 2G): > 0 and finite, 1/stress.
+struct Compliances {
+  double theta1, theta2;
+};
+
+/// The same two solids, their moduli at once given by the compliances.
+[[nodiscard]] ViscoelasticMaterial single_relaxation_time_solid(const Compliances& at_once,
+                                                                double relaxation_time);
+[[nodiscard]] ViscoelasticMaterial misprinted_thesis_solid(const Compliances& at_once,
+                                                           double relaxation_time);
+
 /// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t): 1/stress, 1/(stress time), 1/time; the
 /// lists of equal length, not empty. (thesis 6.16, 6.17)
 struct PronyList {

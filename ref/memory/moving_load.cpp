@@ -5,6 +5,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
@@ -228,10 +229,11 @@ ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
 ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
   check_positive(bulk.value(), "bulk");
   check_positive(tau.value(), "tau");
-  const mpq_class shear = 4 / (3 * bulk.value());
+  const mpq_class shear = data::thesis_shear_over_bulk * bulk.value();
+  const mpq_class theta1 = 1 / (2 * shear), theta2 = 3 / (6 * bulk.value() + 2 * shear);
   const mpq_class rate = 1 / tau.value();
-  const mpq_class rate2 = solid == Solid::thesis ? mpq_class(2 * rate) : rate;
-  return {{shear, {{shear * rate, rate}}}, {shear / 3, {{shear / 3 * rate, rate2}}}};
+  const mpq_class rate2 = solid == Solid::thesis ? mpq_class(data::misprinted_rate_factor * rate) : rate;
+  return {{theta1, {{theta1 * rate, rate}}}, {theta2, {{theta2 * rate, rate2}}}};
 }
 
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,

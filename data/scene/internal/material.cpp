@@ -36,8 +36,7 @@ Build read_standard_linear(const TomlTable& material) {
 Build read_thesis_misprint(const TomlTable& material) {
   material.allow({"model", "bulk", "shear", "relaxation_time"});
   const double bulk = material.number("bulk");
-  // The thesis's solid has Poisson's ratio 1/3. (AIII.12)
-  const double shear = material.has("shear") ? material.number("shear") : 3 * bulk / 8;
+  const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
   const double relaxation_time = material.number("relaxation_time");
   return [=] { return misprinted_thesis_solid(bulk, shear, relaxation_time); };
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/ladder.hpp>
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
@@ -26,7 +27,7 @@ using fast::Estimate;
 
 namespace {
 
-const ElasticNip table_nip{6, 0.25, {1.45e5, 1.0 / 3}};
+const ElasticNip table_nip = nipref::data::seed::nip(0.25);
 
 /// What the operator makes of a solved contact at distance e from the end: (u, v), dimensionless.
 std::array<double, 2> displacements(const fast::HalfContact& contact, double e, Friction friction,
@@ -126,7 +127,9 @@ TEST_CASE("error estimates cover the error, and by no more than a thousand times
   std::uniform_real_distribution<double> log_thickness(-3, 0.5), log_load(0, 2.5), ratio(-0.9, 0.5);
   for (int trial = 0; trial < 12; ++trial) {
     const Friction friction = trial % 2 ? Friction::full : Friction::none;
-    const ElasticNip nip{6, std::pow(10, log_thickness(random)), {1.45e5, ratio(random)}};
+    const ElasticNip nip{table_nip.roller_radius,
+                         std::pow(10, log_thickness(random)),
+                         {table_nip.material.young, ratio(random)}};
     const double load = std::pow(10, log_load(random));
     const auto truth = converged_for_load(nip, friction, load, 1e-13);
     for (const double accuracy : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
@@ -163,7 +166,7 @@ TEST_CASE("asking for less costs less") {
   const auto fine = converged_for_load(table_nip, Friction::none, 100, 1e-10);
   CHECK(coarse.work().terms < fine.work().terms);
   CHECK(coarse.work().systems < fine.work().systems);
-  const ElasticNip thin{6, 0.005, {1.45e5, 1.0 / 3}};
+  const ElasticNip thin = nipref::data::seed::nip(0.005);
   CHECK(converged_for_load(thin, Friction::none, 100, 1e-4).work().unknowns <
         converged_for_load(thin, Friction::none, 100, 1e-10).work().unknowns);
   const auto before = fine.work();
@@ -206,7 +209,7 @@ TEST_CASE("from half-space to film, from auxetic to incompressible, over twelve 
 TEST_CASE("the converged shear has one sign on each side and turns once") {
   for (const double thickness : {1.0, 0.25, 0.005}) {
     CAPTURE(thickness);
-    const ElasticNip nip{6, thickness, {1.45e5, 1.0 / 3}};
+    const ElasticNip nip = nipref::data::seed::nip(thickness);
     const auto contact = converged_for_load(nip, Friction::full, 100, 1e-10);
     const double half = contact.contact_length().value / 2;
     int turns = 0;

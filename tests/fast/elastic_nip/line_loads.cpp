@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
@@ -14,7 +15,7 @@ using fast::LineLoadSolution;
 
 namespace {
 
-const data::ElasticNip nip{6.0, 1.0, {1.45e5, 1.0 / 3}};
+const data::ElasticNip nip = data::seed::nip(1.0);
 
 /// Position of line load k = 0 .. 2m-1 and its force, both sides, in the thesis's numbering.
 struct Load {
@@ -96,7 +97,8 @@ TEST_CASE("on a very thick sheet the contact tends to Hertz's, like ln(m)/m") {
 
 TEST_CASE("results scale with the units of length and of stress") {
   const LineLoadSolution one = fast::line_loads_for_load(nip, 3, 60.0);
-  const data::ElasticNip rescaled{6.0 * 25.4, 25.4, {1.45e5 * 7, 1.0 / 3}};
+  const data::ElasticNip rescaled{
+      25.4 * nip.roller_radius, 25.4, {7 * nip.material.young, nip.material.poisson}};
   const LineLoadSolution other = fast::line_loads_for_load(rescaled, 3, 60.0 * 25.4 * 7);
   CHECK(other.contact_length == doctest::Approx(25.4 * one.contact_length).epsilon(1e-11).scale(0));
   CHECK(other.indentation == doctest::Approx(25.4 * one.indentation).epsilon(1e-11).scale(0));
@@ -120,7 +122,7 @@ TEST_CASE("the creep is the tangential displacement of the end, relative to the 
   CHECK(std::abs(centre_line) < 1e-12 * solution.load);  // odd terms cancel in a symmetric nip
   // A thick sheet's surface is drawn in (negative), a thin one's squeezed out.
   CHECK(fast::creep_ratio(nip, solution, 5) < 0);
-  const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
+  const data::ElasticNip thin = data::seed::nip(0.005);
   CHECK(fast::creep_ratio(thin, fast::line_loads_for_load(thin, 10, 100.0), 10) > 0);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
@@ -18,9 +19,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-const data::ElasticNip thick{6.0, 1.0, {1.45e5, 1.0 / 3}};
-const data::ElasticNip middling{6.0, 0.0625, {1.45e5, 1.0 / 3}};
-const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
+const data::ElasticNip thick = data::seed::nip(1.0);
+const data::ElasticNip middling = data::seed::nip(0.0625);
+const data::ElasticNip thin = data::seed::nip(0.005);
 
 /// By how much the thesis's conditions are violated, each in units of its own size; <= 0 if they are met.
 double violation(const LineLoadSolution& solution, bool monotone_ratio) {
@@ -140,7 +141,7 @@ TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
 TEST_CASE("the creep range closes on the continuous contact like 1/m, and there the shear does not zigzag") {
   for (const double thickness : {1.0, 0.25}) {
     CAPTURE(thickness);
-    const data::ElasticNip nip{6.0, thickness, {1.45e5, 1.0 / 3}};
+    const data::ElasticNip nip = data::seed::nip(thickness);
     const double length = 0.45 * thickness;
     const auto truth = fast::converged_for_length(nip, data::Friction::full, length, 1e-8);
     double last_distance = infinity;

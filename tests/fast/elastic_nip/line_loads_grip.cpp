@@ -4,6 +4,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 
@@ -15,9 +16,9 @@ using line_load_tests::displacement;
 
 namespace {
 
-const data::ElasticNip thick{6.0, 1.0, {1.45e5, 1.0 / 3}};
-const data::ElasticNip middling{6.0, 0.0625, {1.45e5, 1.0 / 3}};
-const data::ElasticNip thin{6.0, 0.005, {1.45e5, 1.0 / 3}};
+const data::ElasticNip thick = data::seed::nip(1.0);
+const data::ElasticNip middling = data::seed::nip(0.0625);
+const data::ElasticNip thin = data::seed::nip(0.005);
 
 }  // namespace
 

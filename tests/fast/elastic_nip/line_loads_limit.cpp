@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
@@ -51,9 +52,9 @@ double extrapolated(const std::vector<double>& values) {
 }  // namespace
 
 TEST_CASE("line loads without friction, extrapolated, are the continuous contact") {
-  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
+  for (const double thickness : data::seed::sheet_thicknesses) {
     for (const double load : {25.0, 200.0}) {
-      const data::ElasticNip nip{6.0, thickness, {1.45e5, 1.0 / 3}};
+      const data::ElasticNip nip = data::seed::nip(thickness);
       const auto truth = fast::converged_for_load(nip, data::Friction::none, load, 1e-11);
       std::vector<double> lengths, indentations;
       for (const int m : elements) {
@@ -72,7 +73,7 @@ TEST_CASE("line loads without friction, extrapolated, are the continuous contact
 }
 
 TEST_CASE("many line loads with full friction oscillate, the continuous contact does not") {
-  const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+  const data::ElasticNip nip = data::seed::nip(0.25);
   const double length = 0.113;
   const double creep = -1.93e-4;  // Table IV, W = 100
   for (const int m : {20, 50, 100, 200}) {

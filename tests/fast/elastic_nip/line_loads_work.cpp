@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
@@ -19,7 +20,7 @@ namespace {
 
 using Counts = std::array<std::uint64_t, 7>;
 
-const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+const data::ElasticNip nip = data::seed::nip(0.25);
 
 }  // namespace
 

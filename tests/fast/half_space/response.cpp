@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 
@@ -48,10 +49,13 @@ double deviation(double value, const Real& exact) {
   return static_cast<double>(abs(value / exact - 1)) / ulp;
 }
 
-const double unit_speed = std::sqrt(77.2e9 / 7860);
+// Pa, where the seed has GPa
+const double unit_speed = std::sqrt(1e9 * data::seed::steel.shear / data::seed::steel.density);
 
-/// Graphite epoxy, brock2013 sec. 4.
-constexpr TransverselyIsotropicSolid graphite_epoxy{13.9e9, 160.7e9, 6.44e9, 7.07e9, 3.5e9, 1688};
+constexpr TransverselyIsotropicSolid graphite_epoxy{
+    1e9 * data::seed::graphite_epoxy.c11, 1e9 * data::seed::graphite_epoxy.c33,
+    1e9 * data::seed::graphite_epoxy.c13, 1e9 * data::seed::graphite_epoxy.c44,
+    1e9 * data::seed::graphite_epoxy.c66, data::seed::graphite_epoxy.density};
 
 /// lambda = mu: every modulus and Poisson's ratio are doubles.
 constexpr TransverselyIsotropicSolid isotropic{3, 3, 1, 1, 1, 1};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
@@ -21,7 +22,7 @@ using data::ElasticNip;
 
 namespace {
 
-const ElasticNip nip{6, 0.25, {1.45e5, 1.0 / 3}};
+const ElasticNip nip = nipref::data::seed::nip(0.25);
 
 double relative_error(const ref::Enclosure& truth, double value) {
   return std::fabs(truth.error_of(value) / value);
@@ -103,7 +104,7 @@ TEST_CASE(
 TEST_CASE("ref converged contact: the double path agrees to 1e-12, its estimates cover the difference") {
   for (const double thickness : {1.0, 0.0625}) {
     for (const double load : {25.0, 200.0}) {
-      const ElasticNip here{6, thickness, {1.45e5, 1.0 / 3}};
+      const ElasticNip here = nipref::data::seed::nip(thickness);
       const auto truth = ref::converged_for_load(here, load, 25);
       const auto computed = fast::converged_for_load(here, data::Friction::none, load, 1e-12);
       const auto agree = [](const ref::Enclosure& exact, const fast::Estimate& estimate) {

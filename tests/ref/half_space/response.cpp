@@ -8,6 +8,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
@@ -94,8 +95,13 @@ ExactStiffness turned(const ExactStiffness& solid, const mpq_class& cosine, cons
 }
 
 /// The carbon fibre epoxy of brock2013 in units of the steel's shear modulus and density.
-const data::TransverselyIsotropicSolid composite{13.9 / 77.2, 160.7 / 77.2, 6.44 / 77.2,
-                                                 7.07 / 77.2, 3.5 / 77.2,   1688.0 / 7860};
+const data::TransverselyIsotropicSolid composite = [] {
+  using namespace data::seed;
+  return data::TransverselyIsotropicSolid{
+      graphite_epoxy.c11 / steel.shear, graphite_epoxy.c33 / steel.shear,
+      graphite_epoxy.c13 / steel.shear, graphite_epoxy.c44 / steel.shear,
+      graphite_epoxy.c66 / steel.shear, graphite_epoxy.density / steel.density};
+}();
 
 }  // namespace
 

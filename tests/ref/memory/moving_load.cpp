@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
@@ -238,6 +239,14 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
   CHECK(thesis.theta2.terms[0].amplitude == solid.theta2.terms[0].amplitude);
   CHECK(solid.normal().terms.size() == 1);
   CHECK(thesis.normal().terms.size() == 2);
+  // The double path's is the same, rounded.
+  const ExactMaterial rounded = exact_material(
+      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25));
+  CHECK(rounded.theta2.terms[0].rate == thesis.theta2.terms[0].rate);
+  CHECK(rounded.theta1.instantaneous.get_d() ==
+        doctest::Approx(thesis.theta1.instantaneous.get_d()).epsilon(1e-15));
+  CHECK(rounded.theta2.instantaneous.get_d() ==
+        doctest::Approx(thesis.theta2.instantaneous.get_d()).epsilon(1e-15));
 }
 
 TEST_CASE("moving load: a material in double is taken as it is, complex rates are refused") {

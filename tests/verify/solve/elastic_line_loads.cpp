@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
@@ -18,7 +19,7 @@ using fast::Estimate;
 
 namespace {
 
-const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+const data::ElasticNip nip = data::seed::nip(0.25);
 constexpr double accuracy = 1e-9;
 
 data::ElasticNipProblem problem_of(data::Friction friction, int elements) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -16,7 +17,7 @@ using fast::Estimate;
 
 namespace {
 
-const data::ElasticNip nip{6.0, 0.25, {1.45e5, 1.0 / 3}};
+const data::ElasticNip nip = data::seed::nip(0.25);
 const data::Positions inside_and_outside{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}};
 
 data::Scene scene_of(data::Friction friction, const std::vector<std::string>& wanted,

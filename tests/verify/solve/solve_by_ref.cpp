@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
@@ -13,7 +14,7 @@ using namespace nipref;
 namespace {
 
 data::Scene scene_of(double thickness, const std::vector<std::string>& wanted) {
-  data::ElasticNipProblem problem{.nip = {6.0, thickness, {1.45e5, 1.0 / 3}},
+  data::ElasticNipProblem problem{.nip = data::seed::nip(thickness),
                                   .given = data::GivenLoad{100},
                                   .creep_ratio = {},
                                   .method = data::ConvergedMethod{},

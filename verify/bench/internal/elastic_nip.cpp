@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
@@ -36,8 +37,8 @@ struct Case {
 /// The sheets of the thesis, at the middle of its loads.
 std::vector<Case> cases() {
   std::vector<Case> all;
-  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
-    all.push_back({fmt::format("B={} W=100", thickness), {6, thickness, {1.45e5, 1.0 / 3}}, 100});
+  for (const double thickness : data::seed::sheet_thicknesses) {
+    all.push_back({fmt::format("B={} W=100", thickness), data::seed::nip(thickness), 100});
   }
   return all;
 }

@@ -29,9 +29,7 @@ constexpr std::size_t directions = 1000;
 constexpr double theta_deg = 45, speed = 0.3;
 
 /// The seed's graphite epoxy, as the catalogue has it; theta_deg, psi_deg, speed first.
-Point line_point(double axis, double psi_deg) {
-  return {theta_deg, psi_deg, speed, axis, 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
-}
+Point line_point(double axis, double psi_deg) { return with_epoxy({theta_deg, psi_deg, speed, axis}); }
 
 std::vector<double> angles() {
   std::vector<double> all;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
@@ -30,7 +31,9 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr auto rolling = "rolling";
 
 /// Bulk modulus 1 and relaxation time 1, at unit speed and half-thickness.
-data::ViscoelasticMaterial unit_solid() { return {{4.0 / 3, {{4.0 / 3, 1.0}}}, {4.0 / 9, {{4.0 / 9, 1.0}}}}; }
+data::ViscoelasticMaterial unit_solid() {
+  return data::single_relaxation_time_solid(1, data::thesis_shear_over_bulk, 1);
+}
 
 struct Times {
   double t, T;

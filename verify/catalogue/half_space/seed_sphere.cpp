@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
@@ -37,7 +38,7 @@ fast::SurfaceResponse seed_contact(Doubles x) {
   const Direction motion = direction_of_degrees(x[0]);
   const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
       transverse_at(x, solid_at), axis_at(x, solid_at), motion, x[1]);
-  const data::IsotropicSolid steel = unit_isotropic(seed::steel_poisson);
+  const data::IsotropicSolid steel = unit_isotropic(data::seed::steel.poisson);
   return [=, speed = x[patch_at] * x[1]](Direction from_motion) -> fast::LineResponse {
     const fast::LineResponse lower = surface->along(turned(from_motion, motion));
     const fast::LineResponse upper = fast::isotropic_response(steel, speed, from_motion);
@@ -57,7 +58,7 @@ ref::SurfaceAnswer exact_seed_contact(Exacts x) {
   const ref::ExactStiffness solid = exact_transverse_at(x, solid_at);
   const auto motion = ref::SurfaceDirection::of_degrees(x[0]);
   const ref::SurfaceAnswer steel = exact_isotropic_surface(
-      Exact(mpq_class("29529/100000")), Exact(mpq_class(x[patch_at].value() * x[1].value())));
+      as_written(data::seed::steel.poisson), Exact(mpq_class(x[patch_at].value() * x[1].value())));
   return [=, theta = x[0].value(), speed = x[1]](const Exact& degrees, int digits) -> ref::LineAnswer {
     const auto psi = ref::SurfaceDirection::of_degrees(Exact(mpq_class(theta + degrees.value())));
     const auto lower = ref::line_response(solid, speed, motion, psi, digits);
@@ -83,16 +84,16 @@ Quantity seed_entry(std::string name, std::string definition, std::string source
 constexpr double largest_share = 0.9;
 
 void draw_seed(Quantity& entry, std::function<Point(Random&)> own) {
-  const auto solid = [](double axis) { return Point{axis, 13.9, 160.7, 6.44, 7.07, 3.5, 1688}; };
   entry.draw = [=, own = std::move(own)](Random& random) {
     Point x{random.uniform(-90, 90), 0, random.chance(0.5) ? 0.0 : 1.0};
-    for (const double value : solid(random.chance(0.5) ? 0 : 1)) x.push_back(value);
+    x.push_back(random.chance(0.5) ? 0 : 1);
+    x = with_epoxy(std::move(x));
     x[1] = random.uniform(0.01, largest_share) * critical_at(x);
     for (const double value : own(random)) x.push_back(value);
     return x;
   };
   entry.keep_off = [=](Point& x) {
-    std::ranges::copy(solid(x[solid_at]), x.begin() + solid_at);
+    std::ranges::copy(with_epoxy({x[solid_at]}), x.begin() + solid_at);
     x[1] = std::min(x[1], largest_share * critical_at(x));
   };
 }

@@ -39,7 +39,7 @@ struct LineOfDoubles {
 /// Positive energy, both axes, stiffnesses over two decades; now and then the seed's.
 Point draw_solid(Random& random) {
   const double axis = random.chance(0.5) ? 0 : 1;
-  if (random.chance(0.1)) return {axis, 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
+  if (random.chance(0.1)) return with_epoxy({axis});
   const double c66 = random.log_uniform(1, 100), c44 = random.log_uniform(1, 100);
   const double c11 = c66 * (1 + random.log_uniform(1e-2, 100)), c33 = random.log_uniform(1, 1000);
   const double c13 = random.uniform(-0.99, 0.99) * std::sqrt((c11 - c66) * c33);
@@ -63,7 +63,7 @@ bool is_physical(Doubles x, std::size_t solid_at) {
 /// The search's steps may leave the domain: then to the seed's solid, and below the critical speed.
 void keep_line_off(Point& x) {
   if (!is_physical(x, line_solid)) {
-    const Point safe{x[line_solid], 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
+    const Point safe = with_epoxy({x[line_solid]});
     std::ranges::copy(safe, x.begin() + line_solid);
   }
   x[2] = std::min(x[2], nearest_critical * critical_at(x, line_solid, x[0]).speed);
@@ -169,7 +169,7 @@ Quantity entry_branch() {
     return x;
   };
   entry.keep_off = [](Point& x) {
-    if (!is_physical(x, solid)) x = {x[0], x[1], 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
+    if (!is_physical(x, solid)) x = with_epoxy({x[0], x[1]});
   };
   entry.by_ref = [](Exacts x, int digits) {
     return ref::bulk_wave_speed(exact_transverse_at(x, solid, data::SymmetryAxis::in_plane),
@@ -199,11 +199,11 @@ Quantity entry_transverse_critical() {
   entry.promise = 16;
   entry.audit_points = 6;
   entry.draw = [](Random& random) {
-    return Point{random.uniform(-90, 90), random.chance(0.2) ? 0.0 : 1.0, 13.9, 160.7, 6.44, 7.07, 3.5, 1688};
+    return with_epoxy({random.uniform(-90, 90), random.chance(0.2) ? 0.0 : 1.0});
   };
   // The seed's solid only: in others the line that is critical first may be so by a bulk wave, or all but,
   // and the reference proves the speed of surface waves.
-  entry.keep_off = [](Point& x) { x = {x[0], x[1], 13.9, 160.7, 6.44, 7.07, 3.5, 1688}; };
+  entry.keep_off = [](Point& x) { x = with_epoxy({x[0], x[1]}); };
   entry.by_ref = [](Exacts x, int digits) {
     return ref::critical_speed(exact_transverse_at(x, solid), SurfaceDirection::of_degrees(x[0]), digits)
         .speed;
@@ -232,11 +232,9 @@ Quantity entry_transverse_rayleigh() {
   entry.audit_points = 6;
   entry.draw = [](Random& random) {
     const double theta = random.uniform(-90, 90);
-    return Point{
-        theta, theta + random.uniform(-60, 60), random.chance(0.2) ? 0.0 : 1.0, 13.9, 160.7, 6.44, 7.07, 3.5,
-        1688};
+    return with_epoxy({theta, theta + random.uniform(-60, 60), random.chance(0.2) ? 0.0 : 1.0});
   };
-  entry.keep_off = [](Point& x) { x = {x[0], x[1], x[2], 13.9, 160.7, 6.44, 7.07, 3.5, 1688}; };
+  entry.keep_off = [](Point& x) { x = with_epoxy({x[0], x[1], x[2]}); };
   const auto speed = [](const ref::ExactStiffness& material, const SurfaceDirection& motion,
                         const SurfaceDirection& psi, int digits) {
     const auto found = ref::surface_wave_speed(material, motion, psi, digits);

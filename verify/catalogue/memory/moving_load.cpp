@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
@@ -27,8 +28,9 @@ constexpr auto remembered_size =
 /// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
 /// e^(-2t/tau).
 data::ViscoelasticMaterial material_of(double solid, double bulk, double tau) {
-  const double theta1 = 4 / (3 * bulk), theta2 = 4 / (9 * bulk);
-  return {{theta1, {{theta1 / tau, 1 / tau}}}, {theta2, {{theta2 / tau, (solid == 0 ? 1 : 2) / tau}}}};
+  const data::Compliances at_once{4 / (3 * bulk), 4 / (9 * bulk)};
+  return solid == 0 ? data::single_relaxation_time_solid(at_once, tau)
+                    : data::misprinted_thesis_solid(at_once, tau);
 }
 
 ref::ExactMaterial exact_material_of(const ref::Exact& solid, const ref::Exact& bulk, const ref::Exact& tau) {

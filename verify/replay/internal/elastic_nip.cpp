@@ -4,21 +4,13 @@
 #include <array>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/row.hpp>
 
 namespace nipref::verify {
 namespace {
-
-/// Young's modulus that reproduces the thesis's elastic tables; the 1.45e5 psi it states reproduces none of
-/// them.
-constexpr double young_of_the_tables = 1.40536e5;
-
-/// One third as the thesis's program must have read it. Of the 126 legible cells d0, d1, p_max and q_max of
-/// III-VI 83 match at 1/3, 105 at this. At 1/3, E changed by up to 3 psi, kernels of 20 to 500 residues, and
-/// kernels in single precision, binary or the IBM 360's hexadecimal, leave it at 87 or fewer.
-constexpr double poisson_of_the_tables = 0.33333;
 
 /// How the printed creep of a table stands for its value.
 enum class CreepReading {
@@ -170,8 +162,7 @@ const LineLoadTable& line_load_table(const std::string& id) {
 }
 
 data::ElasticNip nip_of_the_tables(const data::Table& table) {
-  return {
-      table.parameter("R").value, table.parameter("B").value, {young_of_the_tables, poisson_of_the_tables}};
+  return {table.parameter("R").value, table.parameter("B").value, data::seed::sheet_of_the_tables};
 }
 
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side) {

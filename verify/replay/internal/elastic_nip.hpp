@@ -26,7 +26,7 @@ const LineLoadTable& line_load_table(const std::string& id);
 /// constants that reproduce the tables. A length that is not printed is taken from L/B.
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side);
 
-/// The nip of such a table at those constants, E = 1.40536e5 psi and poisson = 0.33333.
+/// The nip of such a table at those constants, seed::sheet_of_the_tables.
 data::ElasticNip nip_of_the_tables(const data::Table& table);
 
 }  // namespace nipref::verify

@@ -4,6 +4,7 @@
 #include <array>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
@@ -31,11 +32,6 @@ constexpr std::array<ViscoelasticTable, 16> tables{{{"thesis-XI", 2, 24},
                                                     {"thesis-XXIV", 10, 60},
                                                     {"thesis-XXV", 10, 60},
                                                     {"thesis-XXVI", 10, 60}}};
-
-/// theta(t) = compliance (delta(t) + e^(-rate t)/relaxation_time).
-data::MaterialFunction relaxing(double compliance, double relaxation_time, double rate) {
-  return {compliance, {{compliance / relaxation_time, rate}}};
-}
 
 class ViscoelasticRowReplay {
  public:
@@ -154,10 +150,10 @@ data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, s
                                                      bool as_defined) {
   const data::ElasticNip elastic = nip_of_the_tables(table);
   const double time = relaxation_length(table, row);  // at unit speed
-  return {elastic.roller_radius,
-          elastic.sheet_thickness,
-          {relaxing(elastic.material.theta1(), time, 1 / time),
-           relaxing(elastic.material.theta2(), time, (as_defined ? 1 : 2) / time)},
+  const data::Compliances at_once{elastic.material.theta1(), elastic.material.theta2()};
+  return {elastic.roller_radius, elastic.sheet_thickness,
+          as_defined ? data::single_relaxation_time_solid(at_once, time)
+                     : data::misprinted_thesis_solid(at_once, time),
           1};
 }
 

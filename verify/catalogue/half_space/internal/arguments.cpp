@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/response.hpp>
@@ -8,6 +11,9 @@
 
 namespace nipref::verify {
 namespace {
+
+using data::seed::graphite_epoxy;
+using data::seed::steel;
 
 struct Constants {
   mpq_class c11, c33, c13, c44, c66, density;
@@ -57,6 +63,14 @@ fast::Direction turned(fast::Direction from_motion, fast::Direction motion) {
           from_motion.sine * motion.cosine + from_motion.cosine * motion.sine};
 }
 
+ref::Exact as_written(double constant) { return ref::Exact::parse(fmt::format("{}", constant)); }
+
+Point with_epoxy(Point x) {
+  const auto& [c11, c33, c13, c44, c66, density] = graphite_epoxy;
+  x.insert(x.end(), {c11, c33, c13, c44, c66, density});
+  return x;
+}
+
 data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
 
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson) {
@@ -91,12 +105,15 @@ void append_transverse_arguments(std::vector<Argument>& arguments) {
 }
 
 void append_constants(std::vector<Argument>& arguments) {
-  arguments.push_back({"c11", ArgumentKind::positive, seed::c11, {}});
-  arguments.push_back({"c33", ArgumentKind::positive, seed::c33, {}});
-  arguments.push_back({"c13", ArgumentKind::amplitude, seed::c13, {}});
-  arguments.push_back({"c44", ArgumentKind::positive, seed::c44, {}});
-  arguments.push_back({"c66", ArgumentKind::positive, seed::c66, {}});
-  arguments.push_back({"density", ArgumentKind::positive, seed::density, {}});
+  const auto append = [&](const char* name, ArgumentKind kind, double value) {
+    arguments.push_back({name, kind, fmt::format("{}", value), {}});
+  };
+  append("c11", ArgumentKind::positive, graphite_epoxy.c11);
+  append("c33", ArgumentKind::positive, graphite_epoxy.c33);
+  append("c13", ArgumentKind::amplitude, graphite_epoxy.c13);
+  append("c44", ArgumentKind::positive, graphite_epoxy.c44);
+  append("c66", ArgumentKind::positive, graphite_epoxy.c66);
+  append("density", ArgumentKind::positive, graphite_epoxy.density);
 }
 
 data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
@@ -104,13 +121,13 @@ data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
 }
 
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
-  const auto in_steel = [&](std::size_t i) { return x[at + i] / seed::steel_shear; };
-  return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / seed::steel_density};
+  const auto in_steel = [&](std::size_t i) { return x[at + i] / steel.shear; };
+  return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / steel.density};
 }
 
 ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
   const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
-  constexpr double nu = seed::steel_poisson;
+  constexpr double nu = steel.poisson;
   return {solid.c11,
           solid.c33,
           solid.c13,
@@ -126,7 +143,7 @@ ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
-  const mpq_class shear("772/10"), density("7860");
+  const mpq_class shear = as_written(steel.shear).value(), density = as_written(steel.density).value();
   const auto in_steel = [&](std::size_t i) { return mpq_class(x[at + i].value() / shear); };
   const Constants c{in_steel(1), in_steel(2), in_steel(3),
                     in_steel(4), in_steel(5), mpq_class(x[at + 6].value() / density)};

@@ -30,19 +30,13 @@ fast::SurfaceResponse isotropic_surface(double poisson, double speed);
 /// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
 
-/// The seed's steel, whose mu is the unit of stress and whose v_S is that of speed, and its graphite epoxy in
-/// these units. (brock2013 section 3)
-namespace seed {
-inline constexpr const char* c11 = "13.9";
-inline constexpr const char* c33 = "160.7";
-inline constexpr const char* c13 = "6.44";
-inline constexpr const char* c44 = "7.07";
-inline constexpr const char* c66 = "3.5";
-inline constexpr const char* density = "1688";
-inline constexpr double steel_shear = 77.2;       ///< GPa
-inline constexpr double steel_density = 7860;     ///< kg/m^3
-inline constexpr double steel_poisson = 0.29529;  ///< c_D = 1.8554
-}  // namespace seed
+// The seed's steel is the unit: its mu of stress, its v_S of speed. (brock2013 section 3)
+
+/// The decimal number that a constant is written as, exactly; 77.2 is no double.
+ref::Exact as_written(double constant);
+
+/// `x` and the seed's graphite epoxy, c11 to density.
+Point with_epoxy(Point x);
 
 /// axis, c11, c33, c13, c44, c66 (GPa), density (kg/m^3), from the argument number `at` on, with the seed's
 /// values unless others are given.
