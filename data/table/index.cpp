@@ -7,6 +7,9 @@
 namespace nipref::data {
 namespace {
 
+/// Files beside the tables that are none.
+constexpr std::array<std::string_view, 2> about_cells{"errata", "known_misses"};
+
 int roman_digit(char digit) {
   switch (digit) {
     case 'I':
@@ -61,8 +64,8 @@ void count_values(const Table& table, std::size_t column, TableSummary& summary)
 std::vector<std::string> table_ids(const std::filesystem::path& directory) {
   std::vector<std::string> ids;
   for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (entry.path().extension() == ".csv" && entry.path().stem() != "errata")
-      ids.push_back(entry.path().stem().string());
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".csv" && !std::ranges::count(about_cells, name)) ids.push_back(name);
   }
   std::sort(ids.begin(), ids.end(), [](const auto& a, const auto& b) { return order(a) < order(b); });
   return ids;

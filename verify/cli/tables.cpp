@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <nipref/data/directory.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
@@ -31,16 +32,17 @@ bool has_doubtful_length(const Replay& replay, std::size_t row) {
 
 /// Unexplained though the table speaks against neither the printed number nor the length its row is replayed
 /// from, and not known to be so.
-bool falls_short(const Replay& replay, const ReplayedCell& cell) {
+bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = replay.table.cell(cell.row, cell.column);
   return cell.verdict == Verdict::unexplained && printed.is_readable() && !printed.is_doubtful() &&
-         !has_doubtful_length(replay, cell.row) && !is_known_miss(replay, cell);
+         !has_doubtful_length(replay, cell.row) && !is_known_miss(known, replay, cell);
 }
 
 }  // namespace
 
 int tables_verb(const TablesRequest& request, std::ostream& out) {
   if (request.list) return list_tables(request, out);
+  const auto known = data::load_known_misses(data::tables_directory() / "known_misses.csv");
   std::vector<Replay> replays;
   for (const std::string& id : request.ids.empty() ? replayable_tables() : request.ids) {
     replays.push_back(replay_table(id));
@@ -51,9 +53,9 @@ int tables_verb(const TablesRequest& request, std::ostream& out) {
   } else {
     fmt::print(out, "{}", tables_text(replays, request.compact));
   }
-  const bool short_fall = std::ranges::any_of(replays, [](const Replay& replay) {
+  const bool short_fall = std::ranges::any_of(replays, [&](const Replay& replay) {
     return std::ranges::any_of(replay.cells,
-                               [&](const ReplayedCell& cell) { return falls_short(replay, cell); });
+                               [&](const ReplayedCell& cell) { return falls_short(known, replay, cell); });
   });
   return short_fall ? 1 : 0;
 }

@@ -14,7 +14,7 @@ struct TablesRequest {
 };
 
 /// Writes the replay of the tables, cell by cell, or the list. Exit status: 1 if a cell is unexplained that
-/// neither its own row contradicts nor replay_known.hpp lists, else 0. BadInput for unknown ids.
+/// neither its own row contradicts nor known_misses.csv lists, else 0. BadInput for unknown ids.
 int tables_verb(const TablesRequest& request, std::ostream& out);
 
 }  // namespace nipref::verify

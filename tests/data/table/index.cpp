@@ -8,6 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
+#include <nipref/data/table/known_misses.hpp>
 
 // What the tables hold as a whole: none is missing, none has lost a row, and the errata fit them.
 
@@ -100,6 +101,20 @@ TEST_CASE("every erratum belongs to a table, and every one is found again in its
   CHECK(attached == errata.size());
 }
 
+TEST_CASE("every known miss is a cell that has a number and is in no doubt") {
+  const auto misses = load_known_misses(tables_directory() / "known_misses.csv");
+  CHECK_FALSE(misses.empty());
+  for (const KnownMiss& miss : misses) {
+    CAPTURE(miss.table);
+    CAPTURE(miss.row);
+    CAPTURE(miss.column);
+    const Table table = load_table_by_id(miss.table);
+    const TableCell& cell = table.cell(miss.row - 1, miss.column);
+    CHECK(cell.is_readable());
+    CHECK_FALSE(table.columns[table.column_index(miss.column)].is_key);
+  }
+}
+
 TEST_CASE("the summary counts each cell once") {
   for (const auto& summary : summarize_tables()) {
     CAPTURE(summary.id);
@@ -114,6 +129,7 @@ TEST_CASE("an id is looked up, never used as a path") {
   CHECK_THROWS_AS((void)load_table_by_id("thesis-I"), BadInput);
   CHECK_THROWS_AS((void)load_table_by_id("../tables/thesis-III"), BadInput);
   CHECK_THROWS_AS((void)load_table_by_id("errata"), BadInput);
+  CHECK_THROWS_AS((void)load_table_by_id("known_misses"), BadInput);
 }
 
 TEST_CASE("what a table does not have is refused by name") {

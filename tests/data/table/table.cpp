@@ -7,6 +7,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
 
 // The reader of the tables: numbers with their rounding, and files that are not as they should be.
@@ -186,6 +187,26 @@ TEST_CASE("errata that do not fit are refused with file, line and column") {
         "errata.csv:2:1: must read the cell as a plain number");
   CHECK(refusal_of(table, "t,1,L,2.5,2.6,trend,a\nt,1,L,2.5,2.7,trend,b\n") ==
         "errata.csv:3:1: must be the only line for its cell");
+}
+
+TEST_CASE("known misses that are malformed are refused with file, line and column") {
+  const auto refusal_of_misses = [](const std::string& text) {
+    const Folder folder;
+    try {
+      (void)load_known_misses(folder.write("known_misses.csv", text));
+    } catch (const BadInput& error) {
+      return error.value().substr(error.value().rfind('/') + 1) + ": " + error.allowed();
+    }
+    return std::string();
+  };
+  const std::string columns = "table,row,column,note\n";
+  CHECK(refusal_of_misses(columns + "t,1,L,\nt,1,M,\"a, b\"\nt,2,L,\n").empty());
+  CHECK(refusal_of_misses("table,row,column\nt,1,L\n") ==
+        "known_misses.csv:1:1: must be table,row,column,note");
+  CHECK(refusal_of_misses(columns + "t,0,L,\n") == "known_misses.csv:2:3: must be a row number from 1");
+  CHECK(refusal_of_misses(columns + "t,1.5,L,\n") == "known_misses.csv:2:3: must be a row number from 1");
+  CHECK(refusal_of_misses(columns + "t,1,L,\nt,1,L,again\n") ==
+        "known_misses.csv:3:1: must be the only line for its cell");
 }
 
 TEST_CASE("a file that is not there is refused") {

@@ -1,11 +1,12 @@
 #pragma once
+#include <vector>
+
+#include <nipref/data/table/known_misses.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 
-/// Whether a cell is one of those that no replay meets though nothing in its table speaks against them:
-/// known, looked into (see the notes of the replay), and left. A replay that misses any other has lost
-/// something.
-bool is_known_miss(const Replay& replay, const ReplayedCell& cell);
+/// Whether a cell is one of those known. A replay that misses any other has lost something.
+bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell);
 
 }  // namespace nipref::verify
