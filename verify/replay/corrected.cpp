@@ -1,8 +1,6 @@
-#include <algorithm>
 #include <cmath>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
@@ -24,23 +22,6 @@ RowValues converged_row(const data::ElasticNip& nip, data::Friction friction, do
   return row_values(nip, numbers, contact.creep_ratio().value);
 }
 
-/// The row's replay, from the inputs as they stand.
-RowValues line_load_row(const Replay& replay, const data::ElasticNip& nip, const LineLoadTable& how,
-                        std::size_t row) {
-  const auto input = [&](const std::string& column) {
-    return std::ranges::find_if(
-               replay.cells,
-               [&](const ReplayedCell& cell) { return cell.row == row && cell.column == column; })
-        ->value;
-  };
-  return how.friction == data::Friction::none
-             ? row_values(nip, fast::line_loads_for_length(nip, how.elements_per_side, input("L")), 0)
-             : row_values(nip,
-                          fast::gripped_line_loads_for_length(nip, how.elements_per_side, input("L"),
-                                                              input("creep")),
-                          input("creep"));
-}
-
 void correct_elastic(Replay& replay) {
   const LineLoadTable& how = line_load_table(replay.table.id);
   const data::ElasticNip nip = nip_of_the_tables(replay.table);
@@ -49,7 +30,7 @@ void correct_elastic(Replay& replay) {
   std::vector<RowValues> truth;
   for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
     corrected.push_back(converged_row(nip, how.friction, replay.table.cell(row, "W").number->value));
-    line_loads.push_back(line_load_row(replay, nip, how, row));
+    line_loads.push_back(replay.nips[row].values);
     truth.push_back(converged_row(nip, how.friction, line_loads.back().at("W")));
   }
   for (ReplayedCell& cell : replay.cells) cell.corrected = corrected[cell.row].at(cell.column);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <nipref/data/table/table.hpp>
+#include <nipref/verify/replay/row.hpp>
 
 namespace nipref::verify {
 
@@ -53,11 +54,18 @@ struct Cost {
   std::vector<Deviation> columns;
 };
 
+/// A row of a nip's table as it was replayed.
+struct ReplayedNip {
+  RowValues values;           ///< at the inputs as printed; the load that carries the row too
+  int trailing_elements = 0;  ///< m2
+};
+
 struct Replay {
   data::Table table;
   std::string method;  ///< what was replayed, in words
   std::vector<ReplayedCell> cells;
-  std::vector<Cost> costs = {};  ///< empty until corrected
+  std::vector<ReplayedNip> nips = {};  ///< one for each row; of a half-space's table none
+  std::vector<Cost> costs = {};        ///< empty until corrected
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };

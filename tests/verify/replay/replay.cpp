@@ -186,6 +186,21 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   CHECK(text.find("discretisation (against the continuous contact of the same load)") != std::string::npos);
 }
 
+TEST_CASE(
+    "what the mesh costs is measured from the rows as they were replayed, which are not replayed again") {
+  verify::Replay replay = replayed("thesis-VII");
+  REQUIRE(replay.nips.size() == replay.table.rows.size());
+  for (const verify::ReplayedCell& cell : replay.cells)
+    CHECK(replay.nips[cell.row].values.at(cell.column) == cell.value);
+  // Were they, the depths that are lost here would come back.
+  for (verify::ReplayedNip& nip : replay.nips) nip.values["d0"] = 0;
+  verify::correct(replay);
+  const verify::Deviation& depth = replay.costs[0].columns[1];
+  CHECK(depth.column == "d0");
+  CHECK(depth.mean == doctest::Approx(1).epsilon(1e-12));
+  CHECK(depth.largest == -1);
+}
+
 TEST_CASE("corrected with full friction has the shear and the creep of its own") {
   verify::Replay replay = replayed("thesis-IV");
   verify::correct(replay);

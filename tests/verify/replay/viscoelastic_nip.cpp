@@ -120,6 +120,9 @@ TEST_CASE("the creep of short relaxation times lacks what underflowed") {
 
 TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
   Replay replay = replayed("thesis-XI");
+  REQUIRE(replay.nips.size() == replay.table.rows.size());
+  for (const ReplayedCell& cell : replay.cells)
+    CHECK(replay.nips[cell.row].values.at(cell.column) == cell.value);
   verify::correct(replay);
   REQUIRE(replay.costs.size() == 3);
   const auto largest = [&](std::size_t cost, std::size_t column) {

@@ -34,6 +34,8 @@ class RowReplay {
     replayed_ = replay_row(nip, method, input_);
   }
 
+  [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, method_.elements_per_side}; }
+
   [[nodiscard]] ReplayedCell cell(const std::string& column) const {
     const data::TableCell& cell = table_.cell(row_, column);
     const data::Interval range = replayed_.range(column);
@@ -94,17 +96,16 @@ class RowReplay {
   ReplayedRow replayed_;
 };
 
-std::vector<ReplayedCell> replay_cells(const data::Table& table, const data::ElasticNip& nip,
-                                       data::Friction friction, const fast::LineLoadMethod& method,
-                                       CreepReading reading) {
-  std::vector<ReplayedCell> cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const RowReplay replay(table, row, nip, friction, method, reading);
-    for (const data::TableColumn& column : table.columns) {
-      if (!column.is_key) cells.push_back(replay.cell(column.name));
+/// Fills in cells and nips.
+void replay_rows(Replay& replay, const data::ElasticNip& nip, data::Friction friction,
+                 const fast::LineLoadMethod& method, CreepReading reading) {
+  for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+    const RowReplay one(replay.table, row, nip, friction, method, reading);
+    replay.nips.push_back(one.nip());
+    for (const data::TableColumn& column : replay.table.columns) {
+      if (!column.is_key) replay.cells.push_back(one.cell(column.name));
     }
   }
-  return cells;
 }
 
 bool is_met(const ReplayedCell& cell) {
@@ -168,11 +169,12 @@ data::ElasticNip nip_of_the_tables(const data::Table& table) {
 Replay replay_line_loads(data::Table table, data::Friction friction, int elements_per_side) {
   const data::ElasticNip nip = nip_of_the_tables(table);
   Replay replay{std::move(table), method_text(nip, friction, elements_per_side), {}};
-  const auto cells = [&](CreepReading reading) {
-    return replay_cells(replay.table, nip, friction, elements_per_side, reading);
-  };
-  replay.cells = cells(CreepReading::rounded);
-  if (friction == data::Friction::full) explain(replay.cells, cells(CreepReading::away_from_zero));
+  replay_rows(replay, nip, friction, elements_per_side, CreepReading::rounded);
+  if (friction == data::Friction::full) {
+    Replay other{replay.table, replay.method, {}};
+    replay_rows(other, nip, friction, elements_per_side, CreepReading::away_from_zero);
+    explain(replay.cells, other.cells);
+  }
   return replay;
 }
 

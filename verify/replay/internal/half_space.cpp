@@ -72,7 +72,7 @@ bool is_half_space_table(std::string_view id) { return std::ranges::find(ids, id
 
 Replay replay_half_space(data::Table table) {
   const HalfSpaceTable& how = half_space_table(table.id);
-  Replay replay{std::move(table), std::string(how.method), {}, {}};
+  Replay replay{std::move(table), std::string(how.method), {}};
   for (const HalfSpaceCell& cell : how.cells(replay.table)) {
     replay.cells.push_back(judge_half_space(replay.table, cell));
   }

@@ -20,10 +20,10 @@ RowValues continuous(const data::ViscoelasticNip& nip, double load) {
             contact.rolling_resistance().value});
 }
 
-/// All that is computed for one row.
+/// All that is computed for one row besides its replay.
 struct CorrectedRow {
-  RowValues corrected, with_seed_material;              ///< at the table's load
-  RowValues replayed, exact_kernels, mesh, no_mistake;  ///< at the replay's load
+  RowValues corrected, with_seed_material;    ///< at the table's load
+  RowValues exact_kernels, mesh, no_mistake;  ///< at the replay's load
 };
 
 CorrectedRow correct_row(const Replay& replay, std::size_t row, const ViscoelasticTable& how) {
@@ -31,14 +31,12 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
   const auto printed = viscoelastic_nip_of_the_tables(replay.table, row, false);
   const double stated = replay.table.parameter("W").value;
   fast::ViscoelasticLineLoadMethod method = viscoelastic_method(how);
-  const ViscoelasticRowInput input = viscoelastic_row_input(replay.table, row, printed, method);
-  method.trailing_elements = input.trailing_elements;
+  method.trailing_elements = replay.nips[row].trailing_elements;
+  method.residue_terms = 0;
   CorrectedRow result;
   result.corrected = continuous(defined, stated);
   result.with_seed_material = continuous(printed, stated);
-  result.replayed = replay_viscoelastic_row(printed, method, input.leading_length).at_centre;
-  const double load = result.replayed.at("W");
-  method.residue_terms = 0;
+  const double load = replay.nips[row].values.at("W");
   result.exact_kernels =
       viscoelastic_row_values(printed, method, fast::viscoelastic_line_loads_for_load(printed, method, load));
   result.mesh = continuous(printed, load);
@@ -46,9 +44,10 @@ CorrectedRow correct_row(const Replay& replay, std::size_t row, const Viscoelast
   return result;
 }
 
-std::vector<RowValues> each(const std::vector<CorrectedRow>& rows, RowValues CorrectedRow::*which) {
+template <class Row>
+std::vector<RowValues> each(const std::vector<Row>& rows, RowValues Row::*which) {
   std::vector<RowValues> values;
-  for (const CorrectedRow& row : rows) values.push_back(row.*which);
+  for (const Row& row : rows) values.push_back(row.*which);
   return values;
 }
 
@@ -62,16 +61,20 @@ void correct_viscoelastic(Replay& replay) {
     cell.corrected = rows[cell.row].corrected.at(cell.column);
     cell.corrected_with_seed_material = rows[cell.row].with_seed_material.at(cell.column);
   }
-  const auto cost = [&](RowValues CorrectedRow::*wrong, RowValues CorrectedRow::*right) {
-    return deviations({"L", "d0", "p_max", "muR"}, each(rows, wrong), each(rows, right));
+  const std::vector<RowValues> replayed = each(replay.nips, &ReplayedNip::values),
+                               exact_kernels = each(rows, &CorrectedRow::exact_kernels),
+                               mesh = each(rows, &CorrectedRow::mesh),
+                               no_mistake = each(rows, &CorrectedRow::no_mistake);
+  const auto cost = [](const std::vector<RowValues>& wrong, const std::vector<RowValues>& right) {
+    return deviations({"L", "d0", "p_max", "muR"}, wrong, right);
   };
   replay.costs = {
       {"truncation", "500 residue terms against exact kernels, same elements and load",
-       cost(&CorrectedRow::replayed, &CorrectedRow::exact_kernels)},
+       cost(replayed, exact_kernels)},
       {"discretisation", "line loads with exact kernels against the continuous contact of the same load",
-       cost(&CorrectedRow::exact_kernels, &CorrectedRow::mesh)},
+       cost(exact_kernels, mesh)},
       {"exponent", "theta2 with e^(-2t/tau) against e^(-t/tau), continuous contacts of the same load",
-       cost(&CorrectedRow::mesh, &CorrectedRow::no_mistake)}};
+       cost(mesh, no_mistake)}};
 }
 
 }  // namespace nipref::verify

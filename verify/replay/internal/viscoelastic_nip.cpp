@@ -45,6 +45,8 @@ class ViscoelasticRowReplay {
     replayed_ = replay_viscoelastic_row(nip_, method_, input_.leading_length);
   }
 
+  [[nodiscard]] ReplayedNip nip() const { return {replayed_.at_centre, input_.trailing_elements}; }
+
   [[nodiscard]] ReplayedCell cell(const std::string& column) const {
     const data::TableCell& cell = table_.cell(row_, column);
     const data::Interval range = replayed_.range(column);
@@ -167,9 +169,11 @@ Replay replay_viscoelastic(data::Table table, const ViscoelasticTable& how) {
                   nip.material.poisson),
       {}};
   std::vector<std::vector<ReplayedCell>> rows(replay.table.rows.size());
+  replay.nips.resize(rows.size());
   parallel_for(rows.size(),
                [&](std::size_t row) {
                  const ViscoelasticRowReplay one(replay.table, row, how);
+                 replay.nips[row] = one.nip();
                  for (const data::TableColumn& column : replay.table.columns) {
                    if (!column.is_key) rows[row].push_back(one.cell(column.name));
                  }
