@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
@@ -52,10 +53,10 @@ std::string gains_energy(double frequency) {
 
 /// Energy is lost, not gained, in a cycle of this frequency: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K =
 /// 3/theta2 - 1/theta1. Both to rounding: where a modulus does not relax its loss is 0.
-void check_loss(const ViscoelasticMaterial& material, double frequency) {
+void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, double frequency) {
   const Complex p(0, frequency);
-  const Complex shear = material.theta1.transform(p);
-  const Complex plane = material.theta2.transform(p);
+  const Complex shear = theta1.transform(p);
+  const Complex plane = theta2.transform(p);
   constexpr double rounding = 1e-12;
   if (shear.imag() > rounding * std::abs(shear)) {
     throw BadInput("material shear loss", -shear.imag(), gains_energy(frequency));
@@ -68,10 +69,10 @@ void check_loss(const ViscoelasticMaterial& material, double frequency) {
 
 /// Where a loss that is negative anywhere shows: dense against the width of a real rate's peak, far beyond
 /// both ends, and about the resonance of each complex rate in steps of its own width.
-std::vector<double> telling_frequencies(const ViscoelasticMaterial& material) {
+std::vector<double> telling_frequencies(const MaterialFunction& theta1, const MaterialFunction& theta2) {
   std::vector<double> frequencies;
   double least = INFINITY, greatest = 0;
-  for (const MaterialFunction* function : {&material.theta1, &material.theta2}) {
+  for (const MaterialFunction* function : {&theta1, &theta2}) {
     for (const RelaxationTerm& term : function->terms) {
       least = std::min(least, std::abs(term.rate));
       greatest = std::max(greatest, std::abs(term.rate));
@@ -96,15 +97,17 @@ Complex MaterialFunction::transform(Complex p) const {
   return sum;
 }
 
-void ViscoelasticMaterial::check() const {
-  check_function(theta1, "theta1");
-  check_function(theta2, "theta2");
-  for (const double frequency : telling_frequencies(*this)) check_loss(*this, frequency);
+ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2)
+    : theta1_(std::move(theta1)), theta2_(std::move(theta2)) {
+  check_function(theta1_, "theta1");
+  check_function(theta2_, "theta2");
+  for (const double frequency : telling_frequencies(theta1_, theta2_))
+    check_loss(theta1_, theta2_, frequency);
 }
 
 MaterialFunction ViscoelasticMaterial::normal_compliance() const {
-  MaterialFunction sum{theta1.instantaneous + theta2.instantaneous, theta1.terms};
-  for (const RelaxationTerm& term : theta2.terms) {
+  MaterialFunction sum{theta1_.instantaneous + theta2_.instantaneous, theta1_.terms};
+  for (const RelaxationTerm& term : theta2_.terms) {
     const auto same = std::ranges::find(sum.terms, term.rate, &RelaxationTerm::rate);
     if (same == sum.terms.end()) {
       sum.terms.push_back(term);

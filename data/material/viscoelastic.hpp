@@ -22,19 +22,26 @@ struct MaterialFunction {
   [[nodiscard]] double long_time() const { return transform(0).real(); }
 };
 
-/// Isotropic linear viscoelastic material in plane strain.
-struct ViscoelasticMaterial {
-  MaterialFunction theta1;  ///< 1/(2G) as an operator
-  MaterialFunction theta2;  ///< 3/(6K + 2G) as an operator
-
+/// Isotropic linear viscoelastic material in plane strain. There is none that is not physical: it is looked
+/// at over all frequencies once, when it is made, and never changes.
+class ViscoelasticMaterial {
+ public:
   /// Throws BadInput unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
   /// real parts of the rates positive) and the material physical: positive compliances at once and after a
   /// long time, and in shear and in dilatation no gain of energy at any frequency.
-  void check() const;
+  ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2);
+
+  /// 1/(2G) as an operator.
+  [[nodiscard]] const MaterialFunction& theta1() const { return theta1_; }
+  /// 3/(6K + 2G) as an operator.
+  [[nodiscard]] const MaterialFunction& theta2() const { return theta2_; }
 
   /// N = theta1 + theta2, what acts in the normal displacement under a normal load; terms of equal rate
   /// joined.
   [[nodiscard]] MaterialFunction normal_compliance() const;
+
+ private:
+  MaterialFunction theta1_, theta2_;
 };
 
 }  // namespace nipref::data

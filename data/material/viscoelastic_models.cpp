@@ -12,11 +12,6 @@ void check_positive(const char* name, double value) {
   if (!(std::isfinite(value) && value > 0)) throw BadInput(name, value, "must be finite and > 0");
 }
 
-ViscoelasticMaterial checked(ViscoelasticMaterial material) {
-  material.check();
-  return material;
-}
-
 Compliances compliances(double bulk, double shear) {
   check_positive("bulk", bulk);
   check_positive("shear", shear);
@@ -30,7 +25,7 @@ ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time
   const auto function = [&](double compliance, int rate_factor) -> MaterialFunction {
     return {compliance, {{compliance / relaxation_time, rate_factor / relaxation_time}}};
   };
-  return checked({function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor)});
+  return {function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor)};
 }
 
 MaterialFunction prony_function(const PronyList& list, const std::string& name) {
@@ -61,7 +56,7 @@ Polynomial polynomial(Polynomial coefficients, const char* name) {
 ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
   material.check();
   // An incompressible one has theta2 = 0, which no viscoelastic material has.
-  return checked({{material.theta1(), {}}, {material.theta2(), {}}});
+  return {{material.theta1(), {}}, {material.theta2(), {}}};
 }
 
 ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
@@ -95,7 +90,7 @@ ViscoelasticMaterial misprinted_thesis_solid(const Compliances& at_once, double 
 }
 
 ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2) {
-  return checked({prony_function(theta1, "theta1"), prony_function(theta2, "theta2")});
+  return {prony_function(theta1, "theta1"), prony_function(theta2, "theta2")};
 }
 
 ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
@@ -106,10 +101,9 @@ ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
   const Polynomial six = product({6.0}, q_dilatation), two = product({2.0}, q);
   const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
   // A factor P that both have is left out at once: rounding would part its double root.
-  if (p == p_dilatation)
-    return checked({theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation")});
+  if (p == p_dilatation) return {theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation")};
   const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
-  return checked({theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation")});
+  return {theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation")};
 }
 
 }  // namespace nipref::data

@@ -7,7 +7,7 @@
 namespace nipref::data {
 
 // Viscoelastic materials from what describes them. Each throws BadInput, naming the argument as a scene's
-// [material] does, for values out of their domain, and is checked (ViscoelasticMaterial::check).
+// [material] does, for values out of their domain, and for what is no ViscoelasticMaterial.
 
 /// No relaxation at all.
 [[nodiscard]] ViscoelasticMaterial elastic_solid(const ElasticMaterial& material);

@@ -12,7 +12,6 @@ void ViscoelasticNip::check() const {
   check_positive("roller_radius", roller_radius);
   check_positive("sheet_thickness", sheet_thickness);
   check_positive("speed", speed);
-  material.check();
 }
 
 }  // namespace nipref::data

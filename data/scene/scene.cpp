@@ -8,7 +8,6 @@
 
 #include <nipref/data/scene/internal/closest_name.hpp>
 #include <nipref/data/scene/internal/half_space_check.hpp>
-#include <nipref/data/scene/internal/material.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>
 #include <nipref/data/scene/scene.hpp>
@@ -33,16 +32,13 @@ void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
   }
 }
 
-/// The material's own names are those of its functions, "theta1 rate"; all stand in one table.
 void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
   static const std::map<std::string, std::string> keys{
       {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"}, {"speed", "rolling.speed"}};
   try {
     nip.check();
   } catch (const BadInput& error) {
-    const auto known = keys.find(error.argument());
-    if (known == keys.end()) refuse_material(error, origin);
-    origin.refuse_as(known->second, error);
+    origin.refuse_as(keys.at(error.argument()), error);
   }
 }
 
@@ -99,7 +95,7 @@ void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const 
                                [](const RelaxationTerm& term) { return term.rate.imag() == 0; });
   };
   const ViscoelasticMaterial& material = problem.nip.material;
-  require(loads->residue_terms == 0 || (is_real(material.theta1) && is_real(material.theta2)), origin,
+  require(loads->residue_terms == 0 || (is_real(material.theta1()) && is_real(material.theta2())), origin,
           "method.residue_terms", loads->residue_terms,
           "must be 0: the material has complex relaxation rates");
 }

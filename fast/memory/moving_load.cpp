@@ -96,8 +96,7 @@ struct MovingLoad::Fades {
 
 MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
                        Accuracy accuracy)
-    : theta1_(material.theta1), theta2_(material.theta2), accuracy_(accuracy) {
-  material.check();
+    : theta1_(material.theta1()), theta2_(material.theta2()), accuracy_(accuracy) {
   check_positive("speed", speed);
   check_positive("half_thickness", half_thickness);
   way_per_time_ = Two{speed, 0} / half_thickness;

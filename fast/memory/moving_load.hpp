@@ -22,8 +22,7 @@ namespace nipref::fast {
 ///   bad input  nan, infinite, t < 0, and a point under the load, where Un is infinite: data::BadInput
 class MovingLoad {
  public:
-  /// speed: F0 > 0, length/time. half_thickness: b > 0, length. The material has to pass its check(). All
-  /// else: BadInput.
+  /// speed: F0 > 0, length/time. half_thickness: b > 0, length. All else: BadInput.
   MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
              Accuracy accuracy = {});
 

@@ -48,10 +48,9 @@ double remembered_sign(double rate, double t, double T) {
 PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, double speed,
                                  double half_thickness, int terms)
     : roots_(roots(terms)) {
-  material.check();
   positive(speed, "speed");
   positive(half_thickness, "half_thickness");
-  for (const data::MaterialFunction* function : {&material.theta1, &material.theta2}) {
+  for (const data::MaterialFunction* function : {&material.theta1(), &material.theta2()}) {
     for (const data::RelaxationTerm& term : function->terms) {
       if (term.rate.imag() != 0)
         throw data::BadInput("rate", term.rate.imag(), "must be real: the thesis's sums have no others");
@@ -59,8 +58,8 @@ PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, dou
       if (std::ranges::find(rates_, rate) == rates_.end()) rates_.push_back(rate);
     }
   }
-  theta1_ = memory(material.theta1, speed, half_thickness);
-  theta2_ = memory(material.theta2, speed, half_thickness);
+  theta1_ = memory(material.theta1(), speed, half_thickness);
+  theta2_ = memory(material.theta2(), speed, half_thickness);
   both_ = theta1_;
   both_.instantaneous += theta2_.instantaneous;
   for (std::size_t r = 0; r < rates_.size(); ++r) both_.amplitude[r] += theta2_.amplitude[r];

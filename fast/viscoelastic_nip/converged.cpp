@@ -25,8 +25,8 @@ ViscoelasticMaterial viscoelastic_material(const data::ViscoelasticNip& nip) {
   const double half_thicknesses_per_time = nip.speed / nip.half_thickness();
   const double compliance = normal.instantaneous;
   return {memory_terms(normal, half_thicknesses_per_time, compliance),
-          nip.material.theta2.instantaneous / compliance,
-          memory_terms(nip.material.theta2, half_thicknesses_per_time, compliance)};
+          nip.material.theta2().instantaneous / compliance,
+          memory_terms(nip.material.theta2(), half_thicknesses_per_time, compliance)};
 }
 
 ContactUnits units_of(const data::ViscoelasticNip& nip) {

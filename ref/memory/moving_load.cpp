@@ -222,8 +222,7 @@ ExactFunction ExactMaterial::normal() const {
 }
 
 ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
-  material.check();
-  return {exact_function(material.theta1, "theta1"), exact_function(material.theta2, "theta2")};
+  return {exact_function(material.theta1(), "theta1"), exact_function(material.theta2(), "theta2")};
 }
 
 ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {

@@ -27,8 +27,7 @@ struct ExactMaterial {
   [[nodiscard]] ExactFunction normal() const;
 };
 
-/// The doubles of a material, exactly. BadInput unless it is well formed (see its check()) and its rates are
-/// real.
+/// The doubles of a material, exactly. BadInput unless its rates are real.
 ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
 
 /// The thesis's standard linear solid, G = 3K/8, both moduli falling to one half.

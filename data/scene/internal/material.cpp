@@ -2,6 +2,7 @@
 #include <string>
 #include <string_view>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/scene/internal/material.hpp>
 
@@ -70,6 +71,15 @@ Build read_model(const TomlTable& material) {
   return read_operators(material);
 }
 
+/// Throws again what a material refused, as a key of [material] and with its place: the material's own names
+/// are those of its functions, "theta1 rate"; all stand in one table.
+[[noreturn]] void refuse_material(const BadInput& error, const SceneOrigin& origin) {
+  std::string name = error.argument();
+  constexpr std::string_view prefix = "material ";
+  if (name.starts_with(prefix)) name.erase(0, prefix.size());
+  origin.refuse_as("material." + name, error);
+}
+
 }  // namespace
 
 std::string material_model(const TomlTable& material) {
@@ -84,13 +94,6 @@ ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const
   } catch (const BadInput& error) {
     refuse_material(error, origin);
   }
-}
-
-void refuse_material(const BadInput& error, const SceneOrigin& origin) {
-  std::string name = error.argument();
-  constexpr std::string_view prefix = "material ";
-  if (name.starts_with(prefix)) name.erase(0, prefix.size());
-  origin.refuse_as("material." + name, error);
 }
 
 }  // namespace nipref::data

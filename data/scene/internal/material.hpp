@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
 #include <nipref/data/scene/origin.hpp>
@@ -14,8 +13,5 @@ namespace nipref::data {
 /// The material of a rolling nip: any model, "elastic" included. BadInput naming the scene's key.
 [[nodiscard]] ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material,
                                                               const SceneOrigin& origin);
-
-/// Throws again what a material refused, as a key of [material] and with its place.
-[[noreturn]] void refuse_material(const BadInput& error, const SceneOrigin& origin);
 
 }  // namespace nipref::data

@@ -83,9 +83,9 @@ double size_Un(const data::ViscoelasticMaterial& material, double way_per_time, 
 double size_Vn(const data::ViscoelasticMaterial& material, double way_per_time, Journey point, Journey pin) {
   const auto sign = [](double) { return pi / 2; };
   return (convolved(material.normal_compliance(), way_per_time, magnitude_I3, point.from, point.to) +
-          convolved(material.theta2, way_per_time, sign, point.from, point.to) +
-          convolved(material.theta2, way_per_time, magnitude_I4, pin.from, pin.to) +
-          convolved(material.theta1, way_per_time, magnitude_I5, pin.from, pin.to)) /
+          convolved(material.theta2(), way_per_time, sign, point.from, point.to) +
+          convolved(material.theta2(), way_per_time, magnitude_I4, pin.from, pin.to) +
+          convolved(material.theta1(), way_per_time, magnitude_I5, pin.from, pin.to)) /
          pi;
 }
 

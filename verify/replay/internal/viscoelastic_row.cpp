@@ -74,8 +74,8 @@ double underflown_memory(const data::ViscoelasticNip& nip, const fast::Viscoelas
   const double step = loads.element_width() / nip.speed;
   const double start = method.approach * nip.half_thickness() / nip.speed;
   const auto at = [&](double t) {
-    return underflown(nip.material.theta1, loads.loads, t, start + step / 2, step) -
-           underflown(nip.material.theta2, loads.loads, t, start + step / 2, step);
+    return underflown(nip.material.theta1(), loads.loads, t, start + step / 2, step) -
+           underflown(nip.material.theta2(), loads.loads, t, start + step / 2, step);
   };
   return at(start) - at(start + loads.contact_length() / nip.speed);
 }
