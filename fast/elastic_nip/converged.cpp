@@ -4,7 +4,7 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/functionals.hpp>
-#include <nipref/fast/elastic_nip/internal/ladder.hpp>
+#include <nipref/fast/elastic_nip/internal/levels.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 
 namespace nipref::fast {
@@ -146,7 +146,7 @@ ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Fric
   check_contact_length(shape(nip), contact_length);
   return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
-      ElasticNipLadder::at_half_length(contact_length / nip.sheet_thickness, friction, nip.material.poisson,
+      ElasticNipLadder::at_half_length({friction, nip.material.poisson}, contact_length / nip.sheet_thickness,
                                        accuracy)));
 }
 
@@ -157,7 +157,7 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Fricti
   check_contact_load(load);
   auto solved = std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
-      ElasticNipLadder::at_load(load / units_of(nip).load, friction, nip.material.poisson, accuracy));
+      ElasticNipLadder::at_load({friction, nip.material.poisson}, load / units_of(nip).load, accuracy));
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
   return ConvergedElasticNip(std::move(solved));
 }

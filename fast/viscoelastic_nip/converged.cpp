@@ -5,7 +5,7 @@
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
-#include <nipref/fast/viscoelastic_nip/internal/ladder.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/levels.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -20,13 +20,13 @@ std::vector<MemoryTerm> memory_terms(const data::MaterialFunction& function, dou
   return terms;
 }
 
-ViscoelasticMaterial viscoelastic_material(const data::ViscoelasticNip& nip) {
+ViscoelasticNipLevels levels(const data::ViscoelasticNip& nip) {
   const data::MaterialFunction normal = nip.material.normal_compliance();
   const double half_thicknesses_per_time = nip.speed / nip.half_thickness();
   const double compliance = normal.instantaneous;
-  return {memory_terms(normal, half_thicknesses_per_time, compliance),
-          nip.material.theta2().instantaneous / compliance,
-          memory_terms(nip.material.theta2(), half_thicknesses_per_time, compliance)};
+  return ViscoelasticNipLevels({memory_terms(normal, half_thicknesses_per_time, compliance),
+                                nip.material.theta2().instantaneous / compliance,
+                                memory_terms(nip.material.theta2(), half_thicknesses_per_time, compliance)});
 }
 
 ContactUnits units_of(const data::ViscoelasticNip& nip) {
@@ -36,12 +36,12 @@ ContactUnits units_of(const data::ViscoelasticNip& nip) {
 }  // namespace
 
 struct ConvergedViscoelasticNip::Implementation {
-  Implementation(const data::ViscoelasticNip& nip, ViscoelasticLadder solved)
+  Implementation(const data::ViscoelasticNip& nip, ViscoelasticNipLadder solved)
       : units(units_of(nip)), roller_radius(nip.roller_radius), ladder(std::move(solved)) {}
 
   ContactUnits units;
   double roller_radius;
-  ViscoelasticLadder ladder;
+  ViscoelasticNipLadder ladder;
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
   /// Dimensionless Y.
@@ -161,8 +161,8 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_contact_accuracy(accuracy);
   check_contact_length(shape(nip), contact_length);
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      nip, ViscoelasticLadder::at_half_length(contact_length / nip.sheet_thickness,
-                                              viscoelastic_material(nip), accuracy)));
+      nip,
+      ViscoelasticNipLadder::at_half_length(levels(nip), contact_length / nip.sheet_thickness, accuracy)));
 }
 
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
@@ -170,7 +170,7 @@ ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, do
   check_contact_accuracy(accuracy);
   check_contact_load(load);
   auto solved = std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      nip, ViscoelasticLadder::at_load(load / units_of(nip).load, viscoelastic_material(nip), accuracy));
+      nip, ViscoelasticNipLadder::at_load(levels(nip), load / units_of(nip).load, accuracy));
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
   return ConvergedViscoelasticNip(std::move(solved));
 }

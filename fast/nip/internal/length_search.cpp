@@ -1,15 +1,18 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
 
 namespace nipref::fast {
 namespace {
 
-constexpr int most_iterations = 40;
-constexpr double least_slope = 1.8, greatest_slope = 6;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Secants that need more have lost their way; a wrong exponent that is kept may need five lengths a digit.
+constexpr int most_by_secant = 40, most_by_one_exponent = 200;
+/// Creep that sets in over a decade of lengths takes one from the 2 of a half-space.
+constexpr double least_exponent = 1, greatest_exponent = 6;
 
 }  // namespace
 
@@ -19,30 +22,47 @@ double half_length_guess(double load) {
   return std::min(length, longest_sought / 2);
 }
 
-LengthSearch::LengthSearch(double load, double near, double enough, double slope)
-    : load_(load), enough_(enough), log_length_(std::log(near)), slope_(slope) {}
+LengthSearch::LengthSearch(double load, double near, const LengthSearchRule& rule, double exponent)
+    : load_(load),
+      rule_(rule),
+      log_length_(std::min(std::log(near), std::log(rule.longest))),
+      exponent_(exponent) {}
 
-double LengthSearch::half_length() const { return std::exp(log_length_); }
+double LengthSearch::length() const { return std::exp(log_length_); }
 
 bool LengthSearch::settled(double found) {
+  const bool was_last = ++tried_ == (rule_.fixed_exponent ? most_by_one_exponent : most_by_secant);
   if (!(found > 0)) {
-    // Lost to rounding in a film far longer than the load needs.
-    if (iteration_++ == most_iterations) throw std::runtime_error("no contact length found for the load");
+    residual_ = infinity;
     log_length_ -= 1;
-    return false;
+    return was_last;
   }
   const double excess = std::log(found / load_);
-  residual_ = std::fabs(excess);
-  const bool at_rounding = iteration_ > 3 && residual_ < 1e-6 && residual_ > 0.5 * std::fabs(last_excess_);
-  if (residual_ <= enough_ || at_rounding || iteration_++ == most_iterations) return true;
-  if (last_excess_ != 0) {
-    slope_ =
-        std::clamp((excess - last_excess_) / (log_length_ - last_log_length_), least_slope, greatest_slope);
+  residual_ = std::fabs(found / load_ - 1);
+  met_ = residual_ <= rule_.tolerance || at_rounding(excess);
+  const bool at_longest = excess < 0 && log_length_ >= std::log(rule_.longest);
+  if (met_ || was_last || at_longest) return true;
+  step(excess);
+  return false;
+}
+
+/// A secant that does not halve the excess is at rounding; steps of another exponent may be slower, but none
+/// goes back.
+bool LengthSearch::at_rounding(double excess) const {
+  return tried_ > 4 && residual_ < 1e-6 &&
+         std::fabs(excess) >= (by_secant_ ? 0.5 : 1) * std::fabs(last_excess_);
+}
+
+void LengthSearch::step(double excess) {
+  by_secant_ = false;
+  if (!rule_.fixed_exponent && last_excess_ != 0 && log_length_ != last_log_length_) {
+    const double shown = (excess - last_excess_) / (log_length_ - last_log_length_);
+    exponent_ = std::clamp(shown, least_exponent, greatest_exponent);
+    by_secant_ = exponent_ == shown;
   }
   last_log_length_ = log_length_;
   last_excess_ = excess;
-  log_length_ -= excess / slope_;
-  return false;
+  log_length_ = std::min(log_length_ - excess / exponent_, std::log(rule_.longest));
 }
 
 }  // namespace nipref::fast

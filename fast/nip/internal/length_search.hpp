@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 
 namespace nipref::fast {
 
@@ -6,38 +7,66 @@ namespace nipref::fast {
 /// (HalfContact): between half-space and independent springs.
 double half_length_guess(double load);
 
-/// Longer contacts are not sought: nobody asks for them, see contact_converged.hpp.
+/// Half lengths beyond it, in half-thicknesses, are not sought: nobody is given them, see
+/// check_length_of_load.
 inline constexpr double longest_sought = 2e4;
 
-/// Search for the contact length that carries a load: secant iteration on ln(load) as a function of
-/// ln(length), which is nearly straight.
+/// Where a LengthSearch ends and how it steps.
+struct LengthSearchRule {
+  double tolerance;                                          ///< of the load, relative
+  double longest = std::numeric_limits<double>::infinity();  ///< nothing beyond is tried
+  /// Keeps to the exponent it starts with; otherwise the last two loads found say what it is.
+  bool fixed_exponent = false;
+};
+
+/// Search for the contact length, in any unit, that carries a load: ln(load) as a function of ln(length) is
+/// nearly straight, so each step goes to where a straight line meets the load. The first is (thesis 2.13), the
+/// others are secants.
 class LengthSearch {
  public:
   /// The exponent of the load's growth with the length is 2 for a half-space, 3 for springs and 5 for an
   /// incompressible film without slip.
-  static constexpr double usual_slope = 3;
+  static constexpr double usual_exponent = 3;
 
-  /// From half length `near` on, until ln(load found/load) is at most `enough` or rounding allows no less.
-  /// `slope` is what is known of the exponent.
-  LengthSearch(double load, double near, double enough, double slope = usual_slope);
+  /// `near`, > 0: the first length tried. `exponent`: what is known of it.
+  LengthSearch(double load, double near, const LengthSearchRule& rule, double exponent = usual_exponent);
 
-  [[nodiscard]] double half_length() const;
-  /// The exponent as the last steps showed it.
-  [[nodiscard]] double slope() const { return slope_; }
-  /// |ln(load found/load)| at the last half length.
-  [[nodiscard]] double residual() const { return residual_; }
-  /// Takes the load found at half_length(): true if the search ends there, otherwise half_length() has moved.
+  /// To be tried.
+  [[nodiscard]] double length() const;
+  /// Takes the load found at length(): true if the search ends there, otherwise length() has moved. What is
+  /// no load (0, tension, nan) is taken as lost in a contact that is too long.
   bool settled(double found);
 
+  /// At the last length: the load is found within the tolerance, or as well as rounding allows.
+  [[nodiscard]] bool met() const { return met_; }
+  /// |load found/load - 1| at the last length; infinite where none was found.
+  [[nodiscard]] double residual() const { return residual_; }
+  /// The exponent as the last steps showed it.
+  [[nodiscard]] double exponent() const { return exponent_; }
+
  private:
+  [[nodiscard]] bool at_rounding(double excess) const;
+  void step(double excess);
+
   double load_;
-  double enough_;
+  LengthSearchRule rule_;
   double log_length_;
-  double slope_;
+  double exponent_;
+  bool by_secant_ = false;  ///< the last step's exponent was the secant's own
   double last_log_length_ = 0;
-  double last_excess_ = 0;
-  double residual_ = 0;
-  int iteration_ = 0;
+  double last_excess_ = 0;  ///< of ln(load found) over ln(load); 0 before the second step
+  double residual_ = std::numeric_limits<double>::infinity();
+  int tried_ = 0;
+  bool met_ = false;
 };
+
+/// The solution at the length where `search` ends; solve(length) gives solutions with a load.
+template <class Solve>
+auto solution_at_end(LengthSearch& search, const Solve& solve) {
+  while (true) {
+    auto solution = solve(search.length());
+    if (search.settled(solution.load)) return solution;
+  }
+}
 
 }  // namespace nipref::fast

@@ -8,7 +8,7 @@
 #include <memory>
 #include <numbers>
 
-#include <nipref/fast/elastic_nip/internal/ladder.hpp>
+#include <nipref/fast/elastic_nip/internal/levels.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;
@@ -21,7 +21,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 ElasticNipLadder solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
-  return ElasticNipLadder::at_half_length(half_length, friction, poisson, 1e-13);
+  return ElasticNipLadder::at_half_length({friction, poisson}, half_length, 1e-13);
 }
 
 double indentation(const HalfContact& contact) {

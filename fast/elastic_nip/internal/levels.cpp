@@ -1,0 +1,56 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/fast/elastic_nip/internal/levels.hpp>
+#include <nipref/fast/elastic_nip/internal/panels.hpp>
+#include <nipref/fast/elastic_nip/internal/spectral.hpp>
+
+namespace nipref::fast {
+namespace {
+
+/// Where the global expansion would need more terms than the panels have.
+constexpr double longest_spectral = 12;
+
+int grown(double first_terms, int level) {
+  return static_cast<int>(std::ceil(first_terms * std::pow(1.5, level)));
+}
+
+}  // namespace
+
+ElasticNipLevels::Resolution ElasticNipLevels::resolution(double near, int level) const {
+  if (friction_ == data::Friction::none && near <= longest_spectral) {
+    const int terms = grown(2 + near / 2, level);
+    return {true, 1, terms, std::pow(std::hypot(1, 2 / near) + 2 / near, -2 * terms)};
+  }
+  // The end panel takes at most about the distance at which the kernels change; on each, the nearest
+  // singularity is one panel length away.
+  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / 2.5))));
+  const int terms = grown(3, level);
+  return {false, panels, terms, std::pow(3 + std::sqrt(8.0), -terms)};
+}
+
+std::unique_ptr<HalfContact> ElasticNipLevels::solve(double half_length, const Resolution& resolution,
+                                                     double tolerance, CountedKernels& kernels) const {
+  if (resolution.spectral) return spectral_contact(half_length, resolution.terms, kernels);
+  return panel_contact(half_length, friction_, poisson_, {resolution.panels, resolution.terms, tolerance},
+                       kernels);
+}
+
+std::vector<Judged<HalfContact>> ElasticNipLevels::judged(const HalfContact& last, double) const {
+  const double half_length = last.half_length, peak = last.traction(half_length).pressure;
+  std::vector<Judged<HalfContact>> all{
+      {[](const HalfContact& contact) { return contact.load; }},
+      {[](const HalfContact& contact) { return contact.half_length; }},
+      {[](const HalfContact& contact) { return contact.edge_displacement; }, half_length * half_length},
+      {[](const HalfContact& contact) { return contact.creep; }, 0.1 * half_length}};
+  for (const double part : {0.25, 1.0}) {
+    const auto traction = [part](const HalfContact& contact) {
+      return contact.traction(part * contact.half_length);
+    };
+    all.push_back({[=](const HalfContact& contact) { return traction(contact).pressure; }, peak});
+    all.push_back({[=](const HalfContact& contact) { return traction(contact).shear; }, 0.1 * peak});
+  }
+  return all;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/ladder.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
+
+namespace nipref::fast {
+
+/// How the contact of a viscoelastic nip is solved level by level: see Ladder.
+class ViscoelasticNipLevels {
+ public:
+  using Contact = ViscoelasticPressure;
+  struct Resolution {
+    int panels;  ///< on each half
+    int terms;   ///< on each
+    double remainder;
+  };
+  static constexpr int most = 7;
+  /// The worst of the numbers is the eccentricity, judged by its own small size: it lacks more than the rest.
+  static constexpr double whole_share = 0.1;
+
+  explicit ViscoelasticNipLevels(ViscoelasticMaterial material) : material_(std::move(material)) {}
+
+  [[nodiscard]] Resolution resolution(double near, int level) const;
+  [[nodiscard]] std::unique_ptr<ViscoelasticPressure> solve(double half_length, const Resolution& resolution,
+                                                            double tolerance, CountedKernels& kernels) const;
+  [[nodiscard]] std::vector<Judged<ViscoelasticPressure>> judged(const ViscoelasticPressure& last,
+                                                                 double accuracy) const;
+  [[nodiscard]] double half_length_guess(double load) const;
+
+ private:
+  ViscoelasticMaterial material_;
+};
+
+using ViscoelasticNipLadder = Ladder<ViscoelasticNipLevels>;
+
+}  // namespace nipref::fast

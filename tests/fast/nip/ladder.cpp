@@ -1,0 +1,104 @@
+// The ladder on a contact that is known, whose levels lack known parts of it.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include <nipref/fast/nip/internal/ladder.hpp>
+
+using namespace nipref::fast;
+
+namespace {
+
+struct ToyContact {
+  double half_length;
+  double load;
+};
+
+/// load = A^2 (1 + wrong), wrong falling by a factor for each term; or a wrong that is nan.
+struct ToyLevels {
+  using Contact = ToyContact;
+  struct Resolution {
+    int terms;
+    double remainder;
+  };
+  static constexpr int most = 7;
+  static constexpr double whole_share = 1;
+
+  double factor;
+  std::vector<int>* solves;  ///< one entry for each solution: its terms
+
+  [[nodiscard]] static Resolution resolution(double, int level) {
+    const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
+    return {terms, std::pow(6.0, -terms)};
+  }
+  [[nodiscard]] std::unique_ptr<ToyContact> solve(double half_length, const Resolution& resolution,
+                                                  double tolerance, CountedKernels& kernels) const {
+    CHECK(tolerance == std::max(1e-2 * resolution.remainder, 1e-16));
+    kernels.count_system(resolution.terms);
+    solves->push_back(resolution.terms);
+    const double wrong = std::pow(factor, -resolution.terms);
+    return std::make_unique<ToyContact>(half_length, half_length * half_length * (1 + wrong));
+  }
+  [[nodiscard]] static std::vector<Judged<ToyContact>> judged(const ToyContact&, double) {
+    return {{&ToyContact::load}, {&ToyContact::half_length}};
+  }
+  [[nodiscard]] static double half_length_guess(double load) { return load; }
+};
+
+}  // namespace
+
+TEST_CASE("ladder: at a length it climbs until the estimate meets the accuracy, and no further") {
+  for (const double accuracy : {1e-2, 1e-4, 1e-8, 1e-12}) {
+    CAPTURE(accuracy);
+    std::vector<int> solves;
+    const auto ladder = Ladder<ToyLevels>::at_half_length({6, &solves}, 3, accuracy);
+    const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+    CHECK(std::fabs(load.value - 9) <= load.error);
+    CHECK(load.error <= 9 * accuracy);
+    CHECK(ladder.work().systems == solves.size());
+    // With one level less the bound from its differences would have been too large.
+    const auto wrong = [](int terms) { return std::pow(6.0, -terms); };
+    REQUIRE(solves.size() >= 3);
+    if (solves.size() > 3) {
+      const double d1 = wrong(solves[solves.size() - 3]) - wrong(solves[solves.size() - 2]);
+      const double d0 = wrong(solves[solves.size() - 4]) - wrong(solves[solves.size() - 3]);
+      CHECK(3 * d1 * d1 / d0 > 0.9 * accuracy);
+    }
+  }
+}
+
+TEST_CASE("ladder: at a load the length is the one that carries it, and one search leads to the next") {
+  for (const double accuracy : {1e-4, 1e-10}) {
+    CAPTURE(accuracy);
+    std::vector<int> solves;
+    const auto ladder = Ladder<ToyLevels>::at_load({6, &solves}, 25, accuracy);
+    const Estimate length = ladder.estimate([](const ToyContact& contact) { return contact.half_length; });
+    CHECK(std::fabs(length.value - 5) <= length.error);
+    CHECK(length.error <= 5 * accuracy);
+    CHECK(ladder.last().load == doctest::Approx(25).epsilon(1e-2 * accuracy));
+    // From the second level on the exponent is known and the length nearly: a step and a look.
+    CHECK(std::count(solves.begin(), solves.end(), 6) <= 3);
+    CHECK(std::count(solves.begin(), solves.end(), 9) <= 2);
+  }
+}
+
+TEST_CASE("ladder: an accuracy out of reach is not claimed") {
+  std::vector<int> solves;
+  const auto ladder = Ladder<ToyLevels>::at_half_length({1.1, &solves}, 1, 1e-12);
+  const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+  CHECK(std::fabs(load.value - 1) <= load.error);
+  CHECK(load.error > 1e-12);
+}
+
+TEST_CASE("ladder: what is no number stops it") {
+  std::vector<int> solves;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_AS(Ladder<ToyLevels>::at_half_length({nan, &solves}, 1, 1e-6), std::runtime_error);
+  CHECK_THROWS_AS(Ladder<ToyLevels>::at_load({nan, &solves}, 1, 1e-6), std::runtime_error);
+}
