@@ -1,6 +1,6 @@
 #include <Eigen/LU>
 
-#include <nipref/fast/elastic_nip/internal/line_loads_search.hpp>
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
@@ -22,11 +22,11 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLo
 
 LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                      const LoadSearch& search, Work* work) {
-  const auto load_of_length = [&](double length) {
-    return line_loads_for_length(nip, method, length, work).load;
-  };
-  const double length = contact_length_for_load(load_of_length, load, nip.sheet_thickness, search);
-  return line_loads_for_length(nip, method, length, work);
+  LengthSearch lengths = length_search(load, nip.sheet_thickness, search);
+  LineLoadSolution solution = solution_at_end(
+      lengths, [&](double length) { return line_loads_for_length(nip, method, length, work); });
+  if (!lengths.met()) throw data::BadInput("load", load, "no contact length was found that carries it");
+  return solution;
 }
 
 double creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,

@@ -10,7 +10,7 @@
 // element's forces act at its centre, and the sheet is held to the cylinder at the ends of the contact and
 // midway between the loads. (thesis 5.1-5.16) One symmetric half is solved, from 2m values of each kernel.
 //
-// This is what the thesis computed, not the converged contact (contact_converged.hpp): without friction the
+// This is what the thesis computed, not the converged contact (converged.hpp): without friction the
 // scheme's own error falls like ln(m)/m only (contact length at a given load); with friction it does not
 // converge at all at a given creep.
 //
@@ -57,12 +57,12 @@ struct LineLoadSolution {
 /// How the contact length is sought that carries a load.
 struct LoadSearch {
   enum class Iteration {
-    fast,   ///< without friction W(L) - W bracketed, otherwise secants of ln W over ln L
+    fast,   ///< secants of ln W over ln L
     thesis  ///< L <- L (W/W(L))^(1/3) alone (thesis 2.13): a digit takes about two solves
   };
   Iteration iteration = Iteration::fast;
-  /// Relative, of the load; bracketing applies it to the length. 1e-14 to 0.1, otherwise BadInput. The
-  /// thesis's tables stopped near 2e-3.
+  /// Relative, of the load, as far as rounding allows. 1e-14 to 0.1, otherwise BadInput. The thesis's tables
+  /// stopped near 2e-3.
   double tolerance = 0x1p-46;
 };
 

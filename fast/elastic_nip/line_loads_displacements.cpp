@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/elastic_nip/internal/line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 

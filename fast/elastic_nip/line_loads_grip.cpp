@@ -1,9 +1,10 @@
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/elastic_nip/internal/line_loads_search.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
@@ -91,6 +92,11 @@ void check_creep(double creep) {
   if (!std::isfinite(creep)) throw data::BadInput("creep", creep, "must be finite");
 }
 
+[[noreturn]] void refuse(double load, double creep) {
+  throw data::BadInput("load", load,
+                       fmt::format("no contact length was found that carries it at the creep {:g}", creep));
+}
+
 /// Good enough to start from.
 double length_without_friction(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                Work* work) {
@@ -109,14 +115,14 @@ LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, cons
 LineLoadSolution gripped_line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method,
                                              double load, double creep, const LoadSearch& search,
                                              Work* work) {
-  const auto load_of_length = [&](double length) {
-    return gripped_line_loads_for_length(nip, method, length, creep, work).load;
-  };
-  const double trial = length_without_friction(nip, method, load, work);
-  const std::optional<double> length = contact_length_near(load_of_length, load, trial, search);
-  if (!length)
-    throw data::BadInput("load", load, "no contact length was found that carries it at this creep");
-  return gripped_line_loads_for_length(nip, method, *length, creep, work);
+  LengthSearch lengths = length_search(load, length_without_friction(nip, method, load, work), search);
+  LineLoadSolution solution = solution_at_end(lengths, [&](double length) {
+    LineLoadSolution tried = gripped_line_loads_for_length(nip, method, length, creep, work);
+    if (!(tried.load > 0)) refuse(load, creep);
+    return tried;
+  });
+  if (!lengths.met()) refuse(load, creep);
+  return solution;
 }
 
 std::vector<CreepRange> creep_ranges(const data::ElasticNip& nip, const LineLoadMethod& method,
@@ -136,14 +142,14 @@ std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::Elastic
 std::optional<LineLoadSolution> thesis_line_loads_for_load(const data::ElasticNip& nip,
                                                            const LineLoadMethod& method, double load,
                                                            const LoadSearch& search, Work* work) {
-  std::optional<LineLoadSolution> last;
-  const auto load_of_length = [&](double length) -> std::optional<double> {
-    last = thesis_line_loads_for_length(nip, method, length, work);
-    return last ? std::optional(last->load) : std::nullopt;
-  };
-  const double trial = length_without_friction(nip, method, load, work);
-  if (!contact_length_near(load_of_length, load, trial, search)) return std::nullopt;
-  return last;
+  LengthSearch lengths = length_search(load, length_without_friction(nip, method, load, work), search);
+  while (true) {
+    auto solution = thesis_line_loads_for_length(nip, method, lengths.length(), work);
+    if (!solution || !(solution->load > 0)) return std::nullopt;
+    if (!lengths.settled(solution->load)) continue;
+    if (!lengths.met()) refuse(load, solution->gripped_creep.value());
+    return solution;
+  }
 }
 
 }  // namespace nipref::fast

@@ -7,7 +7,7 @@
 // Line loads with full friction, the thesis's Case A: v = creep * Y at the matching points. (thesis 5.5-5.10)
 // The creep is not part of the solution here; the thesis chose it by conditions on the tractions. At a given
 // creep the loads zigzag more and more as m grows, and their sum goes nowhere; the creep that the conditions
-// leave tends to that of the continuous contact like 1/m. Domains and `work` as in contact_line_loads.hpp;
+// leave tends to that of the continuous contact like 1/m. Domains and `work` as in line_loads.hpp;
 // creep: dimensionless, finite, otherwise BadInput.
 
 namespace nipref::fast {

@@ -5,6 +5,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 
 namespace nipref::fast {
@@ -17,6 +19,31 @@ void check_in(const char* name, int value, int least, int most) {
   if (value >= least && value <= most) return;
   throw data::BadInput(name, std::to_string(value),
                        "must be from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+KernelValues from_library(Accuracy accuracy, std::span<const double> alpha, WantedKernels wanted,
+                          Work& work) {
+  CountedKernels kernels(accuracy, work);
+  KernelValues values;
+  if (wanted.I1) values.I1 = kernels.I1(alpha);
+  if (wanted.I3) values.I3 = kernels.I3(alpha);
+  if (wanted.I6) values.I6 = kernels.I6(alpha);
+  return values;
+}
+
+KernelValues from_residues(int terms, std::span<const double> alpha, WantedKernels wanted, Work& work) {
+  KernelValues values;
+  const auto provide = [&](bool is_wanted, int kernel, std::vector<double>& room) {
+    if (!is_wanted) return;
+    room.resize(alpha.size());
+    work.kernel_evaluations[static_cast<std::size_t>(kernel - 1)] += alpha.size();
+    work.terms += alpha.size() * static_cast<std::uint64_t>(terms);
+  };
+  provide(wanted.I1, 1, values.I1);
+  provide(wanted.I3, 3, values.I3);
+  provide(wanted.I6, 6, values.I6);
+  plain_series(alpha, terms, {values.I1, values.I3, values.I6});
+  return values;
 }
 
 /// A kernel's values at odd multiples of half an element, by the multiple.
@@ -69,6 +96,12 @@ std::vector<double> odd_multiples(const data::ElasticNip& nip, const LineLoadMet
   return distances;
 }
 
+KernelValues line_load_kernels(const LineLoadMethod& method, std::span<const double> alpha,
+                               WantedKernels wanted, Work& work) {
+  return method.residue_terms == 0 ? from_library(method.accuracy, alpha, wanted, work)
+                                   : from_residues(method.residue_terms, alpha, wanted, work);
+}
+
 Eigen::MatrixXd slip_matrix(const std::vector<double>& I1) {
   const int m = elements_per_side(I1);
   const AtOddMultiple kernel(I1);
@@ -114,6 +147,17 @@ Eigen::VectorXd gap_at_matching_points(const data::ElasticNip& nip, int elements
 void count_system(int unknowns, Work& work) {
   ++work.systems;
   work.unknowns = std::max(work.unknowns, unknowns);
+}
+
+LengthSearch length_search(double load, double trial_length, const LoadSearch& search) {
+  check_contact_load(load);
+  if (!(search.tolerance >= 1e-14 && search.tolerance <= 0.1)) {
+    throw data::BadInput("tolerance", search.tolerance, "must satisfy 1e-14 <= tolerance <= 0.1");
+  }
+  return {
+      load,
+      trial_length,
+      {.tolerance = search.tolerance, .fixed_exponent = search.iteration == LoadSearch::Iteration::thesis}};
 }
 
 LineLoadSolution solution_of(const data::ElasticNip& nip, int elements_per_side, double contact_length,

@@ -1,7 +1,10 @@
 #pragma once
 #include <Eigen/Core>
+#include <span>
+#include <vector>
 
-#include <nipref/fast/elastic_nip/internal/line_loads_kernels.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 
 namespace nipref::fast {
 
@@ -13,6 +16,23 @@ namespace nipref::fast {
 /// domains.
 std::vector<double> odd_multiples(const data::ElasticNip& nip, const LineLoadMethod& method,
                                   double contact_length);
+
+/// Which kernels a step of the line-load method needs.
+struct WantedKernels {
+  bool I1 = false;
+  bool I3 = false;
+  bool I6 = false;
+};
+
+/// Their values, empty where not wanted. I6 lacks a function of eta, the same for all alpha: in a symmetric
+/// nip it cancels between the loads at +-Y.
+struct KernelValues {
+  std::vector<double> I1, I3, I6;
+};
+
+/// The kernels at each alpha, finite and nonzero, as `method` computes them; counted into `work`.
+KernelValues line_load_kernels(const LineLoadMethod& method, std::span<const double> alpha,
+                               WantedKernels wanted, Work& work);
 
 /// Without friction: u at i = 0 .. m; unknowns d0, P_1 .. P_m. (thesis 5.11)
 Eigen::MatrixXd slip_matrix(const std::vector<double>& I1);
@@ -26,6 +46,10 @@ Eigen::VectorXd gap_at_matching_points(const data::ElasticNip& nip, int elements
                                        double contact_length);
 
 void count_system(int unknowns, Work& work);
+
+/// The search for the contact length that carries `load`, from `trial_length` on; BadInput unless load and
+/// search are in their domains.
+LengthSearch length_search(double load, double trial_length, const LoadSearch& search);
 
 /// Fills a solution from the unknowns.
 LineLoadSolution solution_of(const data::ElasticNip& nip, int elements_per_side, double contact_length,
