@@ -1,13 +1,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/fast/memory/moving_load.hpp>
-#include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 
 namespace nipref::fast {
@@ -16,34 +16,6 @@ namespace {
 using data::BadInput;
 
 constexpr int most_elements = 500;
-constexpr int most_iterations = 60;
-
-/// Displacements by a moving load, plain sums or exact, with lengths in half-thicknesses and times in
-/// b/speed.
-class Sheet {
- public:
-  Sheet(const data::ViscoelasticNip& nip, int terms) : time_(nip.half_thickness() / nip.speed) {
-    if (terms == 0) {
-      exact_.emplace(nip.material, nip.speed, nip.half_thickness());
-    } else {
-      plain_.emplace(nip.material, nip.speed, nip.half_thickness(), terms);
-    }
-  }
-
-  [[nodiscard]] const PlainMovingLoad* plain() const { return plain_ ? &*plain_ : nullptr; }
-  [[nodiscard]] double normal_displacement(double t, double T) const {
-    return exact_->normal_displacement(t * time_, T * time_);
-  }
-  [[nodiscard]] double tangential_displacement(double t, double T, double t0) const {
-    return plain_ ? plain_->tangential_displacement(t, T, t0)
-                  : exact_->tangential_displacement(t * time_, T * time_, t0 * time_);
-  }
-
- private:
-  double time_;
-  std::optional<PlainMovingLoad> plain_;
-  std::optional<MovingLoad> exact_;
-};
 
 /// (7.11), in half-thicknesses.
 struct Grid {
@@ -79,14 +51,14 @@ Eigen::MatrixXd plain_influence(const PlainMovingLoad& sheet, const Grid& grid) 
   return matrix;
 }
 
-Eigen::MatrixXd influence(const Sheet& sheet, const Grid& grid) {
+Eigen::MatrixXd influence(const ViscoelasticSheet& sheet, const Grid& grid) {
   if (sheet.plain() != nullptr) return plain_influence(*sheet.plain(), grid);
   return Eigen::MatrixXd::NullaryExpr(grid.loads + 1, grid.loads, [&](Eigen::Index i, Eigen::Index j) {
     return sheet.normal_displacement(grid.t(static_cast<int>(i)), grid.T(static_cast<int>(j)));
   });
 }
 
-ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet,
+ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const ViscoelasticSheet& sheet,
                             const ViscoelasticLineLoadMethod& method, double leading_length) {
   const Grid cells = grid(nip, method, leading_length);
   const double half_thickness = nip.half_thickness();
@@ -122,30 +94,22 @@ ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Sheet& sheet
   return result;
 }
 
-ViscoelasticLineLoads solve_for_load(const data::ViscoelasticNip& nip, const Sheet& sheet,
+ViscoelasticLineLoads solve_for_load(const data::ViscoelasticNip& nip, const ViscoelasticSheet& sheet,
                                      const ViscoelasticLineLoadMethod& method, double load) {
-  // (2.13) converges slowly but surely; from its second step on the secant of ln(load) over ln(length) is
-  // better.
-  double length = std::sqrt(load * nip.roller_radius * nip.material.normal_compliance().instantaneous);
-  double slope = 3;
-  double last_log_length = 0, last_excess = 0;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    length = std::min(length, nip.roller_radius);
-    ViscoelasticLineLoads result = solve(nip, sheet, method, length);
-    result.systems = iteration + 1;
-    if (!(result.load > 0)) {
-      length *= 0.7;
-      continue;
-    }
-    const double excess = std::log(result.load / load);
-    if (std::fabs(excess) < 1e-10) return result;
-    if (last_excess != 0)
-      slope = std::clamp((excess - last_excess) / (std::log(length) - last_log_length), 1.0, 6.0);
-    last_log_length = std::log(length);
-    last_excess = excess;
-    length *= std::exp(-excess / slope);
+  const double half_space =
+      std::sqrt(load * nip.roller_radius * nip.material.normal_compliance().instantaneous);
+  LengthSearch lengths(load, half_space, {.tolerance = 1e-10, .longest = nip.roller_radius});
+  int systems = 0;
+  ViscoelasticLineLoads result = solution_at_end(lengths, [&](double length) {
+    ++systems;
+    return solve(nip, sheet, method, length);
+  });
+  if (!lengths.met()) {
+    throw BadInput("load", load,
+                   "must be one that line loads on a length below the roller's radius can carry");
   }
-  throw BadInput("load", load, "must be one that line loads on a length below the roller's radius can carry");
+  result.systems = systems;
+  return result;
 }
 
 void check_elements(const char* name, int elements, int least) {
@@ -153,10 +117,6 @@ void check_elements(const char* name, int elements, int least) {
     throw BadInput(name, elements,
                    "must be from " + std::to_string(least) + " to " + std::to_string(most_elements));
   }
-}
-
-void check_load(double load) {
-  if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
 }
 
 }  // namespace
@@ -182,7 +142,7 @@ ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::Viscoelasti
   method.check();
   if (!(leading_length > 0 && leading_length <= nip.roller_radius))
     throw BadInput("leading_length", leading_length, "must be > 0 and at most the roller's radius");
-  return solve(nip, Sheet(nip, method.residue_terms), method, leading_length);
+  return solve(nip, ViscoelasticSheet(nip, method.residue_terms), method, leading_length);
 }
 
 ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
@@ -190,17 +150,17 @@ ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticN
                                                        double load) {
   nip.check();
   method.check();
-  check_load(load);
-  return solve_for_load(nip, Sheet(nip, method.residue_terms), method, load);
+  check_contact_load(load);
+  return solve_for_load(nip, ViscoelasticSheet(nip, method.residue_terms), method, load);
 }
 
 ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::ViscoelasticNip& nip,
                                                         ViscoelasticLineLoadMethod method, double load) {
   nip.check();
-  check_load(load);
+  check_contact_load(load);
   method.trailing_elements = method.leading_elements;
   method.check();
-  const Sheet sheet(nip, method.residue_terms);
+  const ViscoelasticSheet sheet(nip, method.residue_terms);
   for (int systems = 0;; --method.trailing_elements) {
     ViscoelasticLineLoads result = solve_for_load(nip, sheet, method, load);
     result.systems = systems += result.systems;
@@ -211,7 +171,7 @@ ViscoelasticLineLoads viscoelastic_line_loads_by_search(const data::Viscoelastic
 double creep_ratio(const data::ViscoelasticNip& nip, const ViscoelasticLineLoads& loads,
                    const ViscoelasticLineLoadMethod& method) {
   method.check();
-  const Sheet sheet(nip, method.residue_terms);
+  const ViscoelasticSheet sheet(nip, method.residue_terms);
   const Grid cells = grid(nip, method, loads.leading_length);
   const auto tangential = [&](int i) {
     double sum = 0;

@@ -40,7 +40,7 @@ ViscoelasticLineLoads viscoelastic_line_loads_for_length(const data::Viscoelasti
                                                          const ViscoelasticLineLoadMethod& method,
                                                          double leading_length);
 
-/// The same with the length that carries `load`, found by (2.13) to 1e-10 of the load; > 0, otherwise
+/// The same with the length that carries `load`, found by secants of ln(load) over ln(length) to 1e-10 of the load; > 0, otherwise
 /// BadInput.
 ViscoelasticLineLoads viscoelastic_line_loads_for_load(const data::ViscoelasticNip& nip,
                                                        const ViscoelasticLineLoadMethod& method, double load);

@@ -33,7 +33,7 @@ const std::map<std::string_view, double ViscoelasticLineLoads::*> numbers{
 
 struct Solve {
   const data::ViscoelasticNip& nip;
-  const ViscoelasticLineLoadMethod& method;
+  ViscoelasticLineLoadMethod method;
   bool search;  ///< for the number of trailing elements
 
   ViscoelasticLineLoads operator()(const data::GivenLoad& load) const {
@@ -52,12 +52,9 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
   LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
       : truth_(solve_viscoelastic(problem, truth_accuracy)),
         nip_(problem.nip),
-        method_{loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
-                loads.residue_terms},
-        solution_(std::visit(Solve{nip_, method_, !loads.trailing_elements}, problem.given)) {
-    // A search leaves its own number.
-    method_.trailing_elements = static_cast<int>(solution_.loads.size()) - method_.leading_elements;
-  }
+        solution_(std::visit(Solve{nip_, method_of(loads), !loads.trailing_elements}, problem.given)),
+        method_(method_of(loads, solution_)),
+        surface_(nip_, solution_, method_) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     return beside(value(name), truth_->number(name));
@@ -77,6 +74,17 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
   [[nodiscard]] Work error_work() const override { return truth_->work(); }
 
  private:
+  static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads) {
+    return {loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
+            loads.residue_terms};
+  }
+  /// A search leaves its own number of trailing elements.
+  static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads,
+                                              const ViscoelasticLineLoads& solution) {
+    ViscoelasticLineLoadMethod method = method_of(loads);
+    method.trailing_elements = static_cast<int>(solution.loads.size()) - method.leading_elements;
+    return method;
+  }
   static Estimate beside(double value, const Estimate& truth) {
     return {value, std::fabs(value - truth.value) + truth.error};
   }
@@ -89,14 +97,15 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
   [[nodiscard]] double profile(std::string_view name, double y) const {
     if (name == "shear") return 0;
     if (name == "pressure") return fast::element_pressure(solution_, y);
-    if (name == "normal_displacement") return fast::normal_displacement(nip_, solution_, method_, y);
-    return fast::tangential_displacement(nip_, solution_, method_, y);
+    if (name == "normal_displacement") return surface_.normal_displacement(y);
+    return surface_.tangential_displacement(y);
   }
 
   std::unique_ptr<SolvedContact<Estimate>> truth_;
   data::ViscoelasticNip nip_;
-  ViscoelasticLineLoadMethod method_;
   ViscoelasticLineLoads solution_;
+  ViscoelasticLineLoadMethod method_;
+  fast::ViscoelasticLineLoadSurface surface_;
 };
 
 }  // namespace
