@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include <nipref/fast/elastic_nip/internal/functionals.hpp>
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/number/internal/sampled_maximum.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -25,22 +25,14 @@ double displacement(const HalfContact& contact, double y, const SurfaceDisplacem
   return sum;
 }
 
-/// Largest value of `size` over 0 <= e <= A: the best of a sample that is dense at the end, then refined
-/// around it.
+/// Largest value of `size` over 0 <= e <= A, from a sample that is dense at the end.
 template <class Size>
 double largest(const HalfContact& contact, Size size) {
   constexpr int samples = 100;
   const auto position = [&](double i) {
     return contact.half_length * std::pow(std::sin(std::numbers::pi / 2 * std::min(i / samples, 1.0)), 2);
   };
-  int best = 0;
-  for (int i = 1; i <= samples; ++i) {
-    if (size(position(i)) > size(position(best))) best = i;
-  }
-  const auto negative = [&](double i) { return -size(position(i)); };
-  const auto refined = boost::math::tools::brent_find_minima(negative, std::max(best - 1.0, 0.0),
-                                                             std::min<double>(best + 1, samples), 30);
-  return std::max(-refined.second, size(position(best)));
+  return internal::sampled_maximum([&](double i) { return size(position(i)); }, samples);
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
 #include <nipref/fast/elastic_nip/internal/panels.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -18,16 +18,6 @@ std::vector<double> panel_breaks(double half_length, int panels) {
   std::vector<double> breaks{0};
   for (int i = 1; i <= panels; ++i) breaks.push_back(std::ldexp(half_length, i - panels));
   return breaks;
-}
-
-/// T_0 .. on a panel, x the fraction of it from its left end.
-void chebyshev(double x, std::vector<double>& values) {
-  const double t = 2 * x - 1;
-  double before = t, now = 1;  // T_{-1} = T_1
-  for (double& value : values) {
-    value = now;
-    now = 2 * t * now - std::exchange(before, now);
-  }
 }
 
 class PanelContact : public HalfContact {
@@ -48,7 +38,7 @@ class PanelContact : public HalfContact {
     while (panel + 1 < panels_ && e > breaks[static_cast<std::size_t>(panel) + 1]) ++panel;
     std::vector<double> polynomials(static_cast<std::size_t>(terms_));
     const double x = fraction(panel, e);
-    chebyshev(x, polynomials);
+    internal::shifted_chebyshev(x, polynomials);
     Complex sum = 0;
     for (int k = 0; k < terms_; ++k) sum += coefficient(panel, k) * polynomials[static_cast<std::size_t>(k)];
     sum *= end_factor(panel, x);
@@ -83,7 +73,7 @@ class PanelContact : public HalfContact {
     for (int panel = 0; panel < panels_; ++panel) {
       const int count = terms_ + (panel == 0 ? 1 : 0);
       for (int i = 0; i < count; ++i) {
-        const double x = std::pow(std::sin((2 * i + 1) * pi / (4 * count)), 2);
+        const double x = internal::shifted_chebyshev_zero(i, count);
         points.push_back(left(panel) + (right(panel) - left(panel)) * x);
       }
     }
@@ -99,7 +89,7 @@ class PanelContact : public HalfContact {
     std::vector<double> polynomials(static_cast<std::size_t>(terms_));
     for (const Influence& node : nodes) {
       const double x = fraction(panel, node.e);
-      chebyshev(x, polynomials);
+      internal::shifted_chebyshev(x, polynomials);
       const Complex factor = node.weight * end_factor(panel, x);
       for (int k = 0; k < terms_; ++k) {
         const Complex basis = factor * polynomials[static_cast<std::size_t>(k)];

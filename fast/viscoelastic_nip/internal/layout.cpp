@@ -1,27 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <utility>
 
+#include <nipref/fast/number/internal/chebyshev.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 
 namespace nipref::fast {
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-}  // namespace
 
 double ViscoelasticPanel::xi(double x) const { return at_end() ? std::sqrt(x) : x; }
-
-void shifted_chebyshev(double x, std::vector<double>& values) {
-  const double t = 2 * x - 1;
-  double before = t, now = 1;  // T_{-1} = T_1
-  for (double& value : values) {
-    value = now;
-    now = 2 * t * now - std::exchange(before, now);
-  }
-}
 
 ViscoelasticLayout::ViscoelasticLayout(double half_length, int panels, int terms)
     : half_length_(half_length), terms_(terms) {
@@ -37,7 +22,7 @@ ViscoelasticLayout::ViscoelasticLayout(double half_length, int panels, int terms
 void ViscoelasticLayout::pressure_basis(const ViscoelasticPanel& panel, double xi,
                                         std::vector<double>& values) const {
   values.resize(static_cast<std::size_t>(terms_));
-  shifted_chebyshev(panel.x(xi), values);
+  internal::shifted_chebyshev(panel.x(xi), values);
   if (!panel.at_end()) return;
   for (double& value : values) value *= xi;
 }
@@ -47,7 +32,7 @@ std::vector<ContactPlace> ViscoelasticLayout::matching_points() const {
   for (const ViscoelasticPanel& panel : panels_) {
     const int count = terms_ + (panel.at_end() ? 1 : 0);
     for (int i = 0; i < count; ++i) {
-      const double x = std::pow(std::sin((2 * i + 1) * pi / (4 * count)), 2);
+      const double x = internal::shifted_chebyshev_zero(i, count);
       points.push_back({panel.half, panel.left + panel.width * x});
     }
   }

@@ -58,7 +58,4 @@ class ViscoelasticLayout {
   std::vector<ViscoelasticPanel> panels_;
 };
 
-/// T_0 .. of 2 x - 1.
-void shifted_chebyshev(double x, std::vector<double>& values);
-
 }  // namespace nipref::fast
