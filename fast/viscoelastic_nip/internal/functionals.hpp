@@ -3,7 +3,7 @@
 
 namespace nipref::fast {
 
-// What follows from a solved rolling contact, in its dimensionless units.
+// What follows from a solved contact of a viscoelastic nip, in its dimensionless units.
 
 /// Approach of roller and middle plane: u under the line through the centres.
 double indentation(const ViscoelasticPressure& contact);

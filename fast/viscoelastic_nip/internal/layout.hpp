@@ -3,7 +3,7 @@
 
 namespace nipref::fast {
 
-/// The halves of a rolling contact: points are told by their distance e from the end of their half, so that
+/// The halves of a contact without symmetry: points are told by their distance e from the end of their half, so that
 /// they stay apart however near to the end they crowd.
 enum class Half { leading, trailing };
 

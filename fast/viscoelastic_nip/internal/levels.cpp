@@ -8,7 +8,7 @@ namespace nipref::fast {
 namespace {
 
 /// The compliance with which the contact acts over its whole length, over the instantaneous one.
-double compliance_over(double half_length, const ViscoelasticMaterial& material) {
+double compliance_over(double half_length, const ViscoelasticCompliances& material) {
   double sum = 1;
   for (const MemoryTerm& term : material.normal)
     sum += (term.amplitude / (term.rate + 1 / half_length)).real();

@@ -22,7 +22,7 @@ class ViscoelasticNipLevels {
   /// The worst of the numbers is the eccentricity, judged by its own small size: it lacks more than the rest.
   static constexpr double whole_share = 0.1;
 
-  explicit ViscoelasticNipLevels(ViscoelasticMaterial material) : material_(std::move(material)) {}
+  explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 
   [[nodiscard]] Resolution resolution(double near, int level) const;
   [[nodiscard]] std::unique_ptr<ViscoelasticPressure> solve(double half_length, const Resolution& resolution,
@@ -32,7 +32,7 @@ class ViscoelasticNipLevels {
   [[nodiscard]] double half_length_guess(double load) const;
 
  private:
-  ViscoelasticMaterial material_;
+  ViscoelasticCompliances material_;
 };
 
 using ViscoelasticNipLadder = Ladder<ViscoelasticNipLevels>;

@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 }  // namespace
 
 ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
-                                           const ViscoelasticMaterial& material, double tolerance,
+                                           const ViscoelasticCompliances& material, double tolerance,
                                            CountedKernels& kernels)
     : layout_(layout) {
   std::vector<TermMemory> memory;

@@ -10,18 +10,18 @@ namespace nipref::fast {
 
 /// The compliances of a steadily rolling sheet, in units of the instantaneous N: lengths in half-thicknesses,
 /// so that rate = (relaxation rate) b/speed, amplitude = (amplitude) b/(speed N_0).
-struct ViscoelasticMaterial {
+struct ViscoelasticCompliances {
   std::vector<MemoryTerm> normal;  ///< of N beside its instantaneous part 1
   double theta2_instantaneous;     ///< over that of N
   std::vector<MemoryTerm> theta2;  ///< its rates are among those of N = theta1 + theta2
 };
 
-/// A frictionless rolling contact of given length, solved: dimensionless as HalfContact (pressure times 2 R
-/// N_0/b, displacements times 2 R/b^2). With d the distance from the leading end the surface follows u =
+/// The contact of a viscoelastic nip, of given length, solved: dimensionless as HalfContact (pressure times
+/// 2 R N_0/b, displacements times 2 R/b^2). With d the distance from the leading end the surface follows u =
 /// edge_displacement + d (2A - d) + 2 offset d.
 class ViscoelasticPressure {
  public:
-  ViscoelasticPressure(const ViscoelasticLayout& layout, const ViscoelasticMaterial& material,
+  ViscoelasticPressure(const ViscoelasticLayout& layout, const ViscoelasticCompliances& material,
                        double tolerance, CountedKernels& kernels);
 
   [[nodiscard]] const ViscoelasticLayout& layout() const { return layout_; }

@@ -1,4 +1,4 @@
-// The converged rolling contact: its limits, its energy, two discretisations, its error estimates, its work.
+// The converged viscoelastic nip: its limits, its energy, two discretisations, its error estimates, its work.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ using fast::converged_for_load;
 using fast::ConvergedViscoelasticNip;
 using fast::Estimate;
 using fast::Half;
-using fast::ViscoelasticMaterial;
+using fast::ViscoelasticCompliances;
 using fast::ViscoelasticPressure;
 using fast::Work;
 
@@ -49,9 +49,10 @@ ElasticNip elastic(double compliance) {
 }
 
 /// The same, dimensionless.
-ViscoelasticMaterial viscoelastic_material(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }
+ViscoelasticCompliances compliances(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }
 
-ViscoelasticPressure solve(double half_length, const ViscoelasticMaterial& material, int panels, int terms) {
+ViscoelasticPressure solve(double half_length, const ViscoelasticCompliances& material, int panels,
+                           int terms) {
   Work work;
   fast::CountedKernels kernels(fast::Accuracy{}, work);
   return {fast::ViscoelasticLayout(half_length, panels, terms), material, 1e-16, kernels};
@@ -80,7 +81,7 @@ std::vector<Result> results() {
 
 }  // namespace
 
-TEST_CASE("without relaxation the rolling contact is the elastic one") {
+TEST_CASE("without relaxation the viscoelastic nip is the elastic one") {
   const ViscoelasticNip rolling{radius, thickness, {{4 / (3 * bulk), {}}, {4 / (9 * bulk), {}}}, 1};
   const auto contact = converged_for_load(rolling, load, 1e-12);
   const auto expected = fast::converged_for_load(elastic(1), data::Friction::none, load, 1e-12);
@@ -148,7 +149,7 @@ TEST_CASE("two discretisations agree") {
     for (const double rate_length : {0.01, 1.0, 30.0}) {  // A over the relaxation length
       CAPTURE(half_length);
       CAPTURE(rate_length);
-      const auto material = viscoelastic_material(rate_length / half_length);
+      const auto material = compliances(rate_length / half_length);
       const int panels = half_length > 10 || rate_length > 10 ? 7 : 3;
       const auto one = solve(half_length, material, panels, 18),
                  two = solve(half_length, material, panels + 2, 15);
@@ -173,7 +174,7 @@ namespace {
 /// int_0^inf |p^(x)|^2 x Im theta(x) G(x) dx/(2 pi), with theta(x) = 1 + sum g/(rate - i x) and G = 2 sinh^2
 /// x/(x (sinh 2x + 2x)) the transform of I1: by Parseval the work that the pressure does on the passing
 /// surface, which goes into loss.
-double dissipation(const ViscoelasticPressure& contact, const ViscoelasticMaterial& material) {
+double dissipation(const ViscoelasticPressure& contact, const ViscoelasticCompliances& material) {
   // The pressure at nodes on its panels.
   std::vector<double> y, weight;
   const auto& gauss = boost::math::quadrature::gauss<double, 60>{};
@@ -226,7 +227,7 @@ TEST_CASE("rolling resistance times speed is the energy lost, computed in freque
                                           std::pair(0.4, 1e-3), std::pair(0.4, 100.0)}) {
     CAPTURE(half_length);
     CAPTURE(rate);
-    const auto material = viscoelastic_material(rate);
+    const auto material = compliances(rate);
     const auto contact = solve(half_length, material, half_length * rate > 10 ? 7 : 3, 18);
     const double resistance = contact.load() * fast::eccentricity(contact);
     CHECK(dissipation(contact, material) == doctest::Approx(resistance).scale(0).epsilon(1e-8));
@@ -287,7 +288,7 @@ TEST_CASE("complex rates: a pair acts as its own limit, two equal real rates") {
   CHECK(far / near == doctest::Approx(4).epsilon(1e-2));  // even in the imaginary part
 }
 
-TEST_CASE("rolling contacts refuse what is outside their domain") {
+TEST_CASE("viscoelastic nips refuse what is outside their domain") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto rolling = nip(0.1);
   CHECK_THROWS_AS(converged_for_load(rolling, 0, 1e-6), data::BadInput);
