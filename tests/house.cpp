@@ -65,6 +65,21 @@ TEST_CASE("the arrows are seen: verify does include every other room") {
   CHECK(rooms == std::set<std::string>{"data", "ref", "fast", "verify"});
 }
 
+TEST_CASE("no room includes what another keeps internal") {
+  static const std::regex include(
+      R"re(#\s*include\s*<nipref/(data|ref|fast|verify)/\S*(internal|arithmetic|generator)/)re");
+  for (const auto& [room, unused] : allowed) {
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(NIPREF_SOURCE_DIR) / room)) {
+      if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
+      const std::string text = read(entry.path());
+      for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {
+        CAPTURE(entry.path().filename().string());
+        CHECK((*it)[1] == room);
+      }
+    }
+  }
+}
+
 TEST_CASE("the top level holds what the design names and nothing else") {
   const std::set<std::string> named{"CMakeLists.txt", "README.md", "data",  "ref",
                                     "fast",           "verify",    "tests", "build"};

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <thread>
 
-#include <nipref/fast/sheet/internal/dispatch.hpp>
+#include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/machine.hpp>
 
 namespace nipref::verify {
@@ -38,7 +38,7 @@ std::string build_description() {
 
 std::string machine_description() {
   return fmt::format("{}, {} cores; fast runs its code for {}", processor_name(),
-                     std::thread::hardware_concurrency(), fast::internal::sheet_code().instruction_set);
+                     std::thread::hardware_concurrency(), fast::instruction_set());
 }
 
 }  // namespace nipref::verify
