@@ -40,11 +40,12 @@ void correct_elastic(Replay& replay) {
 
 }  // namespace
 
-std::vector<Deviation> deviations(std::initializer_list<const char*> columns,
-                                  const std::vector<RowValues>& rows, const std::vector<RowValues>& truth) {
-  std::vector<Deviation> result;
+std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> columns,
+                                        const std::vector<RowValues>& rows,
+                                        const std::vector<RowValues>& truth) {
+  std::vector<ColumnDeviation> result;
   for (const char* column : columns) {
-    Deviation deviation{column, 0, 0};
+    ColumnDeviation deviation{column, 0, 0};
     for (std::size_t row = 0; row < rows.size(); ++row) {
       const double relative = rows[row].at(column) / truth[row].at(column) - 1;
       deviation.mean += std::abs(relative) / static_cast<double>(rows.size());

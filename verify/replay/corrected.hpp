@@ -15,7 +15,8 @@ namespace nipref::verify {
 void correct(Replay& replay);
 
 /// Deviations of some columns of rows from the true ones.
-std::vector<Deviation> deviations(std::initializer_list<const char*> columns,
-                                  const std::vector<RowValues>& rows, const std::vector<RowValues>& truth);
+std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> columns,
+                                        const std::vector<RowValues>& rows,
+                                        const std::vector<RowValues>& truth);
 
 }  // namespace nipref::verify

@@ -93,7 +93,7 @@ void append_full(std::string& text, const Replay& replay) {
 void append_costs(std::string& text, const Replay& replay) {
   for (const Cost& cost : replay.costs) {
     fmt::format_to(std::back_inserter(text), "  {} ({}):", cost.weakness, cost.against);
-    for (const Deviation& deviation : cost.columns) {
+    for (const ColumnDeviation& deviation : cost.columns) {
       fmt::format_to(std::back_inserter(text), " {} {:.3g} % in the mean, {:+.3g} % at most{}",
                      deviation.column, 100 * deviation.mean, 100 * deviation.largest,
                      &deviation == &cost.columns.back() ? "\n" : ";");
@@ -104,7 +104,7 @@ void append_costs(std::string& text, const Replay& replay) {
 nlohmann::ordered_json costs_json(const Replay& replay) {
   nlohmann::ordered_json costs = nlohmann::ordered_json::object();
   for (const Cost& cost : replay.costs) {
-    for (const Deviation& deviation : cost.columns) {
+    for (const ColumnDeviation& deviation : cost.columns) {
       costs[cost.weakness][deviation.column] = {{"mean", deviation.mean}, {"largest", deviation.largest}};
     }
   }

@@ -41,7 +41,7 @@ struct ReplayedCell {
 };
 
 /// How far a column is from what it should be at the same load, relative to that.
-struct Deviation {
+struct ColumnDeviation {
   std::string column;
   double mean;     ///< of the rows' sizes
   double largest;  ///< in size, with its sign
@@ -51,7 +51,7 @@ struct Deviation {
 struct Cost {
   std::string weakness;
   std::string against;  ///< in words: what is compared with what
-  std::vector<Deviation> columns;
+  std::vector<ColumnDeviation> columns;
 };
 
 /// A row of a nip's table as it was replayed.

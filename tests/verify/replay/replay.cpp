@@ -177,7 +177,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   }
   REQUIRE(replay.costs.size() == 1);
   REQUIRE(replay.costs[0].columns.size() == 3);
-  const verify::Deviation& length = replay.costs[0].columns[0];
+  const verify::ColumnDeviation& length = replay.costs[0].columns[0];
   CHECK(length.column == "L");
   CHECK(length.largest < 0);
   CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more: issue 4

@@ -45,11 +45,11 @@ std::vector<ReplayedCell> units(const data::Table& table) {
   return cells;
 }
 
-std::vector<Deviation> deviations_from_corrected(const Replay& replay) {
-  std::vector<Deviation> columns;
+std::vector<ColumnDeviation> deviations_from_corrected(const Replay& replay) {
+  std::vector<ColumnDeviation> columns;
   for (const data::TableColumn& column : replay.table.columns) {
     if (column.is_key) continue;
-    Deviation deviation{column.name, 0, 0};
+    ColumnDeviation deviation{column.name, 0, 0};
     double cells = 0;
     for (const ReplayedCell& cell : replay.cells) {
       if (cell.column != column.name || cell.verdict == Verdict::input) continue;
