@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include <nipref/verify/audit/render.hpp>
 
@@ -17,6 +16,17 @@ std::string worst_text(const AuditResult& result) {
                 : fmt::format(" {}={:a} ({:.6g})", argument.name, result.worst[i], result.worst[i]);
   }
   return text;
+}
+
+Json worst_json(const AuditResult& result) {
+  Json worst = Json::object();
+  for (std::size_t i = 0; i < result.worst.size(); ++i) {
+    const Argument& argument = result.quantity->arguments[i];
+    worst.set(argument.name, argument.kind == ArgumentKind::choice
+                                 ? std::string(argument.choice(result.worst[i]))
+                                 : fmt::format("{:a}", result.worst[i]));
+  }
+  return worst;
 }
 
 std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
@@ -38,23 +48,14 @@ std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy a
   return text;
 }
 
-nlohmann::ordered_json audit_json(const std::vector<AuditResult>& results) {
-  nlohmann::ordered_json json{{"rows", nlohmann::ordered_json::array()}};
-  for (const AuditResult& result : results) {
-    nlohmann::ordered_json worst = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < result.worst.size(); ++i) {
-      const Argument& argument = result.quantity->arguments[i];
-      worst[argument.name] = argument.kind == ArgumentKind::choice
-                                 ? std::string(argument.choice(result.worst[i]))
-                                 : fmt::format("{:a}", result.worst[i]);
-    }
-    json["rows"].push_back({{"quantity", result.quantity->name},
-                            {"points", result.points},
-                            {"max_error_ulp", result.max_error_ulp},
-                            {"mean_error_ulp", result.mean_error_ulp},
-                            {"worst", std::move(worst)}});
-  }
-  return json;
+Json audit_json(const std::vector<AuditResult>& results) {
+  return {{"rows", json_list(results, [](const AuditResult& result) {
+             return Json{{"quantity", result.quantity->name},
+                         {"points", result.points},
+                         {"max_error_ulp", result.max_error_ulp},
+                         {"mean_error_ulp", result.mean_error_ulp},
+                         {"worst", worst_json(result)}};
+           })}};
 }
 
 bool all_kept(const std::vector<AuditResult>& results) {

@@ -1,9 +1,9 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -11,7 +11,7 @@ namespace nipref::verify {
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy);
 
 /// {"rows": [{quantity, points, max_error_ulp, mean_error_ulp, worst: {argument: hexadecimal text}}]}
-nlohmann::ordered_json audit_json(const std::vector<AuditResult>& results);
+Json audit_json(const std::vector<AuditResult>& results);
 
 /// True if every promise was kept.
 bool all_kept(const std::vector<AuditResult>& results);

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,13 @@ struct BenchRow {
   std::string quantity;
   std::string arguments;  ///< range in words
   std::string method;
-  double nanoseconds;    ///< per value, median over interleaved rounds
-  double max_error_ulp;  ///< in units in the last place of the scale; at N decimal digits the unit is 10^-N
-                         ///< of the scale
-  double max_relative_error;  ///< over the points that were compared with ref
-  double ratio;  ///< time over that of fast (double) or ref (digits) on the same arguments, full accuracy
+  double nanoseconds;  ///< per value, median over interleaved rounds
+  /// In units in the last place of the scale; at N decimal digits the unit is 10^-N of the scale. Empty where
+  /// nothing independent was compared with, here and below.
+  std::optional<double> max_error_ulp;
+  std::optional<double> max_relative_error;  ///< over the points that were compared with ref
+  /// Time over that of fast (double) or ref (digits) on the same arguments, full accuracy.
+  std::optional<double> ratio;
 };
 
 /// One of the ratios that the project promises, as measured in this run.

@@ -57,15 +57,18 @@ Contender contender_of(const Method& method) {
 }
 
 void compare(const Quantity& quantity, const Method& method, int digits, BenchRow& row) {
+  double ulps = 0, relative = 0;
   for (const std::string& alpha : alphas) {
     const ref::Enclosure truth = ref_at(quantity, alpha, digits + extra_digits);
     const double value = std::fabs(truth.to_double());
     const std::array point{ref::Exact::parse(alpha, "alpha").approximate()};
     const double error = decimal_distance(method.evaluate(alpha), truth.value_text());
     const double scale = std::max(value, quantity.envelope(point));
-    row.max_error_ulp = std::max(row.max_error_ulp, error / scale * std::pow(10.0, digits));
-    row.max_relative_error = std::max(row.max_relative_error, error / value);
+    ulps = std::max(ulps, error / scale * std::pow(10.0, digits));
+    relative = std::max(relative, error / value);
   }
+  row.max_error_ulp = ulps;
+  row.max_relative_error = relative;
 }
 
 /// The steady rows at one number of digits, and ref's very first call in this process, which builds its
@@ -95,8 +98,12 @@ Rows bench_at(const Quantity& quantity, int digits) {
 
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    rows.push_back({quantity.name, arguments_text, methods[i].name,
-                    timings[i].seconds * nanoseconds_per_value, 0, 0,
+    rows.push_back({quantity.name,
+                    arguments_text,
+                    methods[i].name,
+                    timings[i].seconds * nanoseconds_per_value,
+                    {},
+                    {},
                     timings[i].seconds / timings.front().seconds});
     compare(quantity, methods[i], digits, rows.back());
   }

@@ -154,11 +154,14 @@ Truth truth_of(const Quantity& quantity, const Columns& columns) {
 }
 
 void compare(std::span<const double> values, const Truth& truth, BenchRow& row) {
+  double ulps = 0, relative = 0;
   for (std::size_t i = 0; i < std::min(values.size(), truth.values.size()); ++i) {
     const Deviation found = deviation(values[i], truth.values[i], truth.envelopes[i]);
-    row.max_error_ulp = std::max(row.max_error_ulp, found.ulps);
-    row.max_relative_error = std::max(row.max_relative_error, found.relative);
+    ulps = std::max(ulps, found.ulps);
+    relative = std::max(relative, found.relative);
   }
+  row.max_error_ulp = ulps;
+  row.max_relative_error = relative;
 }
 
 std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) {
@@ -175,8 +178,13 @@ std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) 
   const Truth truth = truth_of(quantity, columns);
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    rows.push_back({quantity.name, range_text(quantity, range), contestants[i].name, timings[i].seconds * 1e9,
-                    0, 0, timings[i].seconds / timings.front().seconds});
+    rows.push_back({quantity.name,
+                    range_text(quantity, range),
+                    contestants[i].name,
+                    timings[i].seconds * 1e9,
+                    {},
+                    {},
+                    timings[i].seconds / timings.front().seconds});
     const std::size_t count = std::min(timings[i].count, points_compared);
     contestants[i].evaluate(count, values);
     compare(std::span(values).first(count), truth, rows.back());

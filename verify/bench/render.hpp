@@ -1,9 +1,9 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -14,7 +14,7 @@ std::string bench_text(const std::vector<BenchRow>& rows);
 std::string ratios_text(const std::vector<BenchRatio>& ratios);
 
 /// {"rows": [{quantity, arguments, method, ns, max_error_ulp, max_relative_error}], "ratios": [{what,
-/// measured, target}]}; an infinite number is null.
-nlohmann::ordered_json bench_json(const BenchReport& report);
+/// measured, target}]}; null is what was not compared, or is infinite.
+Json bench_json(const BenchReport& report);
 
 }  // namespace nipref::verify

@@ -21,12 +21,6 @@ std::vector<Quantity> gather() {
   return all;
 }
 
-std::string known_names() {
-  std::vector<std::string_view> names;
-  for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 }  // namespace
 
 const std::vector<Quantity>& catalogue() {
@@ -34,10 +28,16 @@ const std::vector<Quantity>& catalogue() {
   return all;
 }
 
+std::string quantity_names() {
+  std::vector<std::string_view> names;
+  for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 const Quantity& find_quantity(std::string_view name) {
   const auto& all = catalogue();
   const auto found = std::ranges::find(all, name, &Quantity::name);
-  if (found == all.end()) throw data::BadInput("quantity", name, "must be one of " + known_names());
+  if (found == all.end()) throw data::BadInput("quantity", name, "must be one of " + quantity_names());
   return *found;
 }
 

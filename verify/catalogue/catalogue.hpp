@@ -1,4 +1,5 @@
 #pragma once
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace nipref::verify {
 /// Every quantity that both paths can compute, in the order in which they are listed. The list is known
 /// nowhere else.
 const std::vector<Quantity>& catalogue();
+
+/// Their names, with commas between them.
+std::string quantity_names();
 
 /// The entry of that name; BadInput naming "quantity" and all known names if there is none.
 const Quantity& find_quantity(std::string_view name);

@@ -100,7 +100,8 @@ struct Quantity {
   std::function<Point(Random&)> draw;
   /// Moves a point off a place where the quantity is infinite and that depends on several arguments.
   std::function<void(Point&)> keep_off;
-  /// False where a value by itself costs the making of a material too: `bench rolling` times such quantities.
+  /// False where a value by itself costs the making of a material too: `bench viscoelastic-nip` times such
+  /// quantities.
   bool timed_alone = true;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
 

@@ -1,37 +1,30 @@
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = selection(line, {"contact"});
+  const Selection selected = selection(line, {"contacts"});
   const AuditOptions options{points_option(line, 0), accuracy_option(line), {}};
   const std::vector<AuditResult> results = audit_all(selected.quantities, options);
   Progress progress;
   const auto contact_audits =
-      selected.has("contact")
+      selected.has("contacts")
           ? audit_contacts([&](const std::string& what) { progress.show("audit " + what); })
           : std::vector<ContactAudit>{};
   if (line.json) {
-    auto json = audit_json(results);
-    json["contacts"] = contact_audit_json(contact_audits);
-    print_json(json, out);
+    Json json = audit_json(results);
+    json.set("contacts", contact_audit_json(contact_audits));
+    out << json.text();
   } else {
-    if (!results.empty()) fmt::print(out, "{}", audit_text(results, options.accuracy));
-    if (selected.has("contact")) fmt::print(out, "\n{}", contact_audit_text(contact_audits));
+    if (!results.empty()) out << audit_text(results, options.accuracy);
+    if (selected.has("contacts")) out << "\n" << contact_audit_text(contact_audits);
   }
-  return all_kept(results) && std::ranges::all_of(contact_audits, &ContactAudit::kept) ? 0 : 1;
+  return all_kept(results) && all_kept(contact_audits) ? 0 : 1;
 }
 
 }  // namespace nipref::verify

@@ -1,15 +1,9 @@
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/bench/internal/elastic_nip.hpp>
 #include <nipref/verify/bench/internal/half_space.hpp>
 #include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
@@ -25,17 +19,17 @@ constexpr auto notes =
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = selection(line, {"contact", "rolling", "half-space"});
+  const Selection selected = selection(line, {"elastic-nip", "viscoelastic-nip", "half-space"});
   Progress progress;
   const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
   BenchReport report = bench(selected.quantities, show);
-  if (selected.has("contact")) append(report, bench_contacts(show));
-  if (selected.has("rolling")) append(report, bench_viscoelastic(show));
+  if (selected.has("elastic-nip")) append(report, bench_contacts(show));
+  if (selected.has("viscoelastic-nip")) append(report, bench_viscoelastic(show));
   if (selected.has("half-space")) append(report, bench_half_space(show));
   if (line.json) {
-    print_json(bench_json(report), out);
+    out << bench_json(report).text();
   } else {
-    fmt::print(out, "{}{}{}", bench_text(report.rows), notes, ratios_text(report.ratios));
+    out << bench_text(report.rows) << notes << ratios_text(report.ratios);
   }
   return 0;
 }

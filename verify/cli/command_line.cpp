@@ -50,8 +50,11 @@ const std::array verbs{
              {solve_path_option, solve_digits_option}},
     VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
     VerbText{
-        "audit", "largest error of fast against ref", "quantity or contact", {points_option, rtol_option}},
-    VerbText{"bench", "speed against error, beside other libraries", "quantity or contact", {}},
+        "audit", "largest error of fast against ref", "quantity or contacts", {points_option, rtol_option}},
+    VerbText{"bench",
+             "speed against error, beside other libraries",
+             "quantity, elastic-nip, viscoelastic-nip or half-space",
+             {}},
     VerbText{"report", "audit, bench and tables on a page or two", "", {points_option}},
 };
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
@@ -13,14 +12,13 @@
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using data::BadInput;
-using Json = nlohmann::ordered_json;
 
 constexpr auto right_form = "corrected";
 constexpr long default_digits = 50;
@@ -133,21 +131,21 @@ std::vector<Answer> answers_to(const Request& request) {
   return answers;
 }
 
+Json answer_json(const Answer& answer) {
+  return {{"path", answer.path},
+          {"value", answer.value},
+          {"error_bound", answer.error_bound},
+          {"digits", answer.digits},
+          {"seconds", answer.seconds}};
+}
+
 Json to_json(const Request& request, const std::vector<Answer>& answers) {
-  Json json{{"quantity", request.quantity->name}};
-  json["arguments"] = Json::object();
-  for (std::size_t i = 0; i < request.arguments.text.size(); ++i) {
-    json["arguments"][request.quantity->arguments[i].name] = request.arguments.text[i];
-  }
-  json["results"] = Json::array();
-  for (const Answer& answer : answers) {
-    json["results"].push_back({{"path", answer.path},
-                               {"value", answer.value},
-                               {"error_bound", answer.error_bound ? Json(*answer.error_bound) : Json()},
-                               {"digits", answer.digits},
-                               {"seconds", answer.seconds}});
-  }
-  return json;
+  Json arguments = Json::object();
+  for (std::size_t i = 0; i < request.arguments.text.size(); ++i)
+    arguments.set(request.quantity->arguments[i].name, request.arguments.text[i]);
+  return {{"quantity", request.quantity->name},
+          {"arguments", arguments},
+          {"results", json_list(answers, answer_json)}};
 }
 
 void print_text(const Request& request, const std::vector<Answer>& answers, std::ostream& out) {
@@ -172,7 +170,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   const Request request = request_of(line);
   const std::vector<Answer> answers = answers_to(request);
   if (line.json) {
-    print_json(to_json(request, answers), out);
+    out << to_json(request, answers).text();
   } else {
     print_text(request, answers, out);
   }

@@ -1,32 +1,26 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <nlohmann/json.hpp>
-
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 namespace {
 
-nlohmann::ordered_json to_json(const Argument& argument) {
-  nlohmann::ordered_json json{{"name", argument.name}, {"domain", domain(argument)}};
-  json["default"] = argument.default_text ? nlohmann::ordered_json(*argument.default_text) : nullptr;
-  return json;
+Json argument_json(const Argument& argument) {
+  return {{"name", argument.name}, {"domain", domain(argument)}, {"default", argument.default_text}};
 }
 
-nlohmann::ordered_json to_json(const Quantity& quantity) {
-  nlohmann::ordered_json json{{"name", quantity.name},
-                              {"definition", quantity.definition},
-                              {"source", quantity.source},
-                              {"scale", quantity.scale}};
-  json["arguments"] = nlohmann::ordered_json::array();
-  for (const Argument& argument : quantity.arguments) json["arguments"].push_back(to_json(argument));
-  json["seed_forms"] = nlohmann::ordered_json::array();
-  for (const SeedForm& form : quantity.seed_forms)
-    json["seed_forms"].push_back({{"form", form.name}, {"differs", form.differs}});
-  return json;
+Json form_json(const SeedForm& form) { return {{"form", form.name}, {"differs", form.differs}}; }
+
+Json quantity_json(const Quantity& quantity) {
+  return {{"name", quantity.name},
+          {"definition", quantity.definition},
+          {"source", quantity.source},
+          {"scale", quantity.scale},
+          {"arguments", json_list(quantity.arguments, argument_json)},
+          {"seed_forms", json_list(quantity.seed_forms, form_json)}};
 }
 
 std::string arguments_text(const Quantity& quantity) {
@@ -41,9 +35,7 @@ std::string arguments_text(const Quantity& quantity) {
 
 int list_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
-    nlohmann::ordered_json json{{"quantities", nlohmann::ordered_json::array()}};
-    for (const Quantity& quantity : catalogue()) json["quantities"].push_back(to_json(quantity));
-    print_json(json, out);
+    out << Json{{"quantities", json_list(catalogue(), quantity_json)}}.text();
     return 0;
   }
   for (const Quantity& quantity : catalogue()) {

@@ -26,8 +26,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "audit") return verify::audit_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);
-  return verify::tables_verb({.ids = line.words, .list = line.list, .json = line.json, .compact = false},
-                             out);
+  return verify::tables_verb({.ids = line.words, .list = line.list, .json = line.json}, out);
 }
 
 /// Whatever was in the input, the message stays one line.

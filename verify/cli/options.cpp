@@ -1,3 +1,5 @@
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -37,6 +39,11 @@ Selection selection(const CommandLine& line, std::initializer_list<std::string_v
     } else {
       selected.groups.push_back(*group);
     }
+  }
+  for (const std::string& name : names) {
+    if (std::ranges::find(catalogue(), name, &Quantity::name) == catalogue().end())
+      throw BadInput("quantity", name,
+                     fmt::format("must be one of {}, {}", quantity_names(), fmt::join(groups, ", ")));
   }
   if (!names.empty()) selected.quantities = select_quantities(names);
   return selected;

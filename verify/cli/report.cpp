@@ -2,8 +2,6 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/render.hpp>
@@ -17,22 +15,11 @@
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
+#include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
 namespace {
-
-struct Tables {
-  int status;
-  std::string text;  ///< JSON if that was asked for
-};
-
-Tables run_tables(bool json) {
-  std::ostringstream out;
-  const int status = tables_verb({.ids = {}, .list = false, .json = json, .compact = true}, out);
-  return {status, out.str()};
-}
 
 BenchReport run_bench() {
   Progress progress;
@@ -49,9 +36,7 @@ struct Audits {
   std::vector<AuditResult> quantities;
   std::vector<ContactAudit> contacts;
 
-  [[nodiscard]] bool kept() const {
-    return all_kept(quantities) && std::ranges::all_of(contacts, &ContactAudit::kept);
-  }
+  [[nodiscard]] bool kept() const { return all_kept(quantities) && all_kept(contacts); }
 };
 
 Audits run_audits(const AuditOptions& options) {
@@ -67,30 +52,32 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   std::vector<BenchRow> essential;
   std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
     return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
-           row.method.find("digits") != std::string::npos || row.quantity == "contact" ||
-           row.quantity == "rolling" || row.quantity == "half-space";
+           row.method.find("digits") != std::string::npos || row.quantity == "elastic-nip" ||
+           row.quantity == "viscoelastic-nip" || row.quantity == "half-space";
   });
   return essential;
 }
 
-void print_as_text(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
+void print_as_text(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
+                   std::ostream& out) {
   fmt::print(out, "nipref report\n\nbuilt with {}\nrun on {}\n", build_description(), machine_description());
   fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}",
              audit_text(audits.quantities, {}));
   fmt::print(out, "\nHard cases of the contacts\n\n{}", contact_audit_text(audits.contacts));
   fmt::print(out, "\nSpeed against error (all ranges: nipref bench)\n\n{}\n{}",
              bench_text(essential_rows(speed.rows)), ratios_text(speed.ratios));
-  fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables.text);
+  fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables_text(tables, true));
 }
 
-void print_as_json(const BenchReport& speed, const Audits& audits, const Tables& tables, std::ostream& out) {
-  const nlohmann::ordered_json json{{"build", build_description()},
-                                    {"machine", machine_description()},
-                                    {"audit", audit_json(audits.quantities)},
-                                    {"contact_audit", contact_audit_json(audits.contacts)},
-                                    {"bench", bench_json(speed)},
-                                    {"tables", nlohmann::ordered_json::parse(tables.text)}};
-  print_json(json, out);
+void print_as_json(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
+                   std::ostream& out) {
+  const Json json{{"build", build_description()},
+                  {"machine", machine_description()},
+                  {"audit", audit_json(audits.quantities)},
+                  {"contact_audit", contact_audit_json(audits.contacts)},
+                  {"bench", bench_json(speed)},
+                  {"tables", tables_json(tables)}};
+  out << json.text();
 }
 
 }  // namespace
@@ -100,9 +87,9 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   const BenchReport speed =
       run_bench();  // before the audit, which would build ref's nodes: their cost is measured
   const Audits audits = run_audits(options);
-  const Tables tables = run_tables(line.json);
+  const std::vector<Replay> tables = replay_and_correct(replayable_tables());
   (line.json ? print_as_json : print_as_text)(speed, audits, tables, out);
-  return std::max(audits.kept() ? 0 : 1, tables.status);
+  return audits.kept() && !fall_short(tables) ? 0 : 1;
 }
 
 }  // namespace nipref::verify

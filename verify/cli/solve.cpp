@@ -1,15 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/render.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -33,11 +28,7 @@ int digits_of(const CommandLine& line) {
 
 template <class Number>
 void print(const SceneSolution<Number>& solution, bool json, std::ostream& out) {
-  if (json) {
-    print_json(solution_json(solution), out);
-  } else {
-    fmt::print(out, "{}", solution_text(solution));
-  }
+  out << (json ? solution_json(solution).text() : solution_text(solution));
 }
 
 }  // namespace

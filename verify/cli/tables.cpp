@@ -1,15 +1,10 @@
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
 #include <nipref/verify/replay/render.hpp>
-#include <nipref/verify/support/internal/print_json.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -18,11 +13,7 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   std::vector<data::TableSummary> summaries;
   if (request.ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  if (request.json) {
-    print_json(table_list_json(summaries), out);
-  } else {
-    fmt::print(out, "{}", table_list_text(summaries));
-  }
+  out << (request.json ? table_list_json(summaries).text() : table_list_text(summaries));
   return 0;
 }
 
@@ -40,24 +31,28 @@ bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay
 
 }  // namespace
 
-int tables_verb(const TablesRequest& request, std::ostream& out) {
-  if (request.list) return list_tables(request, out);
-  const auto known = data::load_known_misses(data::tables_directory() / "known_misses.csv");
+std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids) {
   std::vector<Replay> replays;
-  for (const std::string& id : request.ids.empty() ? replayable_tables() : request.ids) {
+  for (const std::string& id : ids) {
     replays.push_back(replay_table(id));
     correct(replays.back());
   }
-  if (request.json) {
-    print_json(tables_json(replays), out);
-  } else {
-    fmt::print(out, "{}", tables_text(replays, request.compact));
-  }
-  const bool short_fall = std::ranges::any_of(replays, [&](const Replay& replay) {
+  return replays;
+}
+
+bool fall_short(const std::vector<Replay>& replays) {
+  const auto known = data::load_known_misses(data::tables_directory() / "known_misses.csv");
+  return std::ranges::any_of(replays, [&](const Replay& replay) {
     return std::ranges::any_of(replay.cells,
                                [&](const ReplayedCell& cell) { return falls_short(known, replay, cell); });
   });
-  return short_fall ? 1 : 0;
+}
+
+int tables_verb(const TablesRequest& request, std::ostream& out) {
+  if (request.list) return list_tables(request, out);
+  const auto replays = replay_and_correct(request.ids.empty() ? replayable_tables() : request.ids);
+  out << (request.json ? tables_json(replays).text() : tables_text(replays, false));
+  return fall_short(replays) ? 1 : 0;
 }
 
 }  // namespace nipref::verify

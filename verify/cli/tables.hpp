@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nipref/verify/replay/replay.hpp>
+
 namespace nipref::verify {
 
 /// What `nipref tables` was asked for.
@@ -10,11 +12,16 @@ struct TablesRequest {
   std::vector<std::string> ids;  ///< empty: all tables that can be replayed
   bool list;                     ///< only say which tables there are and what they hold
   bool json;
-  bool compact;  ///< text: the summary and the cells that do not match
 };
 
-/// Writes the replay of the tables, cell by cell, or the list. Exit status: 1 if a cell is unexplained that
-/// neither its own row contradicts nor known_misses.csv lists, else 0. BadInput for unknown ids.
+/// The tables of these ids, replayed and corrected. BadInput for unknown ids.
+std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids);
+
+/// True if a cell is unexplained that neither its own row contradicts nor known_misses.csv lists.
+bool fall_short(const std::vector<Replay>& replays);
+
+/// Writes the replay of the tables, cell by cell, or the list. Exit status: 1 if they fall short, else 0.
+/// BadInput for unknown ids.
 int tables_verb(const TablesRequest& request, std::ostream& out);
 
 }  // namespace nipref::verify

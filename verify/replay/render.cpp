@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
+#include <optional>
 
 #include <nipref/verify/replay/render.hpp>
 
@@ -62,9 +62,10 @@ std::string scaled(const Replay& replay, const ReplayedCell& cell, double value)
   return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals_of(replay, cell) + 2);
 }
 
-/// Empty if it was not computed.
-std::string scaled(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
-  return value ? scaled(replay, cell, *value) : "";
+/// Nothing if it was not computed.
+std::optional<std::string> scaled(const Replay& replay, const ReplayedCell& cell,
+                                  const std::optional<double>& value) {
+  return value ? std::optional(scaled(replay, cell, *value)) : std::nullopt;
 }
 
 std::string row_label(const Replay& replay, std::size_t row) {
@@ -85,7 +86,7 @@ void append_full(std::string& text, const Replay& replay) {
                                           scaled(replay, cell, cell.range.upper));
     fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", row_label(replay, cell.row),
                    cell.column, printed_cell(replay, cell).printed, range,
-                   scaled(replay, cell, cell.corrected), name(cell.verdict), cell.note);
+                   scaled(replay, cell, cell.corrected).value_or("-"), name(cell.verdict), cell.note);
   }
 }
 
@@ -101,12 +102,13 @@ void append_costs(std::string& text, const Replay& replay) {
   }
 }
 
-nlohmann::ordered_json costs_json(const Replay& replay) {
-  nlohmann::ordered_json costs = nlohmann::ordered_json::object();
+Json costs_json(const Replay& replay) {
+  Json costs = Json::object();
   for (const Cost& cost : replay.costs) {
-    for (const ColumnDeviation& deviation : cost.columns) {
-      costs[cost.weakness][deviation.column] = {{"mean", deviation.mean}, {"largest", deviation.largest}};
-    }
+    Json columns = Json::object();
+    for (const ColumnDeviation& deviation : cost.columns)
+      columns.set(deviation.column, {{"mean", deviation.mean}, {"largest", deviation.largest}});
+    costs.set(cost.weakness, columns);
   }
   return costs;
 }
@@ -121,25 +123,40 @@ void append_exceptions(std::string& text, const Replay& replay) {
   }
 }
 
-nlohmann::ordered_json cell_json(const Replay& replay, const ReplayedCell& cell) {
+Json cell_json(const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = printed_cell(replay, cell);
-  nlohmann::ordered_json row = nlohmann::ordered_json::object();
+  Json row = Json::object();
   for (std::size_t i = 0; i < replay.table.columns.size(); ++i) {
     const data::TableColumn& column = replay.table.columns[i];
-    if (column.is_key) row[column.name] = replay.table.rows[cell.row][i].read_as;
+    if (column.is_key) row.set(column.name, replay.table.rows[cell.row][i].read_as);
   }
-  return {
-      {"row", std::move(row)},
-      {"column", cell.column},
-      {"printed", printed.printed},
-      {"read_as", printed.read_as},
-      {"replayed", scaled(replay, cell, cell.value)},
-      {"corrected", scaled(replay, cell, cell.corrected)},
-      {"corrected_with_seed_material", scaled(replay, cell, cell.corrected_with_seed_material)},
-      {"exact", scaled(replay, cell, cell.exact)},
-      {"replayed_range", {scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
-      {"verdict", name(cell.verdict)},
-      {"note", cell.note}};
+  return {{"row", row},
+          {"column", cell.column},
+          {"printed", printed.printed},
+          {"read_as", printed.is_readable() ? Json(printed.read_as) : Json()},
+          {"replayed", scaled(replay, cell, cell.value)},
+          {"corrected", scaled(replay, cell, cell.corrected)},
+          {"corrected_with_seed_material", scaled(replay, cell, cell.corrected_with_seed_material)},
+          {"exact", scaled(replay, cell, cell.exact)},
+          {"replayed_range",
+           std::vector<Json>{scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
+          {"verdict", name(cell.verdict)},
+          {"note", cell.note}};
+}
+
+Json errata_json(const data::TableSummary& table) {
+  Json errata = Json::object();
+  for (std::size_t kind = 0; kind < table.errata.size(); ++kind)
+    errata.set(data::erratum_kind_names[kind], table.errata[kind]);
+  return errata;
+}
+
+Json table_json(const Replay& replay) {
+  const auto to_json = [&](const ReplayedCell& cell) { return cell_json(replay, cell); };
+  return {{"id", replay.table.id},
+          {"method", replay.method},
+          {"costs", costs_json(replay)},
+          {"cells", json_list(replay.cells, to_json)}};
 }
 
 }  // namespace
@@ -161,18 +178,9 @@ std::string tables_text(const std::vector<Replay>& replays, bool compact) {
   return text;
 }
 
-nlohmann::ordered_json tables_json(const std::vector<Replay>& replays) {
-  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
-  for (const Replay& replay : replays) {
-    nlohmann::ordered_json cells = nlohmann::ordered_json::array();
-    for (const ReplayedCell& cell : replay.cells) cells.push_back(cell_json(replay, cell));
-    tables.push_back({{"id", replay.table.id},
-                      {"method", replay.method},
-                      {"costs", costs_json(replay)},
-                      {"cells", std::move(cells)}});
-  }
+Json tables_json(const std::vector<Replay>& replays) {
   const Counts counts = count(replays);
-  return {{"tables", std::move(tables)},
+  return {{"tables", json_list(replays, table_json)},
           {"summary",
            {{"cells", counts.cells},
             {"match", counts.match},
@@ -202,25 +210,19 @@ std::string table_list_text(const std::vector<data::TableSummary>& summaries) {
   return text;
 }
 
-nlohmann::ordered_json table_list_json(const std::vector<data::TableSummary>& summaries) {
-  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
-  for (const data::TableSummary& table : summaries) {
-    nlohmann::ordered_json errata = nlohmann::ordered_json::object();
-    for (std::size_t kind = 0; kind < table.errata.size(); ++kind) {
-      errata[std::string(data::erratum_kind_names[kind])] = table.errata[kind];
-    }
-    tables.push_back({{"id", table.id},
-                      {"title", table.title},
-                      {"rows", table.rows},
-                      {"columns", table.columns},
-                      {"cells", table.cells},
-                      {"empty", table.empty},
-                      {"without_value", table.without_value},
-                      {"doubtful", table.doubtful},
-                      {"errata", std::move(errata)},
-                      {"row_label_errata", table.key_errata}});
-  }
-  return {{"tables", std::move(tables)}};
+Json table_list_json(const std::vector<data::TableSummary>& summaries) {
+  return {{"tables", json_list(summaries, [](const data::TableSummary& table) {
+             return Json{{"id", table.id},
+                         {"title", table.title},
+                         {"rows", table.rows},
+                         {"columns", table.columns},
+                         {"cells", table.cells},
+                         {"empty", table.empty},
+                         {"without_value", table.without_value},
+                         {"doubtful", table.doubtful},
+                         {"errata", errata_json(table)},
+                         {"row_label_errata", table.key_errata}};
+           })}};
 }
 
 }  // namespace nipref::verify

@@ -1,10 +1,10 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 #include <nipref/data/table/index.hpp>
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -15,9 +15,9 @@ std::string tables_text(const std::vector<Replay>& replays, bool compact);
 /// {"tables": [{id, method, discretisation: {L: {mean, largest}, ...}, cells: [...]}], "summary": {cells,
 /// match, misprint, seed_error, unexplained, without_number}}; without_number counts what of the unexplained
 /// is not legible. Deviations are relative.
-nlohmann::ordered_json tables_json(const std::vector<Replay>& replays);
+Json tables_json(const std::vector<Replay>& replays);
 
 std::string table_list_text(const std::vector<data::TableSummary>& summaries);
-nlohmann::ordered_json table_list_json(const std::vector<data::TableSummary>& summaries);
+Json table_list_json(const std::vector<data::TableSummary>& summaries);
 
 }  // namespace nipref::verify

@@ -1,15 +1,13 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include <nipref/verify/solve/render.hpp>
 
 namespace nipref::verify {
 namespace {
-
-using nlohmann::ordered_json;
 
 std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
 std::string error_text(const fast::Estimate& number) { return fmt::format("{:.1e}", number.error); }
@@ -17,24 +15,24 @@ std::string value_text(const LongEstimate& number) { return number.value; }
 std::string error_text(const LongEstimate& number) { return number.error; }
 
 template <class Number>
-ordered_json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
+Json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
   if (!result.what->is_profile) return result.numbers.front().*member;
-  ordered_json list = ordered_json::array();
-  for (const Number& number : result.numbers) list.push_back(number.*member);
-  return list;
+  return json_list(result.numbers, [&](const Number& number) { return number.*member; });
 }
 
 /// Counts that were not kept are left out, here and below.
-ordered_json work_json(const fast::Work& work) {
-  ordered_json json = ordered_json::object();
-  const bool counted = work.kernel_evaluations != fast::Work{}.kernel_evaluations;
-  for (std::size_t k = 0; counted && k < work.kernel_evaluations.size(); ++k) {
-    json["kernel_evaluations"][fmt::format("I{}", k + 1)] = work.kernel_evaluations[k];
+Json work_json(const fast::Work& work) {
+  Json json = Json::object();
+  if (work.kernel_evaluations != fast::Work{}.kernel_evaluations) {
+    Json kernels = Json::object();
+    for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k)
+      kernels.set(fmt::format("I{}", k + 1), work.kernel_evaluations[k]);
+    json.set("kernel_evaluations", kernels);
   }
-  if (work.terms > 0) json["terms"] = work.terms;
-  if (work.unknowns > 0) json["unknowns"] = work.unknowns;
-  if (work.systems > 0) json["systems"] = work.systems;
-  if (work.line_responses > 0) json["line_responses"] = work.line_responses;
+  if (work.terms > 0) json.set("terms", work.terms);
+  if (work.unknowns > 0) json.set("unknowns", work.unknowns);
+  if (work.systems > 0) json.set("systems", work.systems);
+  if (work.line_responses > 0) json.set("line_responses", work.line_responses);
   return json;
 }
 
@@ -91,24 +89,23 @@ std::string solution_text(const SceneSolution<Number>& solution) {
 }
 
 template <class Number>
-ordered_json solution_json(const SceneSolution<Number>& solution) {
-  ordered_json json{{"title", solution.title}};
-  json["results"] = ordered_json::object();
-  json["error_estimate"] = ordered_json::object();
+Json solution_json(const SceneSolution<Number>& solution) {
+  Json results = Json::object(), errors = Json::object();
   for (const auto& result : solution.results) {
-    json["results"][result.what->name] = values_json(result, &Number::value);
-    json["error_estimate"][result.what->name] = values_json(result, &Number::error);
+    results.set(result.what->name, values_json(result, &Number::value));
+    errors.set(result.what->name, values_json(result, &Number::error));
   }
-  if (!solution.positions.empty()) json["positions"] = solution.positions;
-  json["work"] = work_json(solution.work);
-  if (!is_empty(solution.error_work)) json["error_work"] = work_json(solution.error_work);
-  json["seconds"] = solution.seconds;
+  Json json{{"title", solution.title}, {"results", results}, {"error_estimate", errors}};
+  if (!solution.positions.empty()) json.set("positions", json_list(solution.positions, std::identity()));
+  json.set("work", work_json(solution.work));
+  if (!is_empty(solution.error_work)) json.set("error_work", work_json(solution.error_work));
+  json.set("seconds", solution.seconds);
   return json;
 }
 
 template std::string solution_text(const SceneSolution<fast::Estimate>&);
 template std::string solution_text(const SceneSolution<LongEstimate>&);
-template ordered_json solution_json(const SceneSolution<fast::Estimate>&);
-template ordered_json solution_json(const SceneSolution<LongEstimate>&);
+template Json solution_json(const SceneSolution<fast::Estimate>&);
+template Json solution_json(const SceneSolution<LongEstimate>&);
 
 }  // namespace nipref::verify

@@ -1,8 +1,8 @@
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include <nipref/verify/solve/solve.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -16,6 +16,6 @@ std::string solution_text(const SceneSolution<Number>& solution);
 /// "terms", "unknowns", "systems"}, "error_work": the same, if there was any, "seconds"}. The reference's
 /// numbers are strings.
 template <class Number>
-nlohmann::ordered_json solution_json(const SceneSolution<Number>& solution);
+Json solution_json(const SceneSolution<Number>& solution);
 
 }  // namespace nipref::verify

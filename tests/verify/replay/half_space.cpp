@@ -164,7 +164,7 @@ TEST_CASE("the rule of verdicts") {
 TEST_CASE("tables verb: the five tables with their numbers") {
   std::ostringstream out;
   const std::vector<std::string> ids(verify::half_space_tables().begin(), verify::half_space_tables().end());
-  CHECK(verify::tables_verb({.ids = ids, .list = false, .json = true, .compact = false}, out) == 0);
+  CHECK(verify::tables_verb({.ids = ids, .list = false, .json = true}, out) == 0);
   const auto json = nlohmann::json::parse(out.str());
   CHECK(json["summary"]["cells"] == 94);
   CHECK(json["summary"]["match"] == 45);

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
@@ -13,6 +13,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/support/internal/or_dash.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -40,10 +41,11 @@ std::string name(const char* method, Friction friction) {
 double error_of(const std::vector<double>& loads, const std::vector<ref::Enclosure>& truth) {
   double error = 0, size = 0;
   for (std::size_t k = 0; k < loads.size(); ++k) {
+    if (!std::isfinite(loads[k])) return std::numeric_limits<double>::infinity();
     error = std::max(error, std::fabs(truth[k].error_of(loads[k])));
     size = std::max(size, std::fabs(loads[k]));
   }
-  return size > 0 ? error / size : 0;
+  return error / size;
 }
 
 /// What of a frictionless solution's error its kernel values make, and what the line loads themselves.
@@ -53,15 +55,14 @@ void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int 
   for (int q = 0; q < 2 * m; ++q)
     kernel.push_back(fast::I1((2 * q + 1) * length / (4 * m) / nip.half_thickness()));
   const auto exactly_solved = ref::line_loads_from_kernel_values(nip, kernel, length, ref_digits);
-  double size = 0;
+  double kernel_error = 0, size = 0;
   for (std::size_t k = 0; k < solution.line_loads.size(); ++k) {
     const double computed = solution.line_loads[k];
     const double by_rounding = exactly_solved.line_loads[k].error_of(computed);
     size = std::max(size, std::fabs(computed));
-    audit.kernel_error =
-        std::max(audit.kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
+    kernel_error = std::max(kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
   }
-  audit.kernel_error /= size;
+  audit.kernel_error = kernel_error / size;
   const double continuous = fast::converged_for_length(nip, Friction::none, length, accuracy).load().value;
   audit.discretisation_error = solution.load / continuous - 1;
 }
@@ -80,17 +81,17 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
                      poisson,
                      work.unknowns,
                      condition,
-                     fast::oscillation(solution.shear_loads),
-                     condition * std::numeric_limits<double>::epsilon(),
-                     false,
+                     shear ? std::optional(fast::oscillation(solution.shear_loads)) : std::nullopt,
                      1e-15 * condition};
   if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
   const auto truth = shear ? ref::gripped_line_loads_for_length(nip, m, length, creep, ref_digits)
                            : ref::line_loads_for_length(nip, m, length, ref_digits);
-  audit.error = std::max(error_of(solution.line_loads, truth.line_loads),
-                         error_of(solution.shear_loads, truth.shear_loads));
-  audit.against_ref = true;
-  if (!shear) split_error(audit, nip, length, m, solution, truth);
+  audit.error = error_of(solution.line_loads, truth.line_loads);
+  if (shear) {
+    audit.error = std::max(*audit.error, error_of(solution.shear_loads, truth.shear_loads));
+  } else {
+    split_error(audit, nip, length, m, solution, truth);
+  }
   return audit;
 }
 
@@ -107,22 +108,23 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
   const double length = ratio * nip.sheet_thickness;
   const auto contact = fast::converged_for_length(nip, friction, length, accuracy);
   const fast::Estimate load = contact.load();
-  const double estimate = load.error / load.value;
-  const double oscillation = friction == Friction::full ? fast::oscillation(sampled_shear(contact, 40)) : 0;
+  const bool shear = friction == Friction::full;
   ContactAudit audit{name("converged", friction),
                      ratio,
                      poisson,
                      contact.work().unknowns,
-                     0,
-                     oscillation,
-                     estimate,
-                     false,
-                     estimate};
-  if (friction == Friction::full || ratio > longest_ref_converged) return audit;
+                     std::nullopt,
+                     shear ? std::optional(fast::oscillation(sampled_shear(contact, 40))) : std::nullopt,
+                     load.error / load.value};
+  if (shear || ratio > longest_ref_converged) return audit;
   const ref::Enclosure truth = ref::converged_for_length(nip, length, ref_digits).load();
   audit.error = std::fabs(truth.error_of(load.value)) / load.value;
-  audit.against_ref = true;
   return audit;
+}
+
+const char* verdict(const ContactAudit& audit) {
+  if (!audit.kept()) return "no truth";
+  return *audit.kept() ? "kept" : "BROKEN";
 }
 
 }  // namespace
@@ -144,33 +146,35 @@ std::vector<ContactAudit> audit_contacts(const std::function<void(const std::str
 std::string contact_audit_text(const std::vector<ContactAudit>& audits) {
   std::string text = fmt::format("{:28}{:>8}{:>9}{:>9}{:>11}{:>12}{:>11}{:>11}{:>11}{:>11}  {}\n", "contact",
                                  "L/B", "poisson", "unknowns", "condition", "oscillation", "error", "allowed",
-                                 "kernels", "discret.", "");
+                                 "kernels", "discret.", "verdict");
   for (const ContactAudit& audit : audits) {
-    text += fmt::format(
-        "{:28}{:>8g}{:>9.3g}{:>9}{:>11.2g}{:>12.2g}{:>11.2g}{:>11.2g}{:>11.2g}{:>11.2g}  {}{}\n",
-        audit.system, audit.ratio, audit.poisson, audit.unknowns, audit.condition, audit.oscillation,
-        audit.error, audit.allowed, audit.kernel_error, audit.discretisation_error,
-        audit.against_ref ? "" : "estimated", audit.kept() ? "" : " BROKEN");
+    text +=
+        fmt::format("{:28}{:>8g}{:>9.3g}{:>9}{:>11}{:>12}{:>11}{:>11.2g}{:>11}{:>11}  {}\n", audit.system,
+                    audit.ratio, audit.poisson, audit.unknowns, or_dash(audit.condition, 2),
+                    or_dash(audit.oscillation, 2), or_dash(audit.error, 2), audit.allowed,
+                    or_dash(audit.kernel_error, 2), or_dash(audit.discretisation_error, 2), verdict(audit));
   }
   return text;
 }
 
-nlohmann::ordered_json contact_audit_json(const std::vector<ContactAudit>& audits) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
-  for (const ContactAudit& audit : audits) {
-    rows.push_back({{"system", audit.system},
-                    {"length_over_thickness", audit.ratio},
-                    {"poisson", audit.poisson},
-                    {"unknowns", audit.unknowns},
-                    {"condition", audit.condition},
-                    {"oscillation", audit.oscillation},
-                    {"error", audit.error},
-                    {"against_ref", audit.against_ref},
-                    {"allowed", audit.allowed},
-                    {"kernel_error", audit.kernel_error},
-                    {"discretisation_error", audit.discretisation_error}});
-  }
-  return rows;
+Json contact_audit_json(const std::vector<ContactAudit>& audits) {
+  return json_list(audits, [](const ContactAudit& audit) {
+    return Json{{"system", audit.system},
+                {"length_over_thickness", audit.ratio},
+                {"poisson", audit.poisson},
+                {"unknowns", audit.unknowns},
+                {"condition", audit.condition},
+                {"oscillation", audit.oscillation},
+                {"error", audit.error},
+                {"allowed", audit.allowed},
+                {"kernel_error", audit.kernel_error},
+                {"discretisation_error", audit.discretisation_error},
+                {"kept", audit.kept()}};
+  });
+}
+
+bool all_kept(const std::vector<ContactAudit>& audits) {
+  return std::ranges::all_of(audits, [](const ContactAudit& audit) { return audit.kept().value_or(true); });
 }
 
 }  // namespace nipref::verify

@@ -1,8 +1,10 @@
 #pragma once
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -12,26 +14,31 @@ struct ContactAudit {
   double ratio;        ///< contact length over sheet thickness
   double poisson;
   int unknowns;
-  double condition;    ///< of the line loads' matching matrix; 0 where it is not looked at
-  double oscillation;  ///< of the outermost tractions, see fast::oscillation; 0 without friction
+  std::optional<double> condition;    ///< of the line loads' matching matrix
+  std::optional<double> oscillation;  ///< of the shear with friction, see fast::oscillation
+  double allowed;                     ///< 1e-15 of the condition, or the solution's own estimate
   /// Against ref where ref has the system: of the line loads relative to the largest, of the converged load,
-  /// relative. Otherwise what condition or estimate say of it.
-  double error;
-  bool against_ref;
-  double allowed;  ///< 1e-15 of the condition, or the solution's own estimate
+  /// relative.
+  std::optional<double> error = {};
   /// Of frictionless line loads against ref: the part of `error` that the double kernel values make, the rest
   /// being the rounding of the solution, which the condition multiplies; and what the load lacks of the
   /// continuous contact's.
-  double kernel_error = 0;
-  double discretisation_error = 0;
+  std::optional<double> kernel_error = {};
+  std::optional<double> discretisation_error = {};
 
-  [[nodiscard]] bool kept() const { return error <= allowed; }
+  /// No verdict without a truth that is independent of the solution.
+  [[nodiscard]] std::optional<bool> kept() const {
+    return error ? std::optional(*error <= allowed) : std::nullopt;
+  }
 };
 
 /// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side.
 std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress);
 
 std::string contact_audit_text(const std::vector<ContactAudit>& audits);
-nlohmann::ordered_json contact_audit_json(const std::vector<ContactAudit>& audits);
+Json contact_audit_json(const std::vector<ContactAudit>& audits);
+
+/// True if no verdict is against a row.
+bool all_kept(const std::vector<ContactAudit>& audits);
 
 }  // namespace nipref::verify
