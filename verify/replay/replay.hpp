@@ -14,7 +14,7 @@ namespace nipref::verify {
 enum class Verdict {
   input,       ///< serves the replay as its input; not counted
   match,       ///< the rounding interval of the number read meets the replay's interval; in the tables of
-               ///< half-spaces they are within one unit of the last digit, see replay_half_space_cell.hpp
+               ///< half-spaces they are within one unit of the last digit, see internal/half_space_cell.hpp
   misprint,    ///< it does once the table's own redundancy has corrected the printed text
   seed_error,  ///< the seed's method or formula is wrong here, and how is known
   unexplained  ///< no match, or nothing to compare
@@ -32,7 +32,7 @@ struct ReplayedCell {
   data::Interval range;  ///< as the inputs range over their rounding intervals, base units
   Verdict verdict;
   std::string note;
-  std::optional<double> corrected = {};  ///< base units: of the continuous contact, see replay_corrected.hpp;
+  std::optional<double> corrected = {};  ///< base units: of the continuous contact, see corrected.hpp;
                                          ///< of a half-space, by the right formula
   /// The same with the material that the seed computed with, where that is not the one it defines.
   std::optional<double> corrected_with_seed_material = {};

@@ -12,7 +12,7 @@ std::span<const std::string_view> half_space_tables();
 bool is_half_space_table(std::string_view id);
 
 /// Replays such a table by the formulas that made it; `corrected` is what the right formulas give in the
-/// papers' own contour rule. The rule of verdicts: replay_half_space_cell.hpp. `costs`: the replay against
+/// papers' own contour rule. The rule of verdicts: half_space_cell.hpp. `costs`: the replay against
 /// the corrected values.
 Replay replay_half_space(data::Table table);
 

@@ -13,7 +13,7 @@ struct ViscoelasticTable {
   std::string_view id;
   int leading_elements;  ///< m1
   /// C_L, half-thicknesses. From 16 on no cell depends on it but the creep at F0 tau = 1e-3 or 1e-2, by what
-  /// underflows (replay_viscoelastic_row.hpp): 24 meets that in most tables, 60 in XXIV to XXVI.
+  /// underflows (viscoelastic_row.hpp): 24 meets that in most tables, 60 in XXIV to XXVI.
   double approach;
 };
 
