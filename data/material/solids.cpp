@@ -1,29 +1,23 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/material/solids.hpp>
 
 namespace nipref::data {
-namespace {
-
-void check_positive(const char* name, double value) {
-  if (!(std::isfinite(value) && value > 0)) throw BadInput(name, value, "must be finite and > 0");
-}
-
-}  // namespace
 
 void IsotropicSolid::check() const {
-  check_positive("shear", shear);
-  check_positive("density", density);
+  check_magnitude("shear", shear);
+  check_magnitude("density", density);
   if (!(poisson > -1 && poisson < 0.5)) throw BadInput("poisson", poisson, "must satisfy -1 < poisson < 0.5");
 }
 
 void TransverselyIsotropicSolid::check() const {
-  check_positive("c11", c11);
-  check_positive("c33", c33);
-  check_positive("c44", c44);
-  check_positive("c66", c66);
-  check_positive("density", density);
+  check_magnitude("c11", c11);
+  check_magnitude("c33", c33);
+  check_magnitude("c44", c44);
+  check_magnitude("c66", c66);
+  check_magnitude("density", density);
   if (!(c11 > c66)) throw BadInput("c11", c11, "must be > c66: the strain energy must be positive");
   if (!(std::fabs(c13) < std::sqrt(c11 - c66) * std::sqrt(c33))) {
     throw BadInput(

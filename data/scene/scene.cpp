@@ -47,11 +47,11 @@ struct GivenCheck {
   const SceneOrigin& origin;
 
   void operator()(const GivenLoad& load) const {
-    require_positive(load.per_length, origin, "load.per_length");
+    require_magnitude(load.per_length, origin, "load.per_length");
   }
   void operator()(const GivenLength& length) const {
     const double value = length.contact_length;
-    require_positive(value, origin, "contact.length");
+    require_magnitude(value, origin, "contact.length");
     require(value <= roller_radius, origin, "contact.length", value,
             fmt::format("must be at most the roller's radius, {}: beyond it a parabola no longer stands for "
                         "the roller",
@@ -78,7 +78,7 @@ struct MethodCheck {
       require_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
                     "method.trailing_elements");
     require_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
-    require_positive(loads.approach_lengths, origin, "method.approach_lengths");
+    require_magnitude(loads.approach_lengths, origin, "method.approach_lengths");
   }
 };
 

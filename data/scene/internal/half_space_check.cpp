@@ -25,16 +25,16 @@ struct BodyCheck {
   const SceneOrigin& origin;
 
   double operator()(const RigidDie& die) const {
-    require_positive(die.radius_along, origin, "die.radius_along");
-    require_positive(die.radius_across, origin, "die.radius_across");
+    require_magnitude(die.radius_along, origin, "die.radius_along");
+    require_magnitude(die.radius_across, origin, "die.radius_across");
     return std::min(die.radius_along, die.radius_across);
   }
   double operator()(const RigidRollingSphere& sphere) const {
-    require_positive(sphere.radius, origin, "rolling_sphere.radius");
+    require_magnitude(sphere.radius, origin, "rolling_sphere.radius");
     return sphere.radius;
   }
   double operator()(const ElasticSphere& sphere) const {
-    require_positive(sphere.radius, origin, "sphere.radius");
+    require_magnitude(sphere.radius, origin, "sphere.radius");
     check_solid(sphere.solid, origin, "sphere");
     return sphere.radius;
   }
@@ -54,10 +54,10 @@ struct GivenCheck {
   double smallest_radius;
 
   void operator()(const GivenNormalForce& load) const {
-    require_positive(load.force, origin, "load.normal_force");
+    require_magnitude(load.force, origin, "load.normal_force");
   }
   void operator()(const GivenSpan& span) const {
-    require_positive(span.along, origin, "contact.span_along");
+    require_magnitude(span.along, origin, "contact.span_along");
     require(
         span.along <= smallest_radius, origin, "contact.span_along", span.along,
         "must be at most the body's smallest radius: beyond it a paraboloid no longer stands for the body");

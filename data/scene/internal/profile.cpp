@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>
 
@@ -19,8 +20,10 @@ struct ProfileCheck {
   void operator()(const Positions& positions) const {
     if (positions.y.empty()) origin.refuse("profile.positions", "[]", "must hold at least one position");
     for (std::size_t i = 0; i < positions.y.size(); ++i) {
-      require(std::isfinite(positions.y[i]), origin, fmt::format("profile.positions[{}]", i), positions.y[i],
-              "must be finite");
+      const double y = positions.y[i];
+      const std::string key = fmt::format("profile.positions[{}]", i);
+      require(std::isfinite(y), origin, key, y, "must be finite");
+      require(std::fabs(y) <= greatest_magnitude, origin, key, y, "must be from -1e60 to 1e60");
     }
   }
 };

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/internal/require.hpp>
 
 namespace nipref::data {
@@ -11,8 +10,8 @@ void require(bool holds, const SceneOrigin& origin, std::string_view key, double
   if (!holds) origin.refuse(key, value, allowed);
 }
 
-void require_positive(double value, const SceneOrigin& origin, std::string_view key) {
-  require(std::isfinite(value) && value > 0, origin, key, value, "must be finite and > 0");
+void require_magnitude(double value, const SceneOrigin& origin, std::string_view key) {
+  require(is_magnitude(value), origin, key, value, allowed_magnitude(value));
 }
 
 void require_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key) {

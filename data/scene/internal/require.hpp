@@ -10,8 +10,8 @@ namespace nipref::data {
 void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
              std::string_view allowed);
 
-/// Finite and > 0.
-void require_positive(double value, const SceneOrigin& origin, std::string_view key);
+/// See magnitude.hpp.
+void require_magnitude(double value, const SceneOrigin& origin, std::string_view key);
 
 void require_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key);
 

@@ -43,8 +43,9 @@ std::size_t number_of(data::SymmetryAxis axis) { return axis == data::SymmetryAx
 }  // namespace
 
 fast::Direction direction_of_degrees(double degrees) {
-  const double quarters = std::round(degrees / 90);
-  const double rest = (degrees - 90 * quarters) * (std::numbers::pi / 180);
+  const double within_a_turn = std::fmod(degrees, 360);
+  const double quarters = std::round(within_a_turn / 90);
+  const double rest = (within_a_turn - 90 * quarters) * (std::numbers::pi / 180);
   const double c = std::cos(rest), s = std::sin(rest);
   switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
     case 0:
