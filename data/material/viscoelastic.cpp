@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 
 namespace nipref::data {
@@ -20,6 +22,8 @@ void check_term(const RelaxationTerm& term, const std::string& name) {
   if (!(std::isfinite(term.rate.imag()) && std::isfinite(term.rate.real()) && term.rate.real() > 0))
     throw BadInput(name + " rate", term.rate.real(),
                    "must be finite, its real part > 0: what is gone must be forgotten");
+  if (!(std::abs(term.amplitude) / std::abs(term.rate) <= greatest_magnitude))
+    throw BadInput(name + " amplitude", term.amplitude.real(), "must be at most 1e60 times its rate's size");
 }
 
 void check_conjugates(const MaterialFunction& function, const std::string& name) {
@@ -34,6 +38,9 @@ void check_conjugates(const MaterialFunction& function, const std::string& name)
 void check_function(const MaterialFunction& function, const std::string& name) {
   if (!(std::isfinite(function.instantaneous) && function.instantaneous > 0))
     throw BadInput(name + " instantaneous", function.instantaneous, "must be finite and > 0");
+  // theta2 of a nearly incompressible material is far smaller than the inverse of a modulus.
+  if (!(function.instantaneous >= 1e-20 * least_magnitude && function.instantaneous <= greatest_magnitude))
+    throw BadInput(name + " instantaneous", function.instantaneous, "must be from 1e-80 to 1e60");
   for (std::size_t i = 0; i < function.terms.size(); ++i) {
     check_term(function.terms[i], name);
     for (std::size_t j = 0; j < i; ++j) {
@@ -84,8 +91,10 @@ std::vector<double> telling_frequencies(const MaterialFunction& theta1, const Ma
       }
     }
   }
-  for (double frequency = least / 1e3; frequency <= greatest * 1e3; frequency *= 1.02)
-    frequencies.push_back(frequency);
+  // A step must change the frequency, and all of them be doubles.
+  const double first = std::max(least / 1e3, std::numeric_limits<double>::min());
+  const double last = std::min(greatest * 1e3, std::numeric_limits<double>::max() / 2);
+  for (double frequency = first; frequency <= last; frequency *= 1.02) frequencies.push_back(frequency);
   return frequencies;
 }
 

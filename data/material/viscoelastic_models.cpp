@@ -2,28 +2,31 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/material/internal/partial_fractions.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 
 namespace nipref::data {
 namespace {
 
-void check_positive(const char* name, double value) {
-  if (!(std::isfinite(value) && value > 0)) throw BadInput(name, value, "must be finite and > 0");
-}
-
 Compliances compliances(double bulk, double shear) {
-  check_positive("bulk", bulk);
-  check_positive("shear", shear);
+  check_magnitude("bulk", bulk);
+  check_magnitude("shear", shear);
   return {1 / (2 * shear), 3 / (6 * bulk + 2 * shear)};
 }
 
 /// theta = at_once (delta(t) + e^(-rate t)/relaxation_time), the rate of theta2 being so many times
 /// 1/relaxation_time.
 ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time, int theta2_rate_factor) {
-  check_positive("relaxation_time", relaxation_time);
+  // It may be so short or so long that it no longer matters: it need not be a magnitude.
+  if (!(std::isfinite(relaxation_time) && relaxation_time > 0))
+    throw BadInput("relaxation_time", relaxation_time, "must be finite and > 0");
   const auto function = [&](double compliance, int rate_factor) -> MaterialFunction {
-    return {compliance, {{compliance / relaxation_time, rate_factor / relaxation_time}}};
+    const double amplitude = compliance / relaxation_time, rate = rate_factor / relaxation_time;
+    if (!(std::isfinite(amplitude) && std::isfinite(rate)))
+      throw BadInput("relaxation_time", relaxation_time,
+                     "must be so long that what is divided by it stays within the range of doubles");
+    return {compliance, {{amplitude, rate}}};
   };
   return {function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor)};
 }
@@ -60,12 +63,12 @@ ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
 }
 
 ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
-  check_positive("shear_1", s.shear_1);
-  check_positive("shear_2", s.shear_2);
-  check_positive("bulk_1", s.bulk_1);
-  check_positive("bulk_2", s.bulk_2);
-  check_positive("shear_viscosity", s.shear_viscosity);
-  check_positive("bulk_viscosity", s.bulk_viscosity);
+  check_magnitude("shear_1", s.shear_1);
+  check_magnitude("shear_2", s.shear_2);
+  check_magnitude("bulk_1", s.bulk_1);
+  check_magnitude("bulk_2", s.bulk_2);
+  check_magnitude("shear_viscosity", s.shear_viscosity);
+  check_magnitude("bulk_viscosity", s.bulk_viscosity);
   const Polynomial p{s.shear_1 + s.shear_2, s.shear_viscosity};
   const Polynomial q{s.shear_1 * s.shear_2, s.shear_1 * s.shear_viscosity};
   const Polynomial p_dilatation{s.bulk_1 + s.bulk_2, s.bulk_viscosity};

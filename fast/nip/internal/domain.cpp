@@ -11,7 +11,7 @@ namespace {
 
 using data::BadInput;
 
-constexpr double shortest = 1e-8;  // L/B
+constexpr double shortest = shortest_half_length;  // L/B
 constexpr double longest = 1e4;
 
 std::string allowed_length(const NipShape& shape) {

@@ -1,0 +1,91 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <nipref/fast/viscoelastic_nip/internal/short_memories.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Of a contact, or of the half-thickness.
+constexpr double too_short = 1e-9;
+/// In half-thicknesses: what a memory then still adds, at most 1e120 of the compliance over such a way, is none.
+constexpr double too_long = 1e150;
+/// Differences between contacts with resolved short memories and their limit, over the neglected way, reach 3.
+constexpr double safety = 8;
+
+/// On which edge pressure and kernel change.
+double edge(double half_length) { return std::min(half_length, 1.0); }
+
+/// Of what a memory leaves, 1/stress.
+Complex strength(const data::RelaxationTerm& term) { return term.amplitude / term.rate; }
+
+/// The sheet in terms of ways: half-thicknesses.
+class Ways {
+ public:
+  Ways(const data::ViscoelasticNip& nip, double half_length)
+      : half_thicknesses_per_time_(nip.speed / nip.half_thickness()),
+        shortest_(too_short * edge(half_length)) {}
+
+  [[nodiscard]] Complex way(const data::RelaxationTerm& term) const {
+    return half_thicknesses_per_time_ / term.rate;
+  }
+  [[nodiscard]] bool is_short(const data::RelaxationTerm& term) const {
+    return std::abs(way(term)) < shortest_;
+  }
+  [[nodiscard]] double at_once(const data::MaterialFunction& function) const {
+    double sum = function.instantaneous;
+    for (const data::RelaxationTerm& term : function.terms) {
+      if (is_short(term)) sum += strength(term).real();
+    }
+    return sum;
+  }
+  [[nodiscard]] std::vector<MemoryTerm> longer(const data::MaterialFunction& function,
+                                               double compliance) const {
+    std::vector<MemoryTerm> terms;
+    for (const data::RelaxationTerm& term : function.terms) {
+      if (is_short(term) || !(std::abs(way(term)) < too_long)) continue;
+      terms.push_back({term.amplitude / (half_thicknesses_per_time_ * compliance),
+                       term.rate / half_thicknesses_per_time_});
+    }
+    return terms;
+  }
+
+ private:
+  double half_thicknesses_per_time_;
+  double shortest_;
+};
+
+}  // namespace
+
+double EffectiveSheet::neglected(double half_length) const { return safety * way / edge(half_length); }
+
+double EffectiveSheet::neglected_near_end(double half_length, double distance) const {
+  if (way == 0) return 0;
+  const double growth = std::sqrt(edge(half_length) / std::max(std::fabs(distance), way));
+  return neglected(half_length) * std::max(growth, 1.0) * std::max(softening, 1.0);
+}
+
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length) {
+  const Ways ways(nip, half_length);
+  const data::MaterialFunction normal = nip.material.normal_compliance();
+  const data::MaterialFunction& theta2 = nip.material.theta2();
+  const double compliance = ways.at_once(normal);
+  EffectiveSheet sheet{
+      compliance,
+      {ways.longer(normal, compliance), ways.at_once(theta2) / compliance, ways.longer(theta2, compliance)}};
+  sheet.softening = compliance / normal.instantaneous;
+  for (const data::MaterialFunction* function : {&normal, &theta2}) {
+    for (const data::RelaxationTerm& term : function->terms) {
+      if (!ways.is_short(term)) continue;
+      const Complex delay = strength(term) / compliance * ways.way(term);
+      sheet.way += std::abs(delay);
+      if (function == &normal) sheet.shift += delay.real();
+    }
+  }
+  return sheet;
+}
+
+}  // namespace nipref::fast

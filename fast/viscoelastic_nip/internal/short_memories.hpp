@@ -1,0 +1,30 @@
+#pragma once
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
+
+namespace nipref::fast {
+
+/// A sheet as a contact of about a given length meets it. A memory that fades within 1e-9 of the contact, or of
+/// the half-thickness if that is less, is replaced by its limit: the compliance that it leaves acts at once,
+/// amplitude/rate, and later by the way amplitude/rate^2 over the whole compliance, for to first order
+/// 1 + (amplitude/rate)/(1 + i k/rate) is a factor and a shift. What is left out beside is of the order of that
+/// way over the contact. So the panels need not resolve what double cannot carry.
+struct EffectiveSheet {
+  double compliance;              ///< N at once, with what the short memories leave, 1/stress
+  ViscoelasticMaterial material;  ///< in units of it: the longer memories
+  double softening = 1;           ///< that compliance over N at once without them
+  double shift = 0;               ///< by the short memories of N, half-thicknesses
+  double way = 0;                 ///< that they are neglected by, N's and theta2's, in size; 0: none is
+
+  /// The pressure trails by `shift` and no more: there is no longer memory.
+  [[nodiscard]] bool is_shifted_only() const { return way > 0 && material.normal.empty(); }
+  /// Relative to anything of a contact of this half length (half-thicknesses), several times what is left out.
+  [[nodiscard]] double neglected(double half_length) const;
+  /// The same of the pressure, relative to that in the middle, at a distance from the contact's end: it changes
+  /// there like a square root and, within the way itself, from the compliance at once to that of the limit.
+  [[nodiscard]] double neglected_near_end(double half_length, double distance) const;
+};
+
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length);
+
+}  // namespace nipref::fast
