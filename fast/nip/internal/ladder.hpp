@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
 #include <nipref/fast/number/estimate.hpp>
@@ -93,14 +93,20 @@ class Ladder {
   /// step(near, level): solution number `level`, its terms laid out for a half length near `near`.
   template <class Step>
   void climb(double near, const Step& step) {
+    int in_vain = 0;  // levels
     for (int level = 0; level < Levels::most; ++level) {
       std::ranges::rotate(solutions_, solutions_.begin() + 1);
       solutions_[2] = step(near, level);
       near = half_length(last());
       if (level < 2) continue;
-      relative_error_ = largest_relative_error();
-      if (!std::isfinite(relative_error_)) throw std::runtime_error("the contact's expansion broke down");
-      if (relative_error_ <= accuracy_) return;
+      const double before = std::exchange(relative_error_, largest_relative_error());
+      if (!std::isfinite(relative_error_)) {
+        throw data::BadInput("contact's half length", near,
+                             "in half-thicknesses, must be one that can be solved in double with this sheet");
+      }
+      // Where more terms twice do not help, rounding is what is left.
+      in_vain = relative_error_ < 1e-6 && relative_error_ > 0.5 * before ? in_vain + 1 : 0;
+      if (relative_error_ <= accuracy_ || in_vain == 2) return;
     }
   }
 
@@ -123,7 +129,8 @@ class Ladder {
       load_residual_ = search.residual();
       exponent_ = search.exponent();
       if (!settled) continue;
-      if (!std::isfinite(load_residual_)) throw std::runtime_error("no contact length found for the load");
+      if (!std::isfinite(load_residual_))
+        throw data::BadInput("load", load, "over its unit, must be one for which a contact length is found");
       return contact;
     }
   }
