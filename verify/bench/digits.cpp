@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -71,8 +72,7 @@ void compare(const Quantity& quantity, const Method& method, int digits, BenchRo
   row.max_relative_error = relative;
 }
 
-/// The steady rows at one number of digits, and ref's very first call in this process, which builds its
-/// nodes.
+/// The steady rows at one number of digits, and ref's first call, which builds its nodes.
 struct Rows {
   std::vector<BenchRow> steady;
   BenchRow first_call;
@@ -91,6 +91,7 @@ Rows bench_at(const Quantity& quantity, int digits) {
   for (const MultiprecisionPeer& peer : quantity.multiprecision_peers) {
     methods.push_back(peer_method(peer, digits));
   }
+  ref::clear_caches();
   const double first_call = seconds_of([&] { methods.front().run(1); });
   std::vector<Contender> contenders;
   for (const Method& method : methods) contenders.push_back(contender_of(method));

@@ -1,9 +1,9 @@
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include <nipref/fast/number/internal/memo.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 
@@ -80,7 +80,10 @@ void integrate(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,
   basis.moment = moment * pressure;
 }
 
-ViscoelasticBasis make(int terms, bool at_end) {
+using Kind = std::pair<int, bool>;  // terms, at_end
+
+ViscoelasticBasis make(const Kind& kind) {
+  const auto [terms, at_end] = kind;
   const ViscoelasticLayout layout(1, 2, terms);
   const ViscoelasticPanel& panel = layout.panels()[at_end ? 0 : 1];
   ViscoelasticBasis basis;
@@ -95,11 +98,9 @@ ViscoelasticBasis make(int terms, bool at_end) {
 
 }  // namespace
 
-const ViscoelasticBasis& viscoelastic_basis(int terms, bool at_end) {
-  thread_local std::map<std::pair<int, bool>, ViscoelasticBasis> made;
-  const auto found = made.find({terms, at_end});
-  return found != made.end() ? found->second
-                             : made.emplace(std::pair(terms, at_end), make(terms, at_end)).first->second;
+std::shared_ptr<const ViscoelasticBasis> viscoelastic_basis(int terms, bool at_end) {
+  static Memo<Kind, ViscoelasticBasis> kept(make);
+  return kept.at({terms, at_end});
 }
 
 }  // namespace nipref::fast

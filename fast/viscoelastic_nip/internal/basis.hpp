@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 
 namespace nipref::fast {
 
@@ -15,7 +16,7 @@ struct ViscoelasticBasis {
   Eigen::RowVectorXd moment;    ///< the same times x
 };
 
-/// Lives as long as the thread that asks.
-const ViscoelasticBasis& viscoelastic_basis(int terms, bool at_end);
+/// Computed at the first call and kept, see Memo.
+std::shared_ptr<const ViscoelasticBasis> viscoelastic_basis(int terms, bool at_end);
 
 }  // namespace nipref::fast

@@ -2,10 +2,11 @@
 #include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <memory>
 #include <numbers>
 #include <span>
 
+#include <nipref/fast/number/internal/memo.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 
 namespace nipref::fast {
@@ -20,7 +21,7 @@ struct UnitGauss {
   std::vector<double> x, weight;
 };
 
-UnitGauss make_gauss_legendre(int count) {
+UnitGauss make_gauss_legendre(const int& count) {
   UnitGauss rule;
   const auto append = [&](double zero) {
     const double slope = boost::math::legendre_p_prime(count, zero);
@@ -34,10 +35,9 @@ UnitGauss make_gauss_legendre(int count) {
   return rule;
 }
 
-const UnitGauss& gauss_legendre(int count) {
-  thread_local std::map<int, UnitGauss> made;
-  const auto found = made.find(count);
-  return found != made.end() ? found->second : made.emplace(count, make_gauss_legendre(count)).first->second;
+std::shared_ptr<const UnitGauss> gauss_legendre(int count) {
+  static Memo<int, UnitGauss> kept(make_gauss_legendre);
+  return kept.at(count);
 }
 
 /// T_j(2 xi - 1), j = 0 .. degree, for each xi one row.
@@ -144,7 +144,8 @@ void ViscoelasticOperator::far_moments(const std::vector<double>& at, const std:
   const int degree = layout_.degree(panel);
   // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
   const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance_) / 3.5 + panel.width);
-  const UnitGauss& rule = gauss_legendre(count);
+  const auto kept = gauss_legendre(count);
+  const UnitGauss& rule = *kept;
   Eigen::MatrixXd weighted;
   chebyshev_rows(rule.x, degree, weighted);
   for (int g = 0; g < count; ++g) {

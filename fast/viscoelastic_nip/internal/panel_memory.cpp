@@ -10,7 +10,8 @@ namespace {
 template <typename Rate>
 PanelMemory memory_at(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel, Rate rate) {
   using Matrix = Eigen::Matrix<Rate, Eigen::Dynamic, Eigen::Dynamic>;
-  const ViscoelasticBasis& basis = viscoelastic_basis(layout.terms(), panel.at_end());
+  const auto kept = viscoelastic_basis(layout.terms(), panel.at_end());
+  const ViscoelasticBasis& basis = *kept;
   const int degree = basis.degree;
   // Downstream is towards larger xi on the leading half, towards smaller on the trailing one.
   const bool leading = panel.half == Half::leading;
@@ -41,8 +42,8 @@ PanelMemory memory_at(const ViscoelasticLayout& layout, const ViscoelasticPanel&
 }  // namespace
 
 Eigen::MatrixXd pressure_in_chebyshev(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel) {
-  const ViscoelasticBasis& basis = viscoelastic_basis(layout.terms(), panel.at_end());
-  return basis.chebyshev * basis.pressure;
+  const auto basis = viscoelastic_basis(layout.terms(), panel.at_end());
+  return basis->chebyshev * basis->pressure;
 }
 
 PanelMemory panel_memory(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,

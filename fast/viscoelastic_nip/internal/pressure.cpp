@@ -102,10 +102,10 @@ void ViscoelasticPressure::integrate() {
   const auto& panels = layout_.panels();
   for (std::size_t p = 0; p < panels.size(); ++p) {
     const ViscoelasticPanel& panel = panels[p];
-    const ViscoelasticBasis& basis = viscoelastic_basis(layout_.terms(), panel.at_end());
+    const auto basis = viscoelastic_basis(layout_.terms(), panel.at_end());
     const Eigen::VectorXd c = coefficients(p);
-    const double sum = panel.width * (basis.integral * c)(0);
-    const double from_end = panel.left * sum + panel.width * panel.width * (basis.moment * c)(0);
+    const double sum = panel.width * (basis->integral * c)(0);
+    const double from_end = panel.left * sum + panel.width * panel.width * (basis->moment * c)(0);
     const double first = half_length() * sum - from_end;
     load_ += sum;
     moment_ += panel.half == Half::leading ? first : -first;

@@ -1,16 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
-#include <utility>
 
 #include <nipref/ref/memory/internal/ray_nodes.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 namespace {
-
-constexpr std::size_t most_sets = 256;
 
 /// Computes nodes one by one.
 class Ray {
@@ -114,27 +110,25 @@ class Ray {
   Complex square_;
 };
 
-std::shared_ptr<const RayNodes> make_ray_nodes(const RayKey& key) {
-  auto nodes = std::make_shared<RayNodes>();
+RayNodes make_ray_nodes(const RayKey& key) {
+  RayNodes nodes;
   Ray ray(key);
-  for (long j = key.first; j <= key.last; ++j) ray.compute(j, nodes->emplace_back(key.bits));
+  for (long j = key.first; j <= key.last; ++j) ray.compute(j, nodes.emplace_back(key.bits));
   return nodes;
+}
+
+std::size_t size_in_bytes(const RayNodes& nodes) {
+  if (nodes.empty()) return 0;
+  constexpr std::size_t parts = 4;  // real and imaginary ones of z and the weight
+  const std::size_t digits = mpfr_custom_get_size(mpfr_get_prec(mpc_realref(nodes.front().z.get())));
+  return nodes.size() * (sizeof(RayNode) + parts * digits);
 }
 
 }  // namespace
 
 std::shared_ptr<const RayNodes> ray_nodes(const RayKey& key) {
-  static std::mutex mutex;
-  static std::map<RayKey, std::shared_ptr<const RayNodes>> store;
-  {
-    const std::lock_guard lock(mutex);
-    const auto found = store.find(key);
-    if (found != store.end()) return found->second;
-  }
-  auto nodes = make_ray_nodes(key);
-  const std::lock_guard lock(mutex);
-  if (store.size() >= most_sets) store.clear();
-  return store.emplace(key, std::move(nodes)).first->second;
+  static Memo<RayKey, RayNodes> kept(make_ray_nodes, size_in_bytes);
+  return kept.at(key);
 }
 
 }  // namespace nipref::ref

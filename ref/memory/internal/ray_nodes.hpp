@@ -28,7 +28,7 @@ struct RayNode {
 
 using RayNodes = std::deque<RayNode>;
 
-/// The nodes for `key`, computed at the first call and kept while there are not too many. Thread-safe.
+/// The nodes for `key`, computed at the first call and kept, see Memo. Thread-safe.
 std::shared_ptr<const RayNodes> ray_nodes(const RayKey& key);
 
 }  // namespace nipref::ref

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <nipref/ref/number/internal/complex.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/number/real.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 
@@ -218,6 +219,13 @@ NodeBlock make_block(const NodeKey& key, long first, long end) {
   return block;
 }
 
+std::size_t size_in_bytes(const Nodes& nodes) {
+  std::size_t bytes = 0;
+  for (const NodeBlock& block : nodes.blocks)
+    bytes += (block.real.size() + block.imag.size()) * sizeof(mp_limb_t);
+  return bytes;
+}
+
 }  // namespace
 
 mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs) {
@@ -242,6 +250,11 @@ Nodes make_nodes(const NodeKey& key) {
     result.blocks.push_back(make_block(key, first, std::min(first + block_length, result.last + 1)));
   }
   return result;
+}
+
+std::shared_ptr<const Nodes> nodes(const NodeKey& key) {
+  static Memo<NodeKey, Nodes> kept(make_nodes, size_in_bytes);
+  return kept.at(key);
 }
 
 }  // namespace nipref::ref

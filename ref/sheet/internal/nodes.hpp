@@ -53,10 +53,10 @@ mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 /// divided by h^k where the symbol has a pole of order k on the line (h <= 1).
 double effective_amplitude(const NodeKey& key);
 
-/// The nodes for `key`, computed at the first call and kept while memory for them lasts. Thread-safe.
+/// The nodes for `key`, computed at the first call and kept, see Memo. Thread-safe.
 std::shared_ptr<const Nodes> nodes(const NodeKey& key);
 
-/// Computes the nodes, without the store.
+/// Computes the nodes and keeps nothing.
 Nodes make_nodes(const NodeKey& key);
 
 }  // namespace nipref::ref

@@ -10,6 +10,7 @@
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/number/caches.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
@@ -155,6 +156,7 @@ BenchReport bench_nip() {
 /// All rows of Tables XI to XXVI, one thread: the row from its length, at the ends of the length's rounding
 /// interval too.
 double seconds_of_replay(int residue_terms) {
+  fast::clear_caches();
   return seconds_of([&] {
     for (const ViscoelasticTable& how : viscoelastic_tables()) {
       const data::Table table = data::load_table_by_id(std::string(how.id));

@@ -1,0 +1,62 @@
+#pragma once
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace nipref::fast {
+
+/// What fast::clear_caches() empties.
+class Cache {
+ public:
+  Cache() = default;
+  Cache(const Cache&) = delete;
+  Cache& operator=(const Cache&) = delete;
+  virtual void clear() = 0;
+
+ protected:
+  ~Cache() = default;
+  /// From `enter`, when it is whole, to `leave`, while it still is, a cache is known to clear_caches().
+  void enter();
+  void leave();
+};
+
+/// The values of a function of `Key`, computed when they are first asked for and kept: `most` of them, then
+/// all go. One policy for everything that this room keeps. Thread-safe; threads that ask at the same time may
+/// each compute a value, all get the same one.
+template <class Key, class Value>
+class Memo final : public Cache {
+ public:
+  static constexpr std::size_t usual_most = 256;
+
+  explicit Memo(Value (*make)(const Key&), std::size_t most = usual_most) : make_(make), most_(most) {
+    enter();
+  }
+  ~Memo() { leave(); }
+
+  /// Lives as long as it is held here or by a caller.
+  std::shared_ptr<const Value> at(const Key& key) {
+    {
+      const std::lock_guard lock(mutex_);
+      const auto found = kept_.find(key);
+      if (found != kept_.end()) return found->second;
+    }
+    auto made = std::make_shared<const Value>(make_(key));
+    const std::lock_guard lock(mutex_);
+    if (kept_.size() >= most_) kept_.clear();
+    return kept_.emplace(key, std::move(made)).first->second;
+  }
+
+  void clear() override {
+    const std::lock_guard lock(mutex_);
+    kept_.clear();
+  }
+
+ private:
+  Value (*make_)(const Key&);
+  std::size_t most_;
+  std::mutex mutex_;
+  std::map<Key, std::shared_ptr<const Value>> kept_;
+};
+
+}  // namespace nipref::fast

@@ -1,0 +1,51 @@
+#include <mpfr.h>
+
+#include <mutex>
+#include <vector>
+
+#include <nipref/ref/number/caches.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
+
+namespace nipref::ref {
+namespace {
+
+struct Registry {
+  std::mutex mutex;
+  std::vector<Cache*> caches;
+};
+
+Registry& registry() {
+  static Registry all;
+  return all;
+}
+
+}  // namespace
+
+void Cache::enter() {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  all.caches.push_back(this);
+}
+
+void Cache::leave() {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  std::erase(all.caches, this);
+}
+
+void clear_caches() {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  for (Cache* cache : all.caches) cache->clear();
+  mpfr_free_cache();
+}
+
+std::size_t cached_bytes() {
+  Registry& all = registry();
+  const std::lock_guard lock(all.mutex);
+  std::size_t sum = 0;
+  for (const Cache* cache : all.caches) sum += cache->bytes();
+  return sum;
+}
+
+}  // namespace nipref::ref
