@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
@@ -47,6 +49,17 @@ TEST_CASE("the distance of two decimal texts keeps what a double would lose") {
   CHECK(verify::decimal_distance("0.3333333333333333333333333333331", "0.3333333333333333333333333333330") ==
         doctest::Approx(1e-31));
   CHECK(verify::decimal_distance("1e-3", "0.001") == 0);
+}
+
+TEST_CASE("the stopwatch plans its rounds by a run that finds what the first one has built") {
+  int runs = 0;
+  const verify::Contender contender{[&](std::size_t) {
+                                      if (++runs == 1)
+                                        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                                    },
+                                    1, 1};
+  verify::time_interleaved({contender}, 3, 1e-3);
+  CHECK(runs > 20);
 }
 
 TEST_CASE("the stopwatch never asks for more evaluations than there are, nor for fewer than the least") {

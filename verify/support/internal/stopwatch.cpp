@@ -12,8 +12,8 @@ struct Round {
   std::size_t passes;
 };
 
-/// The round that fits into the time; the runs made on the way also warm the caches. Quick contenders make
-/// several passes, so that what the others left in the caches does not count.
+/// The round that fits into the time. The very first run may build what later ones find kept, and says nothing
+/// about their time.
 Round plan(const Contender& contender, double seconds) {
   std::size_t count = std::min(contender.least, contender.most);
   double taken = seconds_of([&] { contender.run(count); });
@@ -21,10 +21,14 @@ Round plan(const Contender& contender, double seconds) {
     count = std::min(2 * count, contender.most);
     taken = seconds_of([&] { contender.run(count); });
   }
+  if (count == contender.least) taken = seconds_of([&] { contender.run(count); });
   return {count, std::max<std::size_t>(1, static_cast<std::size_t>(seconds / taken))};
 }
 
+/// Quick contenders make several passes and one before that is not timed, so that what the others left in the
+/// processor's caches does not count.
 double seconds_per_evaluation(const Contender& contender, const Round& round) {
+  if (round.passes > 1) contender.run(round.count);
   const double seconds = seconds_of([&] {
     for (std::size_t pass = 0; pass < round.passes; ++pass) contender.run(round.count);
   });
