@@ -8,7 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
@@ -19,8 +19,6 @@ using data::BadInput;
 constexpr int guard_digits = 15;
 constexpr int most_digits = 100;
 constexpr int most_terms = 900;
-
-Float pi() { return boost::math::constants::pi<Float>(); }
 
 /// One solved expansion, dimensionless: lengths in half-thicknesses b, normal displacements times 2 R/b^2,
 /// pressures times 2 R N/b.
@@ -36,7 +34,7 @@ struct Expansion {
     if (abs(y) >= half_length) return 0;
     const Float angle = acos(y / half_length);
     Float sum = 0;
-    for (Eigen::Index k = 0; k < coefficients.size(); ++k) sum += coefficients(k) * sin((2 * k + 1) * angle);
+    for (Matrix::Index k = 0; k < coefficients.size(); ++k) sum += coefficients(k) * sin((2 * k + 1) * angle);
     return sum;
   }
 };
@@ -79,7 +77,7 @@ Expansion expand(const Float& half_length, int terms, int digits, long& kernel_v
   }
   kernel_values += 2L * size * size;
   const Float factor = half_length / pi();
-  matrix.leftCols(terms) = smooth * nodes;
+  matrix.set_block(0, 0, smooth * nodes);
   for (int i = 0; i < size; ++i) {
     for (int k = 0; k < terms; ++k) matrix(i, k) += logarithm_of(2 * k, odd(i));
     matrix(i, 0) -= pi() / 2 * log(half_length);
@@ -88,8 +86,8 @@ Expansion expand(const Float& half_length, int terms, int digits, long& kernel_v
     const Float height = half_length * sin(odd(i));
     gap(i) = height * height;
   }
-  const Vector unknowns = matrix.partialPivLu().solve(gap);
-  return {half_length, unknowns.head(terms), unknowns(terms)};
+  const Vector unknowns = solve(matrix, gap);
+  return {half_length, unknowns.block(0, 0, terms, 1), unknowns(terms)};
 }
 
 int terms_of_level(double half_length, int level) {

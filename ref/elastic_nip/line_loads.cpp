@@ -5,15 +5,13 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 namespace nipref::ref {
 namespace {
 
 using data::BadInput;
-
-Float pi() { return boost::math::constants::pi<Float>(); }
 
 /// Values of a kernel at the odd multiples 1, 3 .. 4m - 1 of a/b, and a bound on the error of each.
 struct KernelValues {
@@ -103,10 +101,10 @@ System gripped_system(const Problem& problem, int digits) {
     return multiple > 0 ? coupling.at(multiple) : Float(-coupling.at(-multiple));
   };
   const System above = frictionless_system(problem, normal);
-  System system{Matrix::Zero(2 * m + 1, 2 * m + 1), Vector::Zero(2 * m + 1),
+  System system{Matrix(2 * m + 1, 2 * m + 1), Vector(2 * m + 1),
                 2 * std::max({normal.error, coupling.error, tangential.error})};
-  system.matrix.topLeftCorner(m + 1, m + 1) = above.matrix;
-  system.right.head(m + 1) = above.right;
+  system.matrix.set_block(0, 0, above.matrix);
+  system.right.set_block(0, 0, above.right);
   for (int i = 0; i <= m; ++i) {
     for (int k = 1; k <= m; ++k) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;
@@ -122,9 +120,9 @@ System gripped_system(const Problem& problem, int digits) {
 
 Float row_sum_norm(const Matrix& matrix) {
   Float largest = 0;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+  for (Matrix::Index i = 0; i < matrix.rows(); ++i) {
     Float sum = 0;
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) sum += abs(matrix(i, j));
+    for (Matrix::Index j = 0; j < matrix.columns(); ++j) sum += abs(matrix(i, j));
     largest = std::max<Float>(largest, sum);
   }
   return largest;
@@ -132,7 +130,7 @@ Float row_sum_norm(const Matrix& matrix) {
 
 Float largest_of(const Vector& vector) {
   Float largest = 0;
-  for (Eigen::Index i = 0; i < vector.size(); ++i) largest = std::max<Float>(largest, Float(abs(vector(i))));
+  for (Matrix::Index i = 0; i < vector.size(); ++i) largest = std::max<Float>(largest, Float(abs(vector(i))));
   return largest;
 }
 
@@ -142,16 +140,16 @@ std::optional<Solved> solve(const System& system) {
   const auto n = system.matrix.rows();
   const Matrix inverse = system.matrix.inverse();
   const Vector unknowns = inverse * system.right;
-  const Float unit = static_cast<long>(n + 2) * std::numeric_limits<Float>::epsilon();
-  const Float size = row_sum_norm(system.matrix) + static_cast<long>(n) * system.error;
+  const Float unit = (n + 2) * std::numeric_limits<Float>::epsilon();
+  const Float size = row_sum_norm(system.matrix) + n * system.error;
   const Float inverse_size = row_sum_norm(inverse);
   const Matrix product = inverse * system.matrix;
-  const Float defect = row_sum_norm(Matrix::Identity(n, n) - product) + unit * inverse_size * size +
-                       inverse_size * static_cast<long>(n) * system.error;
+  const Float defect = row_sum_norm(Matrix::identity(n) - product) + unit * inverse_size * size +
+                       inverse_size * n * system.error;
   if (!(defect < 0.5)) return std::nullopt;
   const Vector residual = system.right - system.matrix * unknowns;
   const Float of_residual = unit * (size * largest_of(unknowns) + 4 * largest_of(system.right)) +
-                            static_cast<long>(n) * system.error * largest_of(unknowns);
+                            n * system.error * largest_of(unknowns);
   const Float error = inverse_size * (largest_of(residual) + of_residual) / (1 - defect);
   return Solved{unknowns, error, size * inverse_size};
 }

@@ -1,4 +1,3 @@
-#include <Eigen/Eigenvalues>
 #include <array>
 
 #include <nipref/ref/half_space/bulk_wave.hpp>
@@ -9,10 +8,12 @@ namespace nipref::ref {
 namespace {
 
 /// Numbers of the eigenvectors, in the order of BulkWave; eigenvalues ascend.
-std::array<Eigen::Index, 3> in_order(const Matrix& vectors) {
-  Eigen::Index upright = 0;
-  vectors.row(2).cwiseAbs().maxCoeff(&upright);
-  const Eigen::Index slower = upright == 0 ? 1 : 0, faster = upright == 2 ? 1 : 2;
+std::array<Matrix::Index, 3> in_order(const Matrix& vectors) {
+  Matrix::Index upright = 0;
+  for (const Matrix::Index k : {1, 2}) {
+    if (abs(vectors(2, k)) > abs(vectors(2, upright))) upright = k;
+  }
+  const Matrix::Index slower = upright == 0 ? 1 : 0, faster = upright == 2 ? 1 : 2;
   return {upright, faster, slower};
 }
 
@@ -25,17 +26,16 @@ Enclosure bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& d
   const WorkingDigits working(digits_of(precision));
   const IntervalMatrix q = acoustic_matrices(solid, direction, Interval(precision)).q;
   const Matrix matrix = middle(q).re;
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
-  const Eigen::Index number = in_order(solver.eigenvectors())[static_cast<std::size_t>(wave)];
-  const Vector vector = solver.eigenvectors().col(number);
-  const Float eigenvalue = solver.eigenvalues()(number);
-  const Float residual = (matrix * vector - eigenvalue * vector).norm() / vector.norm();
-  Float modulus, density;
-  mpfr_set_q(modulus.backend().data(), solid.voigt[2][2].get_mpq_t(), MPFR_RNDN);
-  mpfr_set_q(density.backend().data(), solid.density.get_mpq_t(), MPFR_RNDN);
+  const auto [values, vectors] = symmetric_eigen(matrix);
+  const Matrix::Index number = in_order(vectors)[static_cast<std::size_t>(wave)];
+  const Vector vector = vectors.column(number);
+  const Float eigenvalue = values(number);
+  const Float residual = norm(matrix * vector - eigenvalue * vector) / norm(vector);
+  const Float modulus = to_float(Exact(solid.voigt[2][2]));
+  const Float density = to_float(Exact(solid.density));
   const Float speed = sqrt(eigenvalue * modulus / density);
   // Half the relative error of the eigenvalue, what rounded it included.
-  const Float rounding = matrix.norm() * pow(Float(2), 16 - static_cast<long>(precision));
+  const Float rounding = norm(matrix) * pow(Float(2), 16 - static_cast<long>(precision));
   const Float error = speed * (residual + rounding) / eigenvalue;
   return {to_real(speed), to_real(error), digits};
 }

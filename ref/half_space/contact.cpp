@@ -37,13 +37,6 @@ class Surface {
   int digits_;
 };
 
-Float pi() { return boost::math::constants::pi<Float>(); }
-Float to_float(const Exact& exact) {
-  Float value;
-  mpfr_set_q(value.backend().data(), exact.value().get_mpq_t(), MPFR_RNDN);
-  return value;
-}
-
 /// cos of an angle in degrees, exactly 0 across.
 Float cosine(const Exact& degrees) {
   mpq_class from_90 = 90 - abs(degrees.value());
@@ -94,7 +87,7 @@ Float unit_integral(int digits, const std::function<Float(const Float& left, con
   const Float step = Float(1) / (digits + 20) * 2;
   // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
   const int last =
-      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / step.convert_to<double>());
+      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
   Float sum = 0;
   for (int i = -last; i <= last; ++i) {
     const Float s = i * step;

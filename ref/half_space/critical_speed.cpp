@@ -106,7 +106,7 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
     const int working_digits = std::max(digits, 4 * width_digits) + 8;
     const WorkingDigits working(working_digits + 16);
     const Float width = pow(Float(10), -width_digits);
-    psi = Float(psi, Float::thread_default_precision());
+    psi = psi.at_working_precision();
     const auto f = [&](const Float& angle) {
       return to_float(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
     };
@@ -115,7 +115,7 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
     if (4 * width_digits < digits + 4) continue;
     Enclosure speed = critical_speed_along(solid, motion, degrees(psi), digits);
     const Float miss = parabola.curvature * pow(10 * width, 2);
-    mpfr_add(speed.error_bound.get(), speed.error_bound.get(), miss.backend().data(), MPFR_RNDU);
+    mpfr_add(speed.error_bound.get(), speed.error_bound.get(), miss.get(), MPFR_RNDU);
     return {std::move(speed), static_cast<double>(psi)};
   }
 }

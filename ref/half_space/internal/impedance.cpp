@@ -5,8 +5,8 @@
 namespace nipref::ref {
 namespace {
 
-using Index = Eigen::Index;
-using Complex = ComplexMatrix<Matrix>;
+using Index = Matrix::Index;
+using Complex = ComplexMatrix;
 
 Index index(std::size_t i) { return static_cast<Index>(i); }
 
@@ -39,7 +39,7 @@ Vector packed(const Complex& x) {
 }
 
 Complex unpacked(const Vector& x) {
-  Complex result{Matrix::Zero(3, 3), Matrix::Zero(3, 3)};
+  Complex result{Matrix(3, 3), Matrix(3, 3)};
   for (Index i = 0; i < 3; ++i) {
     for (Index k = i; k < 3; ++k) {
       result.re(i, k) = result.re(k, i) = x(3 * i + k);
@@ -55,12 +55,11 @@ Complex unpacked(const Vector& x) {
 Complex lyapunov_solution(const Complex& g) {
   Matrix operator_matrix(9, 9);
   for (Index k = 0; k < 9; ++k) {
-    const Vector unit = Vector::Unit(9, k);
-    operator_matrix.col(k) = packed(lyapunov(unpacked(unit), g));
+    Vector unit(9);
+    unit(k) = 1;
+    operator_matrix.set_block(0, k, packed(lyapunov(unpacked(unit), g)));
   }
-  const Vector right = packed({Matrix::Identity(3, 3), Matrix::Zero(3, 3)});
-  const Vector solution = operator_matrix.partialPivLu().solve(right);
-  return unpacked(solution);
+  return unpacked(solve(operator_matrix, packed({Matrix::identity(3), Matrix(3, 3)})));
 }
 
 bool is_below(const Interval& x, long bound) { return mpfi_cmp_si(x.get(), bound) < 0; }
@@ -92,7 +91,7 @@ std::optional<IntervalMatrix> surface_impedance(const AcousticMatrices& matrices
   const auto approximate = barnett_lothe_impedance(middle(matrices.q).re, middle(matrices.r).re,
                                                    middle(matrices.t).re, small, most_doublings);
   if (!approximate) return std::nullopt;
-  const IntervalMatrix centre = points(*approximate, precision);
+  const IntervalMatrix centre = points({approximate->re, approximate->im}, precision);
   const auto radius = proven_radius(matrices, centre);
   if (!radius) return std::nullopt;
   return IntervalMatrix([&](std::size_t i, std::size_t k) {

@@ -1,9 +1,8 @@
 #pragma once
-#include <nipref/ref/half_space/internal/barnett_lothe.hpp>
-#include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/internal/interval_matrix.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
 
-// Between intervals and floating point. Heavy to compile; for .cpp files of this room only.
+// Between intervals and floating point.
 
 namespace nipref::ref {
 
@@ -18,12 +17,16 @@ inline Interval point(const Float& x, mpfr_prec_t precision) {
   return {value, value, precision};
 }
 
-inline ComplexMatrix<Matrix> middle(const IntervalMatrix& x) {
-  ComplexMatrix<Matrix> result{Matrix(3, 3), Matrix(3, 3)};
+struct ComplexMatrix {
+  Matrix re, im;
+};
+
+inline ComplexMatrix middle(const IntervalMatrix& x) {
+  ComplexMatrix result{Matrix(3, 3), Matrix(3, 3)};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto row = static_cast<Eigen::Index>(i);
-      const auto column = static_cast<Eigen::Index>(k);
+      const auto row = static_cast<Matrix::Index>(i);
+      const auto column = static_cast<Matrix::Index>(k);
       result.re(row, column) = middle(x(i, k).real);
       result.im(row, column) = middle(x(i, k).imag);
     }

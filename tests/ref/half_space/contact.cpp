@@ -21,10 +21,8 @@ namespace {
 ref::SurfaceAnswer isotropic(double poisson, double speed) {
   return [=](const Exact& degrees, int digits) -> ref::LineAnswer {
     const ref::WorkingDigits working(2 * digits + 20);
-    const Float pi = boost::math::constants::pi<Float>();
     const mpq_class from_90 = 90 - abs(degrees.value());
-    const Float cosine =
-        sin(Float(from_90.get_num().get_str()) / Float(from_90.get_den().get_str()) * pi / 180);
+    const Float cosine = sin(ref::to_float(Exact(from_90)) * ref::pi() / 180);
     const Float nu = poisson,
                 X = std::max(Float(speed * cosine * speed * cosine), Float(pow(Float(10), -digits)));
     const Float wS = sqrt(1 - X), wD = sqrt(1 - X * (1 - 2 * nu) / (2 - 2 * nu));

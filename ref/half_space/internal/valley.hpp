@@ -1,0 +1,16 @@
+#pragma once
+#include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
+
+namespace nipref::ref {
+
+/// The s = tan(phi) of a scan of half a turn where q + s (r + r^T) + s^2 t has the smallest eigenvalue, and its
+/// neighbours; in double.
+struct Valley {
+  double left, right;
+  double eigenvalue;
+};
+
+/// Of matrices at rest.
+Valley lowest_valley(const AcousticMatrices& matrices);
+
+}  // namespace nipref::ref
