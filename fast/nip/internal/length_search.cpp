@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <nipref/fast/nip/internal/length_search.hpp>
 
@@ -12,7 +13,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Secants that need more have lost their way; a wrong exponent that is kept may need five lengths a digit.
 constexpr int most_by_secant = 40, most_by_one_exponent = 200;
 /// Creep that sets in over a decade of lengths takes one from the 2 of a half-space.
-constexpr double least_exponent = 1, greatest_exponent = 6;
+constexpr double least_exponent = 1;
+/// Of ln(load): by less the load may be off because its contact was laid out for another length.
+constexpr double telling_excess = 0.1;
 
 }  // namespace
 
@@ -34,7 +37,8 @@ bool LengthSearch::settled(double found) {
   const bool was_last = ++tried_ == (rule_.fixed_exponent ? most_by_one_exponent : most_by_secant);
   if (!(found > 0)) {
     residual_ = infinity;
-    log_length_ -= 1;
+    log_too_long_ = log_length_;
+    move_to(log_length_ - 1);
     return was_last;
   }
   const double excess = std::log(found / load_);
@@ -54,15 +58,25 @@ bool LengthSearch::at_rounding(double excess) const {
 }
 
 void LengthSearch::step(double excess) {
+  if (excess > telling_excess) log_too_long_ = log_length_;
+  if (excess < -telling_excess) log_too_short_ = log_length_;
   by_secant_ = false;
   if (!rule_.fixed_exponent && last_excess_ != 0 && log_length_ != last_log_length_) {
     const double shown = (excess - last_excess_) / (log_length_ - last_log_length_);
-    exponent_ = std::clamp(shown, least_exponent, greatest_exponent);
+    exponent_ = std::max(shown, least_exponent);
     by_secant_ = exponent_ == shown;
   }
   last_log_length_ = log_length_;
   last_excess_ = excess;
-  log_length_ = std::min(log_length_ - excess / exponent_, std::log(rule_.longest));
+  move_to(log_length_ - excess / exponent_);
+}
+
+/// Not where the search has been and found too much or too little.
+void LengthSearch::move_to(double log_length) {
+  const bool outside = log_length <= log_too_short_ || log_length >= log_too_long_;
+  const bool enclosed = std::isfinite(log_too_short_) && std::isfinite(log_too_long_);
+  if (outside && enclosed && !rule_.fixed_exponent) log_length = std::midpoint(log_too_short_, log_too_long_);
+  log_length_ = std::min(log_length, std::log(rule_.longest));
 }
 
 }  // namespace nipref::fast

@@ -20,8 +20,8 @@ struct LengthSearchRule {
 };
 
 /// Search for the contact length, in any unit, that carries a load: ln(load) as a function of ln(length) is
-/// nearly straight, so each step goes to where a straight line meets the load. The first is (thesis 2.13), the
-/// others are secants.
+/// nearly straight, so each step goes to where a straight line meets the load, the first by (thesis 2.13), the
+/// others by secants; one that leads back to where the load was too great or too small is halved in between.
 class LengthSearch {
  public:
   /// The exponent of the load's growth with the length is 2 for a half-space, 3 for springs and 5 for an
@@ -47,12 +47,16 @@ class LengthSearch {
  private:
   [[nodiscard]] bool at_rounding(double excess) const;
   void step(double excess);
+  void move_to(double log_length);
 
   double load_;
   LengthSearchRule rule_;
   double log_length_;
   double exponent_;
   bool by_secant_ = false;  ///< the last step's exponent was the secant's own
+  /// The last found to carry too little, and too much or nothing any more.
+  double log_too_short_ = -std::numeric_limits<double>::infinity();
+  double log_too_long_ = std::numeric_limits<double>::infinity();
   double last_log_length_ = 0;
   double last_excess_ = 0;  ///< of ln(load found) over ln(load); 0 before the second step
   double residual_ = std::numeric_limits<double>::infinity();

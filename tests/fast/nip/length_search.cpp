@@ -85,11 +85,29 @@ TEST_CASE("length search: rounding ends it, and counts as met") {
   CHECK(solves < 12);
 }
 
-TEST_CASE("length search: slow steps of a clamped exponent are no rounding") {
-  // Growth with the tenth power: each step may take 10/6 of the excess away at most.
+TEST_CASE("length search: slow steps of an exponent that is not the secant's own are no rounding") {
+  // None is taken below 1: each step leaves 0.6 of the excess.
   LengthSearch search(3, 1, {.tolerance = 1e-13});
-  const Solution found = ended(search, [](double length) { return std::pow(length, 10); });
-  CHECK(std::fabs(found.load / 3 - 1) <= (search.met() ? 1e-13 : 1e-6));
+  ended(search, [](double length) { return std::pow(length, 0.4); });
+  CHECK(search.residual() < 1e-6);
+  CHECK(!search.met());
+}
+
+TEST_CASE("length search: up to a pole, behind which there is no load or too much of it") {
+  for (const double beyond : {-1.0, 1e9}) {
+    for (const double load : {0.5, 30.0, 1e4}) {
+      CAPTURE(beyond);
+      CAPTURE(load);
+      const auto load_of = [&](double length) {
+        return length < 1 ? length * length / (1 - length) : beyond * length;
+      };
+      LengthSearch search(load, 1e-2, {.tolerance = 1e-10});
+      const double length = ended(search, load_of).length;
+      CHECK(search.met());
+      CHECK(length < 1);
+      CHECK(load_of(length) == doctest::Approx(load).epsilon(1e-10).scale(0));
+    }
+  }
 }
 
 TEST_CASE("length search: back from lengths where there is no load") {
