@@ -11,7 +11,7 @@ namespace nipref::fast {
 /// way over the contact. So the panels need not resolve what double cannot carry.
 struct EffectiveSheet {
   double compliance;              ///< N at once, with what the short memories leave, 1/stress
-  ViscoelasticMaterial material;  ///< in units of it: the longer memories
+  ViscoelasticCompliances material;  ///< in units of it: the longer memories
   double softening = 1;           ///< that compliance over N at once without them
   double shift = 0;               ///< by the short memories of N, half-thicknesses
   double way = 0;                 ///< that they are neglected by, N's and theta2's, in size; 0: none is
