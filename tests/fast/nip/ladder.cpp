@@ -6,9 +6,9 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/ladder.hpp>
 
 using namespace nipref::fast;
@@ -99,6 +99,6 @@ TEST_CASE("ladder: an accuracy out of reach is not claimed") {
 TEST_CASE("ladder: what is no number stops it") {
   std::vector<int> solves;
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_AS(Ladder<ToyLevels>::at_half_length({nan, &solves}, 1, 1e-6), std::runtime_error);
-  CHECK_THROWS_AS(Ladder<ToyLevels>::at_load({nan, &solves}, 1, 1e-6), std::runtime_error);
+  CHECK_THROWS_AS(Ladder<ToyLevels>::at_half_length({nan, &solves}, 1, 1e-6), nipref::data::BadInput);
+  CHECK_THROWS_AS(Ladder<ToyLevels>::at_load({nan, &solves}, 1, 1e-6), nipref::data::BadInput);
 }
