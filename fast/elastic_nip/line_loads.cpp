@@ -1,9 +1,9 @@
-#include <Eigen/LU>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 
@@ -14,7 +14,7 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLo
   Work spent;
   const KernelValues kernels = line_load_kernels(method, distances, {.I1 = true}, spent);
   const Eigen::VectorXd unknowns =
-      slip_matrix(kernels.I1).partialPivLu().solve(gap_at_matching_points(nip, m, contact_length));
+      linear_solution(slip_matrix(kernels.I1), gap_at_matching_points(nip, m, contact_length));
   count_system(m + 1, spent);
   if (work != nullptr) *work += spent;
   return solution_of(nip, m, contact_length, unknowns);

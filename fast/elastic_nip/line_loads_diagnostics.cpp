@@ -1,8 +1,8 @@
-#include <Eigen/LU>
 #include <cmath>
 
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 
@@ -15,7 +15,7 @@ double condition_number(const data::ElasticNip& nip, const LineLoadMethod& metho
       line_load_kernels(method, distances, {.I1 = true, .I3 = full, .I6 = full}, spent);
   const Eigen::MatrixXd matrix = full ? grip_matrix(kernels, nip.material.poisson) : slip_matrix(kernels.I1);
   if (work != nullptr) *work += spent;
-  return 1 / matrix.partialPivLu().rcond();
+  return condition_estimate(matrix);
 }
 
 double oscillation(std::span<const double> loads) {

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include <nipref/fast/elastic_nip/internal/line_loads_system.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -36,9 +36,8 @@ AffineSolution solve(const data::ElasticNip& nip, const LineLoadMethod& method, 
   Work spent;
   const KernelValues kernels =
       line_load_kernels(method, distances, {.I1 = true, .I3 = true, .I6 = true}, spent);
-  const Eigen::MatrixXd unknowns = grip_matrix(kernels, nip.material.poisson)
-                                       .partialPivLu()
-                                       .solve(right_hand_sides(nip, m, contact_length));
+  const Eigen::MatrixXd unknowns =
+      linear_solution(grip_matrix(kernels, nip.material.poisson), right_hand_sides(nip, m, contact_length));
   count_system(2 * m + 1, spent);
   if (work != nullptr) *work += spent;
   return {unknowns.col(0), unknowns.col(1)};

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -6,6 +5,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
@@ -72,7 +72,7 @@ ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Viscoelastic
     const double y = 2 * (method.leading_elements - i) * cells.element;
     gap(i) = y * y * half_thickness / (2 * nip.roller_radius);
   }
-  const Eigen::VectorXd solved = matrix.partialPivLu().solve(gap);
+  const Eigen::VectorXd solved = linear_solution(matrix, gap);
 
   ViscoelasticLineLoads result{};
   result.systems = 1;

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -7,6 +6,7 @@
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
 #include <nipref/fast/elastic_nip/internal/panels.hpp>
 #include <nipref/fast/number/internal/chebyshev.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -118,7 +118,7 @@ class PanelContact : public HalfContact {
       matrix(i, size() - components()) = -1;
       if (friction_) matrix(i + per_component() + 1, size() - 1) = -(half_length - e);
     }
-    unknowns_ = matrix.partialPivLu().solve(gap);
+    unknowns_ = linear_solution(matrix, gap);
     kernels.count_system(size());
     edge_displacement = unknowns_(size() - components());
     if (friction_) creep = unknowns_(size() - 1);

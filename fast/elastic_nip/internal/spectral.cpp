@@ -1,10 +1,10 @@
-#include <Eigen/LU>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <vector>
 
 #include <nipref/fast/elastic_nip/internal/spectral.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -103,7 +103,8 @@ class SpectralContact : public HalfContact {
       }
     }
     Eigen::MatrixXd matrix(terms + 1, terms + 1);
-    matrix.leftCols(terms) = half_length / pi * (smooth_kernel(grid, half_length, kernels) * nodes);
+    matrix.leftCols(terms) =
+        scaled_product(half_length / pi, smooth_kernel(grid, half_length, kernels), nodes);
     Eigen::VectorXd gap(terms + 1);
     for (int i = 0; i <= terms; ++i) {
       const int angle = Grid::matching_angle(i);
@@ -112,7 +113,7 @@ class SpectralContact : public HalfContact {
       matrix(i, terms) = -1;
       gap(i) = std::pow(half_length * grid.sine(angle), 2);  // A^2 - y^2
     }
-    const Eigen::VectorXd unknowns = matrix.partialPivLu().solve(gap);
+    const Eigen::VectorXd unknowns = linear_solution(matrix, gap);
     kernels.count_system(terms + 1);
     coefficients_ = unknowns.head(terms);
     edge_displacement = unknowns(terms);

@@ -1,5 +1,5 @@
-#include <Eigen/LU>
 
+#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
@@ -29,10 +29,10 @@ PanelMemory memory_at(const ViscoelasticLayout& layout, const ViscoelasticPanel&
   right.rightCols(1) = -basis.slope.block(first, in, degree, 1).cast<Rate>();
 
   Matrix values = Matrix::Zero(degree + 1, layout.terms() + 1);
-  values.middleRows(first, degree) = equations.partialPivLu().solve(right);
+  values.middleRows(first, degree) = linear_solution(equations, right);
   values(in, layout.terms()) = 1;
   const Eigen::Index out = leading ? degree : 0;
-  const Matrix coefficients = basis.chebyshev.cast<Rate>() * values;
+  const Matrix coefficients = product(basis.chebyshev.cast<Rate>(), values);
   using Complex = std::complex<double>;
   return {coefficients.leftCols(layout.terms()).template cast<Complex>(),
           coefficients.rightCols(1).template cast<Complex>(),
@@ -43,7 +43,7 @@ PanelMemory memory_at(const ViscoelasticLayout& layout, const ViscoelasticPanel&
 
 Eigen::MatrixXd pressure_in_chebyshev(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel) {
   const auto basis = viscoelastic_basis(layout.terms(), panel.at_end());
-  return basis->chebyshev * basis->pressure;
+  return product(basis->chebyshev, basis->pressure);
 }
 
 PanelMemory panel_memory(const ViscoelasticLayout& layout, const ViscoelasticPanel& panel,

@@ -1,7 +1,7 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
@@ -56,7 +56,7 @@ void ViscoelasticPressure::solve(const std::vector<TermMemory>& terms, double to
       columns += (amplitude * by_outflow[r] * memory.outflow_by_pressure).real();
       by_outflow[r] = (moments * memory.by_inflow + memory.outflow_by_inflow * by_outflow[r]).eval();
     }
-    columns += moments * to_response;
+    columns += product(moments, to_response);
   }
   Eigen::VectorXd gap(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -66,7 +66,7 @@ void ViscoelasticPressure::solve(const std::vector<TermMemory>& terms, double to
     matrix(i, rows - 2) = -1;
     matrix(i, rows - 1) = -2 * d;
   }
-  unknowns_ = matrix.partialPivLu().solve(gap);
+  unknowns_ = linear_solution(matrix, gap);
   kernels.count_system(static_cast<int>(rows));
   edge_displacement_ = unknowns_(rows - 2);
   offset_ = unknowns_(rows - 1);
