@@ -195,7 +195,7 @@ TEST_CASE(
   // Were they, the depths that are lost here would come back.
   for (verify::ReplayedNip& nip : replay.nips) nip.values["d0"] = 0;
   verify::correct(replay);
-  const verify::Deviation& depth = replay.costs[0].columns[1];
+  const verify::ColumnDeviation& depth = replay.costs[0].columns[1];
   CHECK(depth.column == "d0");
   CHECK(depth.mean == doctest::Approx(1).epsilon(1e-12));
   CHECK(depth.largest == -1);
