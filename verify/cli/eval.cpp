@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -149,19 +148,18 @@ Json to_json(const Request& request, const std::vector<Answer>& answers) {
 }
 
 void print_text(const Request& request, const std::vector<Answer>& answers, std::ostream& out) {
-  fmt::print(out, "{} = {}\n", request.quantity->name, request.quantity->definition);
+  out << fmt::format("{} = {}\n", request.quantity->name, request.quantity->definition);
   for (std::size_t i = 0; i < request.arguments.text.size(); ++i) {
-    fmt::print(out, "  {} = {}\n", request.quantity->arguments[i].name, request.arguments.text[i]);
+    out << fmt::format("  {} = {}\n", request.quantity->arguments[i].name, request.arguments.text[i]);
   }
   for (const Answer& answer : answers) {
-    fmt::print(out, "{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
-               answer.seconds, answer.value);
-    if (answer.error_bound) fmt::print(out, "  error bound  {}\n", *answer.error_bound);
+    out << fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
+                       answer.seconds, answer.value);
+    if (answer.error_bound) out << fmt::format("  error bound  {}\n", *answer.error_bound);
   }
-  if (request.form != nullptr) fmt::print(out, "not the quantity itself: {}\n", request.form->differs);
+  if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
   if (request.by_fast)
-    fmt::print(out,
-               "fast takes each argument rounded to the nearest double; its bound is for that argument.\n");
+    out << "fast takes each argument rounded to the nearest double; its bound is for that argument.\n";
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -39,14 +38,13 @@ int list_verb(const CommandLine& line, std::ostream& out) {
     return 0;
   }
   for (const Quantity& quantity : catalogue()) {
-    fmt::print(out, "{:8} {:31} {}\n{:40} {}; scale: {}\n", quantity.name, arguments_text(quantity),
-               quantity.definition, "", quantity.source, quantity.scale);
+    out << fmt::format("{:8} {:31} {}\n{:40} {}; scale: {}\n", quantity.name, arguments_text(quantity),
+                       quantity.definition, "", quantity.source, quantity.scale);
     for (const SeedForm& form : quantity.seed_forms)
-      fmt::print(out, "{:40} form={}: {}\n", "", form.name, form.differs);
+      out << fmt::format("{:40} form={}: {}\n", "", form.name, form.differs);
   }
-  fmt::print(out,
-             "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held "
-             "fixed; b: half thickness of the sheet\n");
+  out << "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: half "
+         "thickness of the sheet\n";
   return 0;
 }
 

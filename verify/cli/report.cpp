@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ostream.h>
-
 #include <algorithm>
 
 #include <nipref/verify/audit/internal/contacts.hpp>
@@ -60,13 +57,13 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
 
 void print_as_text(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
                    std::ostream& out) {
-  fmt::print(out, "nipref report\n\nbuilt with {}\nrun on {}\n", build_description(), machine_description());
-  fmt::print(out, "\nAccuracy: fast against ref at the worst arguments found\n\n{}",
-             audit_text(audits.quantities, {}));
-  fmt::print(out, "\nHard cases of the contacts\n\n{}", contact_audit_text(audits.contacts));
-  fmt::print(out, "\nSpeed against error (all ranges: nipref bench)\n\n{}\n{}",
-             bench_text(essential_rows(speed.rows)), ratios_text(speed.ratios));
-  fmt::print(out, "\nTables of the seeds, replayed\n\n{}", tables_text(tables, true));
+  out << "nipref report\n\nbuilt with " << build_description() << "\nrun on " << machine_description() << "\n"
+      << "\nAccuracy: fast against ref at the worst arguments found\n\n"
+      << audit_text(audits.quantities, {}) << "\nHard cases of the contacts\n\n"
+      << contact_audit_text(audits.contacts) << "\nSpeed against error (all ranges: nipref bench)\n\n"
+      << bench_text(essential_rows(speed.rows)) << "\n"
+      << ratios_text(speed.ratios) << "\nTables of the seeds, replayed\n\n"
+      << tables_text(tables, true);
 }
 
 void print_as_json(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
