@@ -30,6 +30,7 @@ struct Judged {
 ///   most               levels there are
 ///   whole_share        how much of what the solution as a whole lacks is the least error of any number of it
 ///   resolution(near, level)                              for half lengths about `near`
+///   is_affordable(resolution)                            where it is not, three levels must do
 ///   solve(half_length, resolution, tolerance, kernels)   tolerance: of the quadrature
 ///   judged(last, accuracy)                               the numbers that are to meet the accuracy
 ///   half_length_guess(load)                              to start from
@@ -95,6 +96,7 @@ class Ladder {
   void climb(double near, const Step& step) {
     int in_vain = 0;  // levels
     for (int level = 0; level < Levels::most; ++level) {
+      if (level > 2 && !levels_.is_affordable(levels_.resolution(near, level))) return;
       std::ranges::rotate(solutions_, solutions_.begin() + 1);
       solutions_[2] = step(near, level);
       near = half_length(last());

@@ -25,6 +25,10 @@ class ViscoelasticNipLevels {
   explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 
   [[nodiscard]] Resolution resolution(double near, int level) const;
+  /// Only relaxation lengths below a millionth of the contact ask for more unknowns, and in vain: rounding.
+  [[nodiscard]] static bool is_affordable(const Resolution& resolution) {
+    return 2 * resolution.panels * resolution.terms <= 1600;
+  }
   [[nodiscard]] std::unique_ptr<ViscoelasticPressure> solve(double half_length, const Resolution& resolution,
                                                             double tolerance, CountedKernels& kernels) const;
   [[nodiscard]] std::vector<Judged<ViscoelasticPressure>> judged(const ViscoelasticPressure& last,

@@ -20,7 +20,7 @@ struct ToyContact {
   double load;
 };
 
-/// load = A^2 (1 + wrong), wrong falling by a factor for each term; or a wrong that is nan.
+/// load = A^2 (1 + wrong), wrong falling by a factor for each term, down to a noise; or a wrong that is nan.
 struct ToyLevels {
   using Contact = ToyContact;
   struct Resolution {
@@ -32,6 +32,8 @@ struct ToyLevels {
 
   double factor;
   std::vector<int>* solves;  ///< one entry for each solution: its terms
+  double noise = 0;
+  int most_terms = 1000;
 
   [[nodiscard]] static Resolution resolution(double, int level) {
     const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
@@ -42,11 +44,14 @@ struct ToyLevels {
     CHECK(tolerance == std::max(1e-2 * resolution.remainder, 1e-16));
     kernels.count_system(resolution.terms);
     solves->push_back(resolution.terms);
-    const double wrong = std::pow(factor, -resolution.terms);
+    const double wrong = std::pow(factor, -resolution.terms) + (solves->size() % 2 == 0 ? noise : -noise);
     return std::make_unique<ToyContact>(half_length, half_length * half_length * (1 + wrong));
   }
   [[nodiscard]] static std::vector<Judged<ToyContact>> judged(const ToyContact&, double) {
     return {{&ToyContact::load}, {&ToyContact::half_length}};
+  }
+  [[nodiscard]] bool is_affordable(const Resolution& resolution) const {
+    return resolution.terms <= most_terms;
   }
   [[nodiscard]] static double half_length_guess(double load) { return load; }
 };
@@ -94,6 +99,24 @@ TEST_CASE("ladder: an accuracy out of reach is not claimed") {
   const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
   CHECK(std::fabs(load.value - 1) <= load.error);
   CHECK(load.error > 1e-12);
+}
+
+TEST_CASE("ladder: it ends where more terms twice do not help, and says what is left") {
+  std::vector<int> solves;
+  const auto ladder = Ladder<ToyLevels>::at_half_length({1e3, &solves, 1e-9}, 1, 1e-13);
+  CHECK(solves.size() == 5);
+  const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+  CHECK(std::fabs(load.value - 1) <= load.error);
+  CHECK(load.error < 1e-8);
+}
+
+TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
+  for (const int most_terms : {1, 13, 14}) {
+    std::vector<int> solves;
+    const auto ladder = Ladder<ToyLevels>::at_half_length({1.1, &solves, 0, most_terms}, 1, 1e-12);
+    CHECK(solves.back() == std::max(9, most_terms == 14 ? 14 : 0));
+    CHECK(ladder.estimate([](const ToyContact& contact) { return contact.load; }).error > 0.1);
+  }
 }
 
 TEST_CASE("ladder: what is no number stops it") {
