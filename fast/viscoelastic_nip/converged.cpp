@@ -126,7 +126,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   const auto& [units, radius, sheet, ladder] = *implementation_;
   const double lever = units.length / radius, half_length = implementation_->half_length();
-  if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected(half_length) * sheet.way});
+  if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
   return times(lever, {solved.value, solved.error + sheet.neglected(half_length) * half_length});
 }

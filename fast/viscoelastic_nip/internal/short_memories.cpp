@@ -62,6 +62,10 @@ class Ways {
 
 double EffectiveSheet::neglected(double half_length) const { return safety * way / edge(half_length); }
 
+double EffectiveSheet::neglected_of_shift(double half_length) const {
+  return std::max(safety * longest / edge(half_length), 0x1p-48) * way;
+}
+
 double EffectiveSheet::neglected_near_end(double half_length, double distance) const {
   if (way == 0) return 0;
   const double growth = std::sqrt(edge(half_length) / std::max(std::fabs(distance), way));
@@ -82,6 +86,7 @@ EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_len
       if (!ways.is_short(term)) continue;
       const Complex delay = strength(term) / compliance * ways.way(term);
       sheet.way += std::abs(delay);
+      sheet.longest = std::max(sheet.longest, std::abs(ways.way(term)));
       if (function == &normal) sheet.shift += delay.real();
     }
   }

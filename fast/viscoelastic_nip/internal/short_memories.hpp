@@ -10,16 +10,19 @@ namespace nipref::fast {
 /// 1 + (amplitude/rate)/(1 + i k/rate) is a factor and a shift. What is left out beside is of the order of that
 /// way over the contact. So the panels need not resolve what double cannot carry.
 struct EffectiveSheet {
-  double compliance;              ///< N at once, with what the short memories leave, 1/stress
+  double compliance;                 ///< N at once, with what the short memories leave, 1/stress
   ViscoelasticCompliances material;  ///< in units of it: the longer memories
-  double softening = 1;           ///< that compliance over N at once without them
-  double shift = 0;               ///< by the short memories of N, half-thicknesses
-  double way = 0;                 ///< that they are neglected by, N's and theta2's, in size; 0: none is
+  double softening = 1;              ///< that compliance over N at once without them
+  double shift = 0;                  ///< by the short memories of N, half-thicknesses
+  double way = 0;                    ///< of that shift in size, with theta2's; 0: no memory is short
+  double longest = 0;                ///< in which a short memory fades, half-thicknesses
 
   /// The pressure trails by `shift` and no more: there is no longer memory.
   [[nodiscard]] bool is_shifted_only() const { return way > 0 && material.normal.empty(); }
   /// Relative to anything of a contact of this half length (half-thicknesses), several times what is left out.
   [[nodiscard]] double neglected(double half_length) const;
+  /// Of the shift, half-thicknesses.
+  [[nodiscard]] double neglected_of_shift(double half_length) const;
   /// The same of the pressure, relative to that in the middle, at a distance from the contact's end: it changes
   /// there like a square root and, within the way itself, from the compliance at once to that of the limit.
   [[nodiscard]] double neglected_near_end(double half_length, double distance) const;
