@@ -7,12 +7,12 @@ namespace nipref::data {
 /// Where the profiles of a scene are wanted: Y counts from the line through the rollers' centres, to the
 /// entry side; on a half-space they are angles from the motion, in degrees.
 struct EvenlySpaced {
-  /// 2 to 100000: from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
+  /// 2 to 10000: from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
   /// leading end, or from -90 to 90 degrees, both included.
   int points;
 };
 struct Positions {
-  std::vector<double> y;  ///< finite, unit of length or degrees, inside the contact or outside; at least one
+  std::vector<double> y;  ///< finite, unit of length or degrees, inside the contact or outside; 1 to 10000 of them
 };
 using Profile = std::variant<EvenlySpaced, Positions>;
 

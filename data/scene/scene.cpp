@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/internal/closest_name.hpp>
 #include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
@@ -15,8 +16,11 @@
 namespace nipref::data {
 namespace {
 
-constexpr int most_elements = 10000;
-constexpr int most_viscoelastic_elements = 500;
+// So that no scene takes longer than 20 s: a dense system is solved once for a length, some ten times for a load
+// and for each number of trailing elements that a search tries; a profile's point costs all elements.
+constexpr int most_unknowns_for_length = 4001, most_unknowns_for_load = 2001;
+constexpr int most_viscoelastic_elements = 500, most_elements_searched = 200;
+constexpr int most_elements_times_points = 10'000'000, most_viscoelastic_elements_times_points = 100'000;
 constexpr int most_terms = 500;
 
 /// The nip's own checks name its C++ members.
@@ -59,11 +63,22 @@ struct GivenCheck {
   }
 };
 
+int count_of(const Profile& profile) {
+  if (const auto* spacing = std::get_if<EvenlySpaced>(&profile)) return spacing->points;
+  return static_cast<int>(std::get<Positions>(profile).y.size());
+}
+
 struct MethodCheck {
+  const Given& given;
+  Friction friction;
+  const std::optional<Profile>& profile;
   const SceneOrigin& origin;
 
   void operator()(const ConvergedMethod&) const {}
   void operator()(const LineLoads& loads) const {
+    const int unknowns =
+        std::holds_alternative<GivenLoad>(given) ? most_unknowns_for_load : most_unknowns_for_length;
+    const int most_elements = (unknowns - 1) / (friction == Friction::full ? 2 : 1);
     require_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
     require_whole(loads.trailing_elements, 1, most_elements, origin, "method.trailing_elements");
     require_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
@@ -71,14 +86,26 @@ struct MethodCheck {
         loads.leading_elements == loads.trailing_elements, origin, "method.trailing_elements",
         loads.trailing_elements,
         fmt::format("must equal leading_elements, {}: an elastic nip is symmetric", loads.leading_elements));
+    check_points(2 * loads.leading_elements, most_elements_times_points);
   }
   void operator()(const ViscoelasticLineLoads& loads) const {
-    require_whole(loads.leading_elements, 1, most_viscoelastic_elements, origin, "method.leading_elements");
+    const int most_elements = loads.trailing_elements ? most_viscoelastic_elements : most_elements_searched;
+    require_whole(loads.leading_elements, 1, most_elements, origin, "method.leading_elements");
     if (loads.trailing_elements)
       require_whole(*loads.trailing_elements, 0, most_viscoelastic_elements, origin,
                     "method.trailing_elements");
     require_whole(loads.residue_terms, 0, most_terms, origin, "method.residue_terms");
     require_magnitude(loads.approach_lengths, origin, "method.approach_lengths");
+    check_points(loads.leading_elements + loads.trailing_elements.value_or(loads.leading_elements),
+                 most_viscoelastic_elements_times_points);
+  }
+
+ private:
+  void check_points(int elements, int most_products) const {
+    if (!profile) return;
+    const int most = std::max(1, most_products / elements);
+    require(count_of(*profile) <= most, origin, "profile", count_of(*profile),
+            fmt::format("must be at most {} points with {} elements", most, elements));
   }
 };
 
@@ -104,6 +131,8 @@ void check_creep(const ElasticNipProblem& problem, const SceneOrigin& origin) {
   if (!problem.creep_ratio) return;
   constexpr const char* key = "friction.creep_ratio";
   require(std::isfinite(*problem.creep_ratio), origin, key, *problem.creep_ratio, "must be finite");
+  require(std::fabs(*problem.creep_ratio) <= greatest_magnitude, origin, key, *problem.creep_ratio,
+          "must be from -1e60 to 1e60");
   require(problem.friction == Friction::full && std::holds_alternative<LineLoads>(problem.method), origin,
           key, *problem.creep_ratio,
           "can be given only to line loads with full friction: otherwise the contact itself settles it");
@@ -115,16 +144,16 @@ struct SystemCheck {
   void operator()(const ElasticNipProblem& problem) const {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    std::visit(MethodCheck{origin}, problem.method);
-    check_creep(problem, origin);
     if (problem.profile) check_profile(*problem.profile, origin);
+    std::visit(MethodCheck{problem.given, problem.friction, problem.profile, origin}, problem.method);
+    check_creep(problem, origin);
   }
   void operator()(const ViscoelasticNipProblem& problem) const {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
-    std::visit(MethodCheck{origin}, problem.method);
-    check_viscoelastic_line_loads(problem, origin);
     if (problem.profile) check_profile(*problem.profile, origin);
+    std::visit(MethodCheck{problem.given, Friction::none, problem.profile, origin}, problem.method);
+    check_viscoelastic_line_loads(problem, origin);
   }
   void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
 };

@@ -34,7 +34,8 @@ struct ConvergedMethod {};
 
 /// The thesis's line loads at the centres of equal elements. (thesis 5.1-5.16)
 struct LineLoads {
-  int leading_elements;   ///< on the entry side, 1 to 10000; method.leading_elements
+  int leading_elements;   ///< on the entry side, 1 to 2000, with full friction 1000, and twice as
+                          ///< many at a given length; method.leading_elements
   int trailing_elements;  ///< on the exit side; equal to the other in an elastic nip, which is symmetric
   int residue_terms = 0;  ///< 0: kernels at the scene's accuracy; else as many terms of their series, as the
                           ///< thesis sums them, 1 to 500; method.residue_terms
@@ -43,7 +44,7 @@ struct LineLoads {
 /// The same in a viscoelastic nip, which has no symmetry: line loads that started all at once some way before
 /// the nip. (thesis 7.1-7.17)
 struct ViscoelasticLineLoads {
-  int leading_elements;  ///< on the entry side, 1 to 500; method.leading_elements
+  int leading_elements;  ///< on the entry side, 1 to 500 or, with a search, 200; method.leading_elements
   /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
   /// 2.5), which needs a given load.
   std::optional<int> trailing_elements;

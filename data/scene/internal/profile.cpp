@@ -9,7 +9,7 @@
 namespace nipref::data {
 namespace {
 
-constexpr int most_points = 100'000;
+constexpr int most_points = 10'000;
 
 struct ProfileCheck {
   const SceneOrigin& origin;
@@ -19,6 +19,8 @@ struct ProfileCheck {
   }
   void operator()(const Positions& positions) const {
     if (positions.y.empty()) origin.refuse("profile.positions", "[]", "must hold at least one position");
+    require(positions.y.size() <= most_points, origin, "profile.positions",
+            static_cast<double>(positions.y.size()), "of them: must be at most 10000");
     for (std::size_t i = 0; i < positions.y.size(); ++i) {
       const double y = positions.y[i];
       const std::string key = fmt::format("profile.positions[{}]", i);

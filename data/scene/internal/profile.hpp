@@ -8,7 +8,7 @@ namespace nipref::data {
 /// The reading of [profile], for all systems. BadInput naming the key.
 [[nodiscard]] Profile read_profile(const TomlTable& profile, const SceneOrigin& origin);
 
-/// Throws BadInput naming the key and its place unless there are 2 to 100000 points, or at least one position
+/// Throws BadInput naming the key and its place unless there are 2 to 10000 points, or as many positions from one on
 /// and all of them finite.
 void check_profile(const Profile& profile, const SceneOrigin& origin);
 

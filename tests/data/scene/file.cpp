@@ -129,7 +129,7 @@ constexpr Refusal refusals[] = {
     {"\"full\"", "\"none\"", ":16: friction.creep_ratio = 0.001: ", "line loads with full friction"},
     {"creep_ratio = 1e-3", "creep_ratio = inf", ":16: friction.creep_ratio = inf: ", "finite"},
     {"\"line-loads\"", "\"lineloads\"", ":18: method.kind = lineloads: ", "must be converged or line-loads"},
-    {"leading_elements = 3", "leading_elements = 0", ":19: method.leading_elements = 0: ", "from 1 to 10000"},
+    {"leading_elements = 3", "leading_elements = 0", ":19: method.leading_elements = 0: ", "from 1 to 1000"},
     {"trailing_elements = 3", "trailing_elements = 4",
      ":20: method.trailing_elements = 4: ", "must equal leading_elements, 3"},
     {"trailing_elements = 3", "trailing_elements = 3\nresidue_terms = -1",
