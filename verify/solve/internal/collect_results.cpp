@@ -29,4 +29,9 @@ std::vector<double> profile_positions(const data::Scene& scene, const std::optio
   return wanted ? std::visit(PlacePoints{extent}, *profile) : std::vector<double>{};
 }
 
+void refuse_result(const data::Scene& scene, std::size_t wanted) {
+  scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", scene.wanted[wanted],
+                      "must be left out: in this scene it leaves the range of doubles");
+}
+
 }  // namespace nipref::verify

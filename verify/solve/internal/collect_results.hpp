@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -13,6 +15,16 @@ namespace nipref::verify {
 /// Where the scene's profiles are wanted, evenly spaced ones over `extent`; nothing if none is wanted.
 std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const ProfileExtent& extent);
+
+/// Value and error are numbers: with the scene's own numbers at the ends of their range they may not be.
+inline bool is_finite(const fast::Estimate& number) {
+  return std::isfinite(number.value) && std::isfinite(number.error);
+}
+/// These have a range that no scene leaves.
+inline bool is_finite(const LongEstimate&) { return true; }
+
+/// Throws BadInput that names the wanted result.
+[[noreturn]] void refuse_result(const data::Scene& scene, std::size_t wanted);
 
 template <class Number>
 std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
@@ -42,6 +54,8 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
     } else {
       solution.results.push_back({what, {contact.number(name)}});
     }
+    if (!std::ranges::all_of(solution.results.back().numbers, [](const Number& n) { return is_finite(n); }))
+      refuse_result(scene, solution.results.size() - 1);
   }
   solution.work = contact.work();
   solution.error_work = contact.error_work();

@@ -147,7 +147,7 @@ Estimate peak(const fast::SlidingContact& contact) { return contact.peak_pressur
 Estimate peak(const fast::RollingSphere& contact) {
   const Estimate span = contact.span();
   const double pressure = -contact.along(along).normal_traction(0);
-  return {pressure, pressure * span.error / span.value};
+  return {pressure, pressure * (span.error / span.value + 0x1p-46)};
 }
 
 /// By the papers' rule: Contact is fast::SlidingContact or fast::RollingSphere.

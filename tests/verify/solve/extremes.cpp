@@ -1,0 +1,289 @@
+// Scenes whose numbers are at the ends of their ranges: a result whose error estimate covers, or a refusal, and
+// soon.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+
+namespace {
+
+std::string text_of(const std::string& scene) {
+  std::ostringstream text;
+  text << std::ifstream(data::example_scene(scene)).rdbuf();
+  return text.str();
+}
+
+/// With "key = old" replaced by "key = value".
+std::string with(std::string text, const std::string& key, const std::string& value) {
+  const std::size_t begin = text.find("\n" + key + " = ");
+  REQUIRE(begin != std::string::npos);
+  const std::size_t end = text.find('\n', begin + 1);
+  return text.replace(begin, end - begin, "\n" + key + " = " + value);
+}
+
+verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
+  return verify::solve(data::load_scene(ScratchFile(text).path()));
+}
+
+void check_refusal(const std::string& text, const std::string& says) {
+  CAPTURE(says);
+  try {
+    (void)solved(text);
+    FAIL("accepted");
+  } catch (const data::BadInput& error) {
+    CAPTURE(error.what());
+    CHECK(std::string(error.what()).find(says) != std::string::npos);
+  }
+}
+
+void check_agree(const fast::Estimate& a, const fast::Estimate& b) {
+  CAPTURE(a.value);
+  CAPTURE(b.value);
+  CAPTURE(a.error);
+  CAPTURE(b.error);
+  CHECK(std::fabs(a.value - b.value) <= a.error + b.error);
+}
+
+/// The sheet of "viscoelastic-short-memory" with another relaxation time.
+std::string relaxing_in(const std::string& time, const std::string& accuracy = "1e-10") {
+  return with(with(text_of("viscoelastic-short-memory"), "relaxation_time", time), "accuracy", accuracy);
+}
+
+/// Its elastic sheet with the moduli divided by `softening`: E = 9 K G/(3 K + G), nu = (3 K - 2 G)/(6 K + 2 G).
+std::string elastic(double softening) {
+  const double bulk = 1.45e5, shear = 5.4375e4;
+  std::string text = text_of("viscoelastic-elastic-limit");
+  text = with(text, "young", fmt::format("{}", 9 * bulk * shear / (3 * bulk + shear) / softening));
+  text = with(text, "poisson", fmt::format("{}", (3 * bulk - 2 * shear) / (6 * bulk + 2 * shear)));
+  text = with(text, "thickness", "1.0");
+  return with(text, "wanted", "[\"contact_length\", \"indentation\", \"creep_ratio\", \"peak_pressure\"]");
+}
+
+constexpr const char* same_when_elastic[] = {"contact_length", "indentation", "creep_ratio", "peak_pressure"};
+
+}  // namespace
+
+TEST_CASE("numbers with units beyond 1e-60 and 1e60 are refused by their keys") {
+  struct Extreme {
+    const char *scene, *key, *value, *says;
+  };
+  for (const auto& [scene, key, value, says] : std::vector<Extreme>{
+           {"thick-full-friction", "per_length", "5e-324", "load.per_length = 5e-324: must be from 1e-60"},
+           {"thick-full-friction", "thickness", "1e-308", "sheet.thickness = 1e-308: must be from 1e-60"},
+           {"thin-given-length", "radius", "1e61", "roller.radius = 1e+61: must be from 1e-60"},
+           {"thick-frictionless", "young", "1e300", "material.young = 1e+300: must be from 1e-60"},
+           {"viscoelastic-long-memory", "speed", "1e200", "rolling.speed = 1e+200: must be from 1e-60"},
+           {"viscoelastic-started", "radius", "1e308", "roller.radius = 1e+308: must be from 1e-60"},
+           {"viscoelastic-long-memory", "theta1_amplitudes", "[1e308, 4.6e-8]", "must be at most 1e60 times"},
+           {"half-space-near-critical", "density", "2.2e-308", "half_space.density = 2.2e-308: must be from"},
+           {"half-space-sliding-die", "normal_force", "1e-308", "load.normal_force = 1e-308: must be from"},
+           {"half-space-sliding-die", "positions", "[1e61]", "profile.positions[0] = 1e+61: must be from"}})
+    check_refusal(with(text_of(scene), key, value), says);
+}
+
+TEST_CASE("a memory that is far shorter or longer than the contact leaves the elastic contact") {
+  const auto relaxed = solved(elastic(2)), stiff = solved(elastic(1));
+  for (const std::string time : {"1e-308", "1e-100", "1e-12"}) {
+    CAPTURE(time);
+    const auto rolling = solved(relaxing_in(time));
+    for (const char* name : same_when_elastic) check_agree(rolling[name], relaxed[name]);
+    // The pressure trails by half the relaxation length, over the radius 6.
+    const double resistance = std::strtod(time.c_str(), nullptr) / 12;
+    const fast::Estimate& found = rolling["rolling_resistance"];
+    CHECK(std::fabs(found.value - resistance) <= found.error);
+    CHECK(found.error > 0);
+    CHECK(found.error < 1e-6 * resistance);
+    CHECK(rolling.work.unknowns < 100);
+  }
+  for (const std::string time : {"1e20", "1e308"}) {
+    CAPTURE(time);
+    const auto rolling = solved(relaxing_in(time));
+    for (const char* name : same_when_elastic) check_agree(rolling[name], stiff[name]);
+  }
+}
+
+TEST_CASE("a short memory's limit joins on to what is resolved") {
+  // Of the relaxation length the contact is 1e9 times as long in between.
+  const auto resolved = solved(relaxing_in("1.2e-10", "1e-3")),
+             limit = solved(relaxing_in("0.8e-10", "1e-3"));
+  CHECK(resolved.work.unknowns > 5 * limit.work.unknowns);
+  for (const char* name : same_when_elastic) check_agree(resolved[name], limit[name]);
+  const fast::Estimate &before = resolved["rolling_resistance"], &after = limit["rolling_resistance"];
+  check_agree({before.value / 1.2, before.error / 1.2}, {after.value / 0.8, after.error / 0.8});
+}
+
+TEST_CASE("panels are not resolved where rounding is what is left") {
+  std::string text = relaxing_in("1e-9", "1e-13");
+  text.replace(text.find("[load]\nper_length"), 17, "[contact]\nlength");
+  const auto solution = solved(with(with(text, "length", "0.19"), "wanted", "[\"load\"]"));
+  CHECK(solution.work.unknowns <= 1602);
+  CHECK(solution["load"].error > 1e-13 * solution["load"].value);
+}
+
+TEST_CASE("an angle of many turns keeps its digits") {
+  const std::string text = with(text_of("half-space-sliding-die"), "wanted", "[\"span\"]");
+  const auto near = solved(with(text, "positions", "[45.0]"));
+  const auto far = solved(with(text, "positions", "[3600000000000045.0]"));  // exact in double
+  CHECK(near.profile("span")[0].value == far.profile("span")[0].value);
+}
+
+TEST_CASE("a given span still leaves the peak pressure its rounding") {
+  const auto rolling = solved(text_of("half-space-rolling-sphere"));
+  CHECK(rolling["peak_pressure"].error > 0);
+  CHECK(rolling["peak_pressure"].error < 1e-12 * rolling["peak_pressure"].value);
+}
+
+TEST_CASE("what would take longer than 20 s is refused") {
+  const auto elements = [](const std::string& text, const std::string& count) {
+    return with(with(text, "leading_elements", count), "trailing_elements", count);
+  };
+  check_refusal(elements(text_of("intermediate-full-friction-line-loads"), "1001"), "from 1 to 1000");
+  check_refusal(elements(text_of("thin-frictionless-line-loads"), "2001"), "from 1 to 2000");
+  check_refusal(with(text_of("viscoelastic-thesis-line-loads"), "leading_elements", "201"), "from 1 to 200");
+  check_refusal(with(text_of("viscoelastic-long-memory"), "points", "10001"), "from 2 to 10000");
+  check_refusal(with(with(text_of("viscoelastic-started"), "points", "1000"), "leading_elements", "300"),
+                "must be at most 326 points with 306 elements");
+}
+
+TEST_CASE("a result that is no number is refused by its name") {
+  class NoNumber : public verify::SolvedContact<fast::Estimate> {
+   public:
+    explicit NoNumber(fast::Estimate estimate) : estimate_(estimate) {}
+    [[nodiscard]] fast::Estimate number(std::string_view) const override { return estimate_; }
+    [[nodiscard]] fast::Estimate at(std::string_view, double) const override { return estimate_; }
+    [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {0, 1}; }
+    [[nodiscard]] fast::Work work() const override { return {}; }
+
+   private:
+    fast::Estimate estimate_;
+  };
+  data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
+  scene.wanted = {"load"};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const fast::Estimate estimate : {fast::Estimate{infinity, 1}, {1, infinity}, {std::nan(""), 1}}) {
+    try {
+      (void)verify::collect_results(scene, {}, NoNumber(estimate));
+      FAIL("accepted");
+    } catch (const data::BadInput& error) {
+      CAPTURE(error.what());
+      CHECK(std::string(error.what()).find("wanted[0] = load: ") != std::string::npos);
+    }
+  }
+}
+
+namespace {
+
+/// Random edits of scenes, the same on every machine: only the engine's own bits are used.
+class Edits {
+ public:
+  explicit Edits(std::uint64_t seed) : engine_(seed) {}
+
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
+  double share() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+  /// One of the numbers after an equals sign becomes another.
+  std::string edited(std::string text) {
+    std::vector<std::pair<std::size_t, std::size_t>> numbers;  // begin and length
+    for (std::size_t at = text.find(" = "); at != std::string::npos; at = text.find(" = ", at + 1)) {
+      std::size_t begin = at + 3;
+      if (text[begin] == '[') ++begin;
+      const std::size_t end = text.find_first_not_of("0123456789.+-e", begin);
+      if (end > begin) numbers.emplace_back(begin, end - begin);
+    }
+    const auto [begin, length] = numbers[below(numbers.size())];
+    return text.replace(begin, length, number(std::strtod(text.c_str() + begin, nullptr)));
+  }
+
+ private:
+  std::string number(double value) {
+    static const std::vector<std::string> extremes{"0",
+                                                   "-0.0",
+                                                   "5e-324",
+                                                   "1e-308",
+                                                   "1e-100",
+                                                   "1e-60",
+                                                   "1e-20",
+                                                   "1e-8",
+                                                   "1e8",
+                                                   "1e20",
+                                                   "1e60",
+                                                   "1e100",
+                                                   "1.7976931348623157e308",
+                                                   "nan",
+                                                   "inf",
+                                                   "-inf",
+                                                   "-1",
+                                                   "-1.0",
+                                                   "1",
+                                                   "2.0",
+                                                   "0.5",
+                                                   "0.49999999999999994",
+                                                   "-0.9999999999999999"};
+    switch (below(3)) {
+      case 0:
+        return extremes[below(extremes.size())];
+      case 1:
+        return fmt::format("{}", value * std::pow(10, 24 * share() - 12));
+      default:
+        return fmt::format("{}", std::pow(10, 616 * share() - 308));
+    }
+  }
+
+  std::mt19937_64 engine_;
+};
+
+}  // namespace
+
+TEST_CASE("random edits of scenes end in numbers or in a refusal of one line, within 20 s") {
+  std::vector<std::string> scenes;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(data::example_scene("thick-frictionless").parent_path()))
+    scenes.push_back(entry.path().stem().string());
+  std::ranges::sort(scenes);  // a folder has no order
+  Edits edits(20261121);
+  int results = 0, refusals = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::string text = text_of(scenes[edits.below(scenes.size())]);
+    for (std::size_t count = 1 + edits.below(2); count > 0; --count) text = edits.edited(text);
+    CAPTURE(text);
+    const auto start = std::chrono::steady_clock::now();
+    try {
+      for (const auto& result : solved(text).results) {
+        for (const fast::Estimate& number : result.numbers) {
+          CHECK(std::isfinite(number.value));
+          CHECK(std::isfinite(number.error));
+          CHECK(number.error >= 0);
+        }
+      }
+      ++results;
+    } catch (const data::BadInput& error) {
+      CHECK(std::string(error.what()).find('\n') == std::string::npos);
+      ++refusals;
+    }
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  }
+  CHECK(results > 50);
+  CHECK(refusals > 50);
+}
