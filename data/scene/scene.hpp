@@ -15,7 +15,7 @@
 namespace nipref::data {
 
 // A scene is a problem with what is wanted of it: all that `nipref solve` needs. Any consistent units. Keys
-// in the comments are those of the TOML file, see scene_file.hpp.
+// in the comments are those of the TOML file, see file.hpp.
 
 /// The load is given and the contact length follows.
 struct GivenLoad {

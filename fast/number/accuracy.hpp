@@ -23,7 +23,7 @@ class Accuracy {
   /// The tolerance asked for.
   [[nodiscard]] constexpr double rtol() const { return rtol_; }
 
-  /// Position in the ladder of internal::tier_works (sheet_tiers.hpp), 0 the cheapest.
+  /// Position in the ladder of internal::tier_works (tiers.hpp), 0 the cheapest.
   [[nodiscard]] constexpr int tier() const { return tier_; }
 
  private:

@@ -6,7 +6,7 @@
 
 // Displacements of the surface of an elastic sheet of half-thickness b = 1 under a line load of unit
 // intensity: plane strain, N = theta1 + theta2 = 2 (1 - poisson^2)/young. u is normal to the sheet, v along
-// it; n a normal, s a shear load. Arguments, domain and bad input as in sheet_kernels.hpp; a material that is
+// it; n a normal, s a shear load. Arguments, domain and bad input as in kernels.hpp; a material that is
 // not physical is BadInput too.
 
 namespace nipref::fast {
@@ -33,7 +33,7 @@ double us(double alpha, const data::ElasticMaterial& material, Accuracy accuracy
 /// Thesis (4.19b): [N I6(alpha, eta) + theta1 I7(eta)]/pi, in 1/stress. Even in both; alpha = 0: BadInput.
 double vs(double alpha, double eta, const data::ElasticMaterial& material, Accuracy accuracy = {});
 
-/// value[i] = un(alpha[i]), as the batches of sheet_kernels.hpp.
+/// value[i] = un(alpha[i]), as the batches of kernels.hpp.
 void un(std::span<const double> alpha, const data::ElasticMaterial& material, std::span<double> value,
         Accuracy accuracy = {});
 

@@ -4,8 +4,8 @@
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/fast/sheet/displacements.hpp>  // IWYU pragma: export
 
-// Kernels of the elastic sheet in double. They come from the residue series alone (roots of sinh 2z + 2z =
-// 0): two words of a tabulated local polynomial up to 12 half-thicknesses, the first residue beyond, the
+// Kernels of the elastic sheet in double. They come from the residue series alone (roots of
+// sinh 2z + 2z = 0): two words of a tabulated local polynomial up to 12 half-thicknesses, the first residue beyond, the
 // logarithm in closed form below 1/2; see arithmetic/component.hpp. About 9 ns a value, 2 to 3 ns in batches
 // on a processor with AVX-512.
 //
@@ -13,16 +13,14 @@
 //   alpha, eta   dimensionless distances from the load, in units of the sheet's half-thickness b
 //   domain       every finite double, denormals included; I1, I6, un and vs are infinite at alpha = 0
 //   accuracy     I1..I7: |error| <= rtol * scale, scale = max(|value|, envelope); 2 units in the last place
-//   of the scale
-//                by default. The envelope is the first residue without its cosine, 2 pi |c_1| e^(-2.106 x);
-//                for odd kernels as the argument goes to 0 the scale is |value|. F1, F2 and the influence
-//                functions are sums of two or three kernels, each within its own promise. Results below
-//                2^-1022 are good to one unit of 2^-1074.
+//                of the scale by default. The envelope is the first residue without its cosine,
+//                2 pi |c_1| e^(-2.106 x); for odd kernels as the argument goes to 0 the scale is |value|.
+//                F1, F2 and the influence functions are sums of two or three kernels, each within its own
+//                promise. Results below 2^-1022 are good to one unit of 2^-1074.
 //   bad input    nan or infinite arguments, and alpha = 0 where the kernel is infinite: data::BadInput
 //   batches      value[i] = kernel(alpha[i]), within the same promise, not necessarily bit by bit; all spans
-//   have the same
-//                size; value may be the argument's own span, but not overlap it otherwise. On bad input
-//                BadInput names the element and nothing is written.
+//                have the same size; value may be the argument's own span, but not overlap it otherwise. On
+//                bad input BadInput names the element and nothing is written.
 
 namespace nipref::fast {
 

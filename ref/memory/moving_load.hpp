@@ -51,8 +51,8 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 ///
 /// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
 ///
-///     pi Un = N * I1(alpha),   pi Vn = N * I3(alpha) - theta2 * I2(alpha) + theta2 * I4(eta) - theta1 *
-///     I5(eta),
+///     pi Un = N * I1(alpha),
+///     pi Vn = N * I3(alpha) - theta2 * I2(alpha) + theta2 * I4(eta) - theta1 * I5(eta),
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///

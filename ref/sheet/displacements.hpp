@@ -10,7 +10,7 @@ namespace nipref::ref {
 /// alpha = y/b is the distance from the load, eta = l/b that of the point of the centre line held in place, b
 /// the half thickness; both dimensionless, |.| <= 1000. young > 0 in any unit of stress, -1 < poisson <= 1/2;
 /// results in units of 1/young per unit line load. With theta1 = (1 + poisson)/young, theta2 = (1 +
-/// poisson)(1 - 2 poisson)/young, N = theta1 + theta2. Promise and errors as in sheet_kernels.hpp.
+/// poisson)(1 - 2 poisson)/young, N = theta1 + theta2. Promise and errors as in kernels.hpp.
 
 /// [theta2 I4(eta) - theta1 I5(eta)]/(pi N), an odd function of eta. (thesis 4.24, where the sign of eta
 /// stands outside)

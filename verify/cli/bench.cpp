@@ -10,10 +10,9 @@ namespace nipref::verify {
 namespace {
 
 constexpr auto notes =
-    "\nMedians of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref. max "
-    "ulp, max rel: largest error\n"
-    "against ref, in units in the last place of the scale (at N digits: 10^-N of the scale) and relative to "
-    "the value.\n"
+    "\nMedians of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref.\n"
+    "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits:\n"
+    "10^-N of the scale) and relative to the value.\n"
     "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";
 
 }  // namespace

@@ -128,9 +128,9 @@ std::optional<std::string> CommandLine::option(const std::string& name) const {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   refuse_unknown_verb(argc, argv);
   CLI::App app(
-      "Verification reference for rolling contact: two independent paths, ref (proven bounds, 16 to 1000 "
-      "digits) and\n"
-      "fast (double). Exit status: 0 all well, 1 a check fell short, 2 bad input.",
+      "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) "
+      "and fast (double).\n"
+      "Exit status: 0 all well, 1 a check fell short, 2 bad input.",
       "nipref");
   app.require_subcommand(1);
   std::map<std::string, Raw> raws;

@@ -62,9 +62,8 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
         fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(across);
     const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
     const std::string loss = fmt::format(
-        "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, but "
-        "{:.5f} "
-        "with w_S and w_D to five decimals",
+        "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
+        "but {:.5f} with w_S and w_D to five decimals",
         rolling_span_ratio_as_printed(poisson, speed), corrected, rounded_roots);
     cells.push_back({0,
                      column.name,

@@ -122,16 +122,13 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
   if (phi == -90) {
     return fmt::format(
         "K depends on psi through sin^2, cos^2 and c_X only, and c_X = 0 at phi = +-90, so this must equal "
-        "the "
-        "{} of phi = 90 (one wrong K(-90) in all columns; the second term of M without its sin^2(psi) comes "
-        "within "
-        "3 units of it)",
+        "the {} of phi = 90 (one wrong K(-90) in all columns; the second term of M without its sin^2(psi) "
+        "comes within 3 units of it)",
         opposite.printed);
   }
   if (phi == 90 && cell.number->rounding.lower > 1) {
     return "L_90/L_X = K at rest/K_X < 1 because c_X = 0 at phi = 90, K is the same at 45 and 135 degrees, "
-           "and "
-           "K_X grows with speed: the column's K_X is too small";
+           "and K_X grows with speed: the column's K_X is too small";
   }
   return "";
 }

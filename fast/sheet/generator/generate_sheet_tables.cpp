@@ -1,4 +1,4 @@
-// Writes the tables of sheet_tables.hpp as C++ source: generate_sheet_tables OUTPUT.cpp. Run by the build.
+// Writes the tables of tables.hpp as C++ source: generate_sheet_tables OUTPUT. Run by the build.
 
 #include <cstdio>
 #include <exception>
@@ -88,7 +88,7 @@ void write_source(std::ostream& out) {
 
 int main(int argc, char** argv) {
   try {
-    if (argc != 2) throw std::invalid_argument("usage: generate_sheet_tables OUTPUT.cpp");
+    if (argc != 2) throw std::invalid_argument("usage: generate_sheet_tables OUTPUT");
     std::ofstream out(argv[1]);
     write_source(out);
     out.close();

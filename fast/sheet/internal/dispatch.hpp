@@ -1,6 +1,6 @@
 #pragma once
 
-// The sheet arithmetic is compiled once for each instruction set (arithmetic/sheet_code.cpp); this is the
+// The sheet arithmetic is compiled once for each instruction set (arithmetic/entry_points.cpp); this is the
 // table of its entry points. They expect checked arguments: finite, and not 0 where the component is
 // infinite.
 

@@ -9,10 +9,10 @@ enum class MemoryKernel { I1, I3, I4, I5 };
 /// int_alpha^inf e^{-rate (w - alpha)} I(w) dw, rate > 0, |alpha| <= 1000, within an interval of half-width
 /// e^{-nats}: what a sheet remembers of a load that has come from infinity.
 ///
-/// With G(x) the symbol of the kernel (sheet_kernels.hpp) the integral is, for alpha >= 0 and alpha < 0,
+/// With G(x) the symbol of the kernel (sheet/kernels.hpp) the integral is, for alpha >= 0 and alpha < 0,
 ///
-///     Re, Im int_0^inf G(x) e^{i x alpha}/(rate - i x) dx,  +-int_0^inf G(x) e^{i x |alpha|}/(rate + i x)
-///     dx,
+///     Re, Im int_0^inf G(x) e^{i x alpha}/(rate - i x) dx,
+///     +-int_0^inf G(x) e^{i x |alpha|}/(rate + i x) dx,
 ///
 /// (Re and + for the even I1, Im and - for the odd ones). The path is turned to the ray arg z = 1/2, below
 /// the symbol's poles, the first of them at arg z = 1.08; the symbol of an odd kernel has the pole 1/(2 z) at

@@ -5,7 +5,7 @@
 namespace nipref::ref {
 
 /// The sheet kernels as intervals of half-width about e^{-nats} (odd kernels: min(1, |x|) e^{-nats}), so that
-/// displacements can be composed of them. Definitions: sheet_kernels.hpp. Arguments of either sign; alpha !=
+/// displacements can be composed of them. Definitions: kernels.hpp. Arguments of either sign; alpha !=
 /// 0 for I1 and I6.
 Interval I1_interval(const Exact& alpha, double nats);
 Interval I2_interval(const Exact& alpha, double nats);

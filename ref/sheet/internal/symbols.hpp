@@ -6,14 +6,16 @@ namespace nipref::ref {
 /// The functions G(z) whose Fourier transforms give the sheet kernels; S(z) = sinh 2z + 2z.
 ///
 /// All are real on the real axis, of one parity, and meromorphic with poles only where S = 0 (z = 0 for those
-/// marked, all others have |Im z| > 2.1) and, for `normal`, at the poles of tanh(3z/4) (|Im z| >= 2 pi/3
-/// > 2.09).
+/// marked, all others have |Im z| > 2.1) and, for `normal`, at the poles of tanh(3z/4)
+/// (|Im z| >= 2 pi/3 > 2.09).
 ///
-///     normal        [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf normal cos(a x)
-///     dx I3            2/S                             odd    simple pole at 0 I4            2 sinh z/(z S)
-///     odd    simple pole at 0 I5            2 cosh z/S                      odd    simple pole at 0 I7 2
-///     sinh z/S                      even I6_alpha      2/(z S)                         even   double pole at
-///     0 I6_eta        2 cosh z/(z S)                  even   double pole at 0
+///     normal     [2 sinh^2 z/S - tanh(3z/4)]/z   even   I1 = ln coth(pi a/3) + int_0^inf normal cos(a x) dx
+///     I3         2/S                             odd    simple pole at 0
+///     I4         2 sinh z/(z S)                  odd    simple pole at 0
+///     I5         2 cosh z/S                      odd    simple pole at 0
+///     I7         2 sinh z/S                      even
+///     I6_alpha   2/(z S)                         even   double pole at 0
+///     I6_eta     2 cosh z/(z S)                  even   double pole at 0
 ///
 /// (thesis 4.9, 4.20; the tanh term removes the 1/z tail of I1's integrand, with
 /// int_0^inf tanh(c x) cos(a x)/x dx = ln coth(pi a/(4c)).)

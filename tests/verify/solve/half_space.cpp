@@ -17,13 +17,11 @@ namespace {
 const std::string isotropic =
     "[half_space]\nmodel = \"isotropic\"\nshear = 3.0\npoisson = 0.25\ndensity = 2.0\n";
 const std::string isotropic_as_transversely =
-    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 9.0\nc33 = 9.0\nc13 = "
-    "3.0\nc44 = "
-    "3.0\nc66 = 3.0\ndensity = 2.0\n";
+    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 9.0\nc33 = 9.0\n"
+    "c13 = 3.0\nc44 = 3.0\nc66 = 3.0\ndensity = 2.0\n";
 const std::string graphite_epoxy =
-    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\nc13 "
-    "= "
-    "6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
+    "[half_space]\nmodel = \"transversely-isotropic\"\naxis = \"in-plane\"\nc11 = 13.9e9\nc33 = 160.7e9\n"
+    "c13 = 6.44e9\nc44 = 7.07e9\nc66 = 3.5e9\ndensity = 1688.0\n";
 const std::string die = "[die]\nradius_along = 1.0\nradius_across = 1.0\n";
 const std::string rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 0.3\n";
 const std::string load = "[load]\nnormal_force = 1e-3\n";

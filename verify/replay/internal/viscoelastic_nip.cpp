@@ -62,8 +62,7 @@ class ViscoelasticRowReplay {
       result.verdict = Verdict::seed_error;
       result.note = fmt::format(
           "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
-          "thesis's "
-          "machine: {:.6g}e-3 then",
+          "thesis's machine: {:.6g}e-3 then",
           1e3 * replayed_.at_centre.at(std::string(underflown_creep)));
       return result;
     }
