@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "support/paths.hpp"
 #include "support/scratch_file.hpp"
 
 struct Outcome {
@@ -17,8 +18,7 @@ struct Outcome {
 /// Runs the program with these arguments, as a shell reads them.
 inline Outcome run(const std::string& arguments) {
   const ScratchFile errors;
-  const std::string command =
-      std::string("'") + NIPREF_EXECUTABLE + "' " + arguments + " 2>'" + errors.path() + "'";
+  const std::string command = "'" + program() + "' " + arguments + " 2>'" + errors.path() + "'";
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string out;

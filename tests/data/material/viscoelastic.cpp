@@ -70,7 +70,7 @@ TEST_CASE("a standard linear solid with one relaxation time in both has one term
   CHECK(special.normal_compliance().terms.size() == 1);
 }
 
-TEST_CASE("one relaxation time doubles the compliance; the thesis's wrong rate makes it 1.875 times") {
+TEST_CASE("one relaxation time doubles the compliance, the thesis's wrong rate makes it 1.875 times") {
   const double shear = 3.0 / 8;  // Poisson's ratio 1/3 with bulk 1
   const auto right = data::single_relaxation_time_solid(1, shear, 0.1).normal_compliance();
   CHECK(right.long_time() / right.instantaneous == doctest::Approx(2).epsilon(1e-14));

@@ -1,9 +1,11 @@
 #include <doctest/doctest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -64,14 +66,15 @@ SurfaceDirection pair(double cosine, double sine) { return {Exact(cosine), Exact
 
 data::Stiffness random_solid(std::mt19937_64& generator) {
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::Matrix<double, 6, 6> root;
-  for (double& entry : root.reshaped()) entry = uniform(generator);
-  const Eigen::Matrix<double, 6, 6> matrix =
-      root * root.transpose() + 0.3 * Eigen::Matrix<double, 6, 6>::Identity();
+  std::array<std::array<double, 6>, 6> root;  // the stiffness is root root^T + 0.3, positive definite
+  for (auto& row : root) {
+    for (double& entry : row) entry = uniform(generator);
+  }
   data::Stiffness result{{}, 1 + 0.9 * uniform(generator)};
-  for (Eigen::Index i = 0; i < 6; ++i) {
-    for (Eigen::Index k = 0; k < 6; ++k) {
-      result.voigt[std::size_t(i)][std::size_t(k)] = matrix(std::max(i, k), std::min(i, k));
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double product = std::inner_product(root[i].begin(), root[i].end(), root[k].begin(), 0.0);
+      result.voigt[i][k] = result.voigt[k][i] = product + (i == k ? 0.3 : 0);
     }
   }
   return result;
@@ -190,7 +193,7 @@ TEST_CASE("an isotropic solid is the same transversely isotropic solid with eith
   }
 }
 
-TEST_CASE("solid, motion and line turned together change nothing; directions need no norm") {
+TEST_CASE("solid, motion and line turned together change nothing, and directions need no norm") {
   std::mt19937_64 generator(7);
   const mpq_class cosine(5, 13);
   const mpq_class sine(12, 13);

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 
 namespace {
@@ -12,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 std::string example(const std::string& name) {
-  return std::string("'") + NIPREF_SOURCE_DIR + "/data/scenes/" + name + ".toml'";
+  return "'" + source_directory() + "/data/scenes/" + name + ".toml'";
 }
 
 void check_refused(const std::string& arguments, const std::string& says) {

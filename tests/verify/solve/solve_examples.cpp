@@ -11,6 +11,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/paths.hpp"
 #include "support/scratch_file.hpp"
 
 using namespace nipref;
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 TEST_CASE("the scene in the README is read and solved") {
   std::ostringstream readme;
-  readme << std::ifstream(fs::path(NIPREF_SOURCE_DIR) / "README.md").rdbuf();
+  readme << std::ifstream(fs::path(source_directory()) / "README.md").rdbuf();
   const std::string text = readme.str();
   const std::string fence = "```toml\n";
   const std::size_t begin = text.find(fence);
@@ -37,7 +38,7 @@ TEST_CASE("the scenes that come with the library are found by name") {
 
 TEST_CASE("every scene in data/scenes is solved, and gives all that it wants within its error estimates") {
   int scenes = 0;
-  for (const auto& entry : fs::directory_iterator(fs::path(NIPREF_SOURCE_DIR) / "data/scenes")) {
+  for (const auto& entry : fs::directory_iterator(fs::path(source_directory()) / "data/scenes")) {
     CAPTURE(entry.path().filename().string());
     const data::Scene scene = data::load_scene(entry.path());
     const auto solution = verify::solve(scene);

@@ -10,6 +10,8 @@
 
 #include <nipref/data/table/index.hpp>
 
+#include "support/paths.hpp"
+
 // The cells are the seed's own text: each is looked for between the words that stand before and after its
 // table.
 
@@ -70,7 +72,7 @@ std::string_view between_marks(std::string_view seed, const Table& table) {
 }  // namespace
 
 TEST_CASE("every cell stands in its seed, at least as often as in its table") {
-  const std::filesystem::path seeds = NIPREF_SEEDS_DIR;
+  const std::filesystem::path seeds = seeds_directory();
   if (!std::filesystem::is_directory(seeds)) {
     MESSAGE("skipped: the folder of the seeds is not there: ", seeds.string());
     return;

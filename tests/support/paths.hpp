@@ -1,0 +1,8 @@
+#pragma once
+#include <string>
+
+/// Where the tests find what they test, known to the build alone.
+
+std::string source_directory();
+std::string seeds_directory();
+std::string program();
