@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +21,7 @@ using data::BadInput;
 constexpr int guard_digits = 15;
 constexpr int most_digits = 100;
 constexpr int most_terms = 900;
+constexpr int most_steps = 30;  ///< of the search for a load
 
 /// One solved expansion, dimensionless: lengths in half-thicknesses b, normal displacements times 2 R/b^2,
 /// pressures times 2 R N/b.
@@ -94,17 +97,34 @@ int terms_of_level(double half_length, int level) {
   return static_cast<int>(std::ceil((4 + 2 * half_length) * std::pow(1.5, level)));
 }
 
+/// Of the last level.
+int most_terms_for(double half_length) {
+  int level = 0;
+  while (terms_of_level(half_length, level + 1) <= most_terms) ++level;
+  return terms_of_level(half_length, level);
+}
+
 void check_digits_here(int digits) {
   if (digits < 16 || digits > most_digits)
     throw BadInput("digits", std::to_string(digits), "must be from 16 to 100");
 }
 
+/// In sheet thicknesses.
+constexpr double shortest = 1e-6, longest = 20;
+
 constexpr auto allowed_lengths =
     "must be at most the roller's radius and from 1e-6 to 20 sheet thicknesses for the reference expansion";
 
 bool length_is_allowed(const data::ElasticNip& nip, double length) {
-  return length >= 1e-6 * nip.sheet_thickness && length <= 20 * nip.sheet_thickness &&
+  return length >= shortest * nip.sheet_thickness && length <= longest * nip.sheet_thickness &&
          length <= nip.roller_radius;
+}
+
+/// A guess at the half length that carries a load, between that of a half-space and that of springs.
+double first_length(double load) {
+  double length = std::sqrt(load / 3.14159);
+  for (int i = 0; i < 5; ++i) length = std::sqrt(load / (3.14159 + 8 * length / 3));
+  return length > shortest ? std::min(length, longest) : shortest;
 }
 
 }  // namespace
@@ -123,30 +143,54 @@ struct ConvergedElasticNip::Implementation {
     return slope() * Float(nip.material.young) / (2 * (1 - poisson) * (1 + poisson));
   }
 
-  /// `next` gives the expansion of a number of terms, starting from the last half length.
+  /// `next` gives the expansion of a number of terms, starting from the last half length. BadInput "digits"
+  /// if the terms that are tried do not give them.
   void climb(const std::function<Expansion(const Float& near, int terms)>& next, Float near) {
+    double digits_before = 0;
+    int terms_before = 0;
     for (int level = 0;; ++level) {
       const int terms = terms_of_level(static_cast<double>(near), level);
-      if (terms > most_terms) return;
       std::ranges::rotate(expansions, expansions.begin() + 1);
       expansions[2] = next(near, terms);
       near = expansions[2].half_length;
       if (level < 2) continue;
-      const auto met = [&](const std::function<Float(const Expansion&)>& result) {
-        const Enclosure estimate = enclose_result(result, 1);
-        return to_float(estimate.error_bound) <= pow(Float(10), -digits) * abs(to_float(estimate.value));
-      };
-      if (met([](const Expansion& e) { return e.load(); }) &&
-          met([](const Expansion& e) { return e.indentation(); }) &&
-          met([](const Expansion& e) { return e.pressure(0); }) &&
-          met([](const Expansion& e) { return e.half_length; })) {
-        return;
-      }
+      const double reached = -std::log10(static_cast<double>(largest_relative_error()));
+      if (reached >= digits) return;
+      const int most = most_terms_for(static_cast<double>(near));
+      // Digits grow with the terms. The first levels may see too little of a long contact to tell.
+      const double in_sight =
+          reached + (reached - digits_before) / (terms - terms_before) * std::max(0, most - terms);
+      if (terms >= most || (level >= 4 && in_sight < 0.95 * digits)) refuse_digits(in_sight, most);
+      digits_before = reached;
+      terms_before = terms;
     }
   }
 
-  [[nodiscard]] Enclosure enclose_result(const std::function<Float(const Expansion&)>& result,
-                                         const Float& unit) const {
+  [[nodiscard]] Float largest_relative_error() const {
+    Float largest = 0;
+    for (const std::function<Float(const Expansion&)>& result :
+         {std::function<Float(const Expansion&)>(&Expansion::load),
+          {&Expansion::indentation},
+          {[](const Expansion& e) { return e.pressure(0); }},
+          {&Expansion::half_length}}) {
+      const Estimated estimate = estimate_of(result, 1);
+      const Float relative = to_float(estimate.error) / abs(to_float(estimate.value));
+      if (!(relative < 1)) return 1;
+      largest = std::max<Float>(largest, relative);
+    }
+    return largest;
+  }
+
+  [[noreturn]] void refuse_digits(double in_sight, int most) const {
+    throw BadInput(
+        "digits", std::to_string(digits),
+        fmt::format("must be fewer for a contact of {:.6g} sheet thicknesses: with {} terms, the most "
+                    "that are tried, its expansion is good to about {:.0f}",
+                    static_cast<double>(expansions[2].half_length), most, in_sight));
+  }
+
+  [[nodiscard]] Estimated estimate_of(const std::function<Float(const Expansion&)>& result,
+                                      const Float& unit) const {
     const WorkingDigits working(digits + guard_digits);
     const Float before = abs(result(expansions[1]) - result(expansions[0]));
     const Float last = result(expansions[2]);
@@ -163,37 +207,36 @@ ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> impleme
 ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = default;
 ConvergedElasticNip::~ConvergedElasticNip() = default;
 
-Enclosure ConvergedElasticNip::contact_length() const {
+Estimated ConvergedElasticNip::contact_length() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
-  return implementation_->enclose_result([](const Expansion& e) { return e.half_length; },
-                                         2 * implementation_->half_thickness());
+  return implementation_->estimate_of([](const Expansion& e) { return e.half_length; },
+                                      2 * implementation_->half_thickness());
 }
 
-Enclosure ConvergedElasticNip::load() const {
+Estimated ConvergedElasticNip::load() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
-  return implementation_->enclose_result(
-      [](const Expansion& e) { return e.load(); },
-      implementation_->pressure_unit() * implementation_->half_thickness());
+  return implementation_->estimate_of([](const Expansion& e) { return e.load(); },
+                                      implementation_->pressure_unit() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedElasticNip::indentation() const {
+Estimated ConvergedElasticNip::indentation() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
-  return implementation_->enclose_result([](const Expansion& e) { return e.indentation(); },
-                                         implementation_->slope() * implementation_->half_thickness());
+  return implementation_->estimate_of([](const Expansion& e) { return e.indentation(); },
+                                      implementation_->slope() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedElasticNip::edge_displacement() const {
+Estimated ConvergedElasticNip::edge_displacement() const {
   const WorkingDigits working(implementation_->digits + guard_digits);
-  return implementation_->enclose_result([](const Expansion& e) { return e.edge_displacement; },
-                                         implementation_->slope() * implementation_->half_thickness());
+  return implementation_->estimate_of([](const Expansion& e) { return e.edge_displacement; },
+                                      implementation_->slope() * implementation_->half_thickness());
 }
 
-Enclosure ConvergedElasticNip::pressure(double y) const {
+Estimated ConvergedElasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   const WorkingDigits working(implementation_->digits + guard_digits);
   const Float position = Float(y) / implementation_->half_thickness();
-  return implementation_->enclose_result([&](const Expansion& e) { return e.pressure(position); },
-                                         implementation_->pressure_unit());
+  return implementation_->estimate_of([&](const Expansion& e) { return e.pressure(position); },
+                                      implementation_->pressure_unit());
 }
 
 int ConvergedElasticNip::terms() const {
@@ -225,22 +268,24 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load,
   // Secant iteration on ln(load) of ln(length); the slope lies between 2 (half-space) and 3 (springs).
   const auto solve = [&](const Float& near, int terms) {
     Float log_length = log(near), last_log_length = 0, last_excess = 0, slope = 2.5;
-    for (int i = 0;; ++i) {
+    for (int step = 0; step < most_steps; ++step) {
       Expansion expansion = expand(exp(log_length), terms, digits + guard_digits, solved->kernel_values);
       const Float excess = log(expansion.load() / wanted);
-      if (abs(excess) <= enough || i == 30) return expansion;
-      if (i > 0) slope = (excess - last_excess) / (log_length - last_log_length);
+      if (abs(excess) <= enough) return expansion;
+      if (step > 0) slope = (excess - last_excess) / (log_length - last_log_length);
       last_log_length = std::exchange(log_length, log_length - excess / slope);
       last_excess = excess;
       if (!length_is_allowed(nip, static_cast<double>(exp(log_length)) * nip.sheet_thickness)) {
         throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_lengths);
       }
     }
+    throw BadInput(
+        "load", load,
+        fmt::format("gives a contact whose length is not found to {} digits in {} steps: fewer digits "
+                    "must be asked for",
+                    digits, most_steps));
   };
-  const double guess = static_cast<double>(wanted);
-  double length = std::sqrt(guess / 3.14159);
-  for (int i = 0; i < 5; ++i) length = std::sqrt(guess / (3.14159 + 8 * length / 3));
-  solved->climb(solve, Float(length));
+  solved->climb(solve, Float(first_length(static_cast<double>(wanted))));
   return ConvergedElasticNip(std::move(solved));
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
@@ -12,6 +13,9 @@ namespace nipref::ref {
 namespace {
 
 using data::BadInput;
+
+/// Beyond those asked for: a system that needs more counts as singular.
+constexpr int most_extra_digits = 400;
 
 /// Values of a kernel at the odd multiples 1, 3 .. 4m - 1 of a/b, and a bound on the error of each.
 struct KernelValues {
@@ -118,19 +122,22 @@ System gripped_system(const Problem& problem, int digits) {
   return system;
 }
 
+/// NaN if one of them is: what is no number must not pass for a small one.
+Float larger(const Float& a, const Float& b) { return a >= b || !(a == a) ? a : b; }
+
 Float row_sum_norm(const Matrix& matrix) {
   Float largest = 0;
   for (Matrix::Index i = 0; i < matrix.rows(); ++i) {
     Float sum = 0;
     for (Matrix::Index j = 0; j < matrix.columns(); ++j) sum += abs(matrix(i, j));
-    largest = std::max<Float>(largest, sum);
+    largest = larger(largest, sum);
   }
   return largest;
 }
 
 Float largest_of(const Vector& vector) {
   Float largest = 0;
-  for (Matrix::Index i = 0; i < vector.size(); ++i) largest = std::max<Float>(largest, Float(abs(vector(i))));
+  for (Matrix::Index i = 0; i < vector.size(); ++i) largest = larger(largest, abs(vector(i)));
   return largest;
 }
 
@@ -186,10 +193,11 @@ LineLoadSolution solution_of(const Problem& problem, const Solved& solved, int d
   return solution;
 }
 
-/// Solves with more and more digits until the bound is 10^-digits of the largest unknown.
+/// Solves with more and more digits until the bound is 10^-digits of the largest unknown; nothing if
+/// most_extra_digits do not prove that.
 template <class Assemble>
-LineLoadSolution solve_to(const Problem& problem, int digits, Assemble assemble) {
-  for (int extra = 15;; extra += 25) {
+std::optional<LineLoadSolution> solve_to(const Problem& problem, int digits, Assemble assemble) {
+  for (int extra = 15; extra <= most_extra_digits; extra += extra + 10) {
     const WorkingDigits working(digits + extra);
     const auto solved = solve(assemble(digits + extra - 3));
     if (!solved) continue;
@@ -197,6 +205,13 @@ LineLoadSolution solve_to(const Problem& problem, int digits, Assemble assemble)
       return solution_of(problem, *solved, digits);
     }
   }
+  return std::nullopt;
+}
+
+LineLoadSolution found(std::optional<LineLoadSolution> solution, double contact_length) {
+  if (solution) return *std::move(solution);
+  throw BadInput("contact_length", contact_length,
+                 "must be one whose system is farther from singular than the reference can tell");
 }
 
 void check(const data::ElasticNip& nip, int elements, double contact_length, int digits) {
@@ -219,9 +234,11 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, int elements
                                        double contact_length, int digits) {
   check(nip, elements_per_side, contact_length, digits);
   const Problem problem{nip, elements_per_side, contact_length, {}};
-  return solve_to(problem, digits, [&](int kernel_digits) {
-    return frictionless_system(problem, evaluate(problem, kernel_digits, I1));
-  });
+  return found(solve_to(problem, digits,
+                        [&](int kernel_digits) {
+                          return frictionless_system(problem, evaluate(problem, kernel_digits, I1));
+                        }),
+               contact_length);
 }
 
 LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, int elements_per_side,
@@ -229,7 +246,9 @@ LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, int 
   check(nip, elements_per_side, contact_length, digits);
   if (!std::isfinite(creep)) throw BadInput("creep", creep, "must be finite");
   const Problem problem{nip, elements_per_side, contact_length, creep};
-  return solve_to(problem, digits, [&](int kernel_digits) { return gripped_system(problem, kernel_digits); });
+  return found(
+      solve_to(problem, digits, [&](int kernel_digits) { return gripped_system(problem, kernel_digits); }),
+      contact_length);
 }
 
 LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
@@ -243,9 +262,14 @@ LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std:
     if (!std::isfinite(value)) throw BadInput("kernel", value, "must be finite");
   }
   const Problem problem{nip, elements, contact_length, {}};
-  return solve_to(problem, digits, [&](int) {
+  auto solution = solve_to(problem, digits, [&](int) {
     return frictionless_system(problem, {std::vector<Float>(kernel.begin(), kernel.end()), 0});
   });
+  if (!solution) {
+    throw BadInput("kernel", kernel.front(),
+                   "must be values that make no singular system (this is the first)");
+  }
+  return *std::move(solution);
 }
 
 }  // namespace nipref::ref

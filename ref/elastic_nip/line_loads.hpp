@@ -38,7 +38,8 @@ LineLoadSolution gripped_line_loads_for_length(const data::ElasticNip& nip, int 
 
 /// Without friction, from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
 /// these values would find without rounding. Set beside that solver it tells its rounding, beside
-/// line_loads_for_length the error of the values. BadInput unless `kernel` has 2m finite values.
+/// line_loads_for_length the error of the values. BadInput unless `kernel` has 2m finite values whose system
+/// is not singular.
 LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
                                                double contact_length, int digits);
 

@@ -19,7 +19,7 @@ std::array<Matrix::Index, 3> in_order(const Matrix& vectors) {
 
 }  // namespace
 
-Enclosure bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+Estimated bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
                           int digits) {
   check_digits(digits);
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(3.33 * digits) + 128;

@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
-#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 
 namespace nipref::ref {
 
@@ -12,9 +12,10 @@ enum class BulkWave {
   slower
 };
 
-/// density v^2 is the eigenvalue of n_j C_ijkl n_l; the bound follows from the residual of the eigenpair and
-/// holds for the eigenvalue nearest to it. BadInput "digits" unless 16 <= digits <= 1000.
-Enclosure bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+/// density v^2 is the eigenvalue of n_j C_ijkl n_l. The error follows from the residual of the eigenpair: it
+/// is that of the eigenvalue nearest to it, with an allowance for rounding, so that it is not proven.
+/// BadInput "digits" unless 16 <= digits <= 1000.
+Estimated bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
                           int digits);
 
 }  // namespace nipref::ref

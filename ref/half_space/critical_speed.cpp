@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 
@@ -36,15 +39,11 @@ Enclosure critical_speed_along(const ExactStiffness& solid, const SurfaceDirecti
   return wave ? *std::move(wave) : limiting_speed(solid, motion, psi, digits);
 }
 
+/// Over unit_of_speed().
 double approximate_critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, double psi) {
   const auto direction = SurfaceDirection::of_degrees(Exact(psi));
   const double cosine = mpfi_get_d(cosine_between(motion, direction, 64).get());
   return std::sqrt(approximate_critical_inertia(solid, direction)) / std::fabs(cosine);
-}
-
-double degrees_of(const SurfaceDirection& direction) {
-  const auto [cosine, sine] = direction.at(64);
-  return std::atan2(mpfi_get_d(sine.get()), mpfi_get_d(cosine.get())) * 180 / std::numbers::pi;
 }
 
 /// Vertex of the parabola through three values at -1, 0, 1, and its second difference.
@@ -56,24 +55,49 @@ struct Parabola {
       : vertex((left - right) / (2 * (left - 2 * centre + right))), curvature(left - 2 * centre + right) {}
 };
 
-/// The minimiser of the critical speed in degrees, to some 1e-5: the scan, then parabolas of shrinking width.
-double approximate_minimiser(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  const double theta = degrees_of(motion);
-  double best = theta;
-  double least = INFINITY;
-  for (int offset = -89; offset <= 89; ++offset) {
-    const double speed = approximate_critical_speed(solid, motion, theta + offset);
-    if (speed < least) {
-      least = speed;
-      best = theta + offset;
-    }
-  }
+double unit_of_speed(const ExactStiffness& solid) {
+  return std::sqrt(Exact(mpq_class(solid.voigt[2][2] / solid.density)).approximate());
+}
+
+/// A direction in degrees and the smallest speed at which its lines are critical, to some 12 digits and over
+/// unit_of_speed().
+struct CriticalLine {
+  double psi, speed;
+};
+
+/// The line that is critical first, to some 1e-5 degrees: the scan, then parabolas of shrinking width.
+CriticalLine approximate_critical_line(const ExactStiffness& solid, const SurfaceDirection& motion) {
+  const double theta = motion.degrees();
   const auto f = [&](double psi) { return approximate_critical_speed(solid, motion, psi); };
+  CriticalLine best{theta, f(theta)};
+  const auto consider = [&](double psi) {
+    const double speed = f(psi);
+    if (speed < best.speed) best = {psi, speed};
+  };
+  for (int offset = -89; offset <= 89; ++offset) consider(theta + offset);
   for (const double width : {0.5, 0.1, 0.02, 0.02}) {
-    const Parabola<double> parabola(f(best - width), f(best), f(best + width));
-    best += std::clamp(parabola.vertex * width, -1.0, 1.0);
+    const Parabola<double> parabola(f(best.psi - width), best.speed, f(best.psi + width));
+    if (std::isfinite(parabola.vertex)) consider(best.psi + std::clamp(parabola.vertex * width, -1.0, 1.0));
   }
   return best;
+}
+
+/// How far psi may be from the vertex of a parabola, in its widths, to be sure of being near a smooth
+/// minimum.
+constexpr double widths_of_error = 10;
+/// Its widths are powers 4, 8, 16 .. of 1/10, and the speeds need four times as many digits.
+constexpr int most_critical_digits = 508;
+
+[[noreturn]] void refuse_motion(const SurfaceDirection& motion) {
+  throw data::BadInput("motion", fmt::format("{:.10g} degrees", motion.degrees()),
+                       "must be one whose critical speed has a smooth minimum over the lines");
+}
+
+bool is_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
+                    const SurfaceDirection& psi) {
+  return is_subcritical(solid, psi, [&](mpfr_prec_t precision) {
+    return inertia_of(solid, speed, cosine_between(motion, psi, precision));
+  });
 }
 
 }  // namespace
@@ -92,16 +116,43 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
   oblique_cosine(motion, psi, 4 * digits);
   if (!surface_wave_inertia(solid, psi, 24)) return std::nullopt;
   return enclose(digits, 0, [&](double nats) {
-    const Interval inertia = surface_wave_inertia(solid, psi, bits_of(nats)).value();
-    return load_speed(solid, inertia, oblique_cosine(motion, psi, inertia.precision()));
+    const auto inertia = surface_wave_inertia(solid, psi, bits_of(nats));
+    if (!inertia) {
+      throw data::BadInput("psi", fmt::format("{:.10g} degrees", psi.degrees()),
+                           "must be a direction whose surface wave is farther from the limiting speed");
+    }
+    return load_speed(solid, *inertia, oblique_cosine(motion, psi, inertia->precision()));
   });
 }
 
+void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
+                       const SurfaceDirection& psi) {
+  if (is_subcritical(solid, speed, motion, psi)) return;
+  const double cosine = std::fabs(mpfi_get_d(cosine_between(motion, psi, 64).get()));
+  throw data::BadInput(
+      "speed", speed.text(),
+      fmt::format("must be below {:.6g}, which is critical on lines {:.6g} degrees from the motion",
+                  critical_speed_along(solid, motion, psi, 16).to_double(),
+                  std::acos(std::min(cosine, 1.0)) * 180 / std::numbers::pi));
+}
+
+void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion) {
+  const CriticalLine line = approximate_critical_line(solid, motion);
+  if (is_subcritical(solid, speed, motion, SurfaceDirection::of_degrees(Exact(line.psi)))) return;
+  throw data::BadInput(
+      "speed", speed.text(),
+      fmt::format("must be below {:.10g}, which is critical on the line psi = {:.6g} degrees",
+                  line.speed * unit_of_speed(solid), line.psi));
+}
+
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits) {
-  check_digits(digits);
+  if (digits < 16 || digits > most_critical_digits) {
+    throw data::BadInput("digits", std::to_string(digits),
+                         fmt::format("must be from 16 to {} for a critical speed", most_critical_digits));
+  }
   // A parabola of width h leaves an error of the order of h^2 in psi and h^4 in the speed.
   int width_digits = 4;
-  Float psi = approximate_minimiser(solid, motion);
+  Float psi = approximate_critical_line(solid, motion).psi;
   for (;; width_digits *= 2) {
     const int working_digits = std::max(digits, 4 * width_digits) + 8;
     const WorkingDigits working(working_digits + 16);
@@ -111,11 +162,12 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
       return to_float(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
     };
     const Parabola<Float> parabola(f(psi - width), f(psi), f(psi + width));
+    if (!(parabola.curvature > 0 && abs(parabola.vertex) < widths_of_error)) refuse_motion(motion);
     psi += parabola.vertex * width;
     if (4 * width_digits < digits + 4) continue;
-    Enclosure speed = critical_speed_along(solid, motion, degrees(psi), digits);
-    const Float miss = parabola.curvature * pow(10 * width, 2);
-    mpfr_add(speed.error_bound.get(), speed.error_bound.get(), miss.get(), MPFR_RNDU);
+    Estimated speed = critical_speed_along(solid, motion, degrees(psi), digits);
+    const Float miss = parabola.curvature * pow(widths_of_error * width, 2);
+    mpfr_add(speed.error.get(), speed.error.get(), miss.get(), MPFR_RNDU);
     return {std::move(speed), static_cast<double>(psi)};
   }
 }

@@ -3,13 +3,14 @@
 
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
-#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 
 namespace nipref::ref {
 
 /// Speeds at which a load that moves in the direction `motion` is critical for the lines of the direction
 /// `psi`. A speed v stands for the phase speed v |cos(psi - theta)|. Bad arguments throw data::BadInput:
-/// "psi" where it is perpendicular to the motion, "digits" unless 16 <= digits <= 1000.
+/// "psi" where it is perpendicular to the motion, "solid" where no proof is found, as where moduli are many
+/// powers of ten apart or the surface wave is next to the limiting speed, "digits" unless 16 <= digits <= 1000.
 
 /// The limiting speed: the smallest at which a root s of Stroh's sextic is real, density v^2 cos^2(psi -
 /// theta) = min over real s of the smallest eigenvalue of q + s (r + r^T) + s^2 t at rest. Proven on both
@@ -26,14 +27,25 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
 
 /// The smallest speed at which the lines of some direction are critical, and that direction.
 struct CriticalSpeed {
-  Enclosure speed;     ///< error bound estimated, see below
+  Estimated speed;
   double psi_degrees;  ///< in (theta - 90, theta + 90), good to some 1e-8
 };
 
 /// Minimum over psi of the surface wave's speed, or the limiting one where there is no surface wave. Loads
 /// slower than this are subcritical. The value is proven to be no less than the minimum, to its digits; that
 /// it is the global one rests on a scan of 1 degree, and the error of the minimiser is estimated from the
-/// curvature. (brock2013, end of sec. 4)
+/// curvature. digits: 16 to 508. BadInput "motion" where the minimum is not smooth, as where surface waves of
+/// some lines end in the limiting speed. (brock2013, end of sec. 4)
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits);
+
+/// BadInput "speed", with what is allowed, unless lines of the direction psi are proven to be subcritical at
+/// it: the impedance exists and is positive definite. Speeds nearer to the critical one than some 1e-30 of it
+/// are refused.
+void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
+                       const SurfaceDirection& psi);
+
+/// BadInput "speed" unless that is proven of the line that is critical first; which one this is rests on a
+/// scan as above.
+void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion);
 
 }  // namespace nipref::ref

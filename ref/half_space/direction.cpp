@@ -1,3 +1,6 @@
+#include <cmath>
+#include <numbers>
+
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/direction.hpp>
 
@@ -23,6 +26,11 @@ SurfaceDirection SurfaceDirection::of_degrees(const Exact& degrees) {
     mpfi_sin(result.sine.get(), angle.get());
     return result;
   }));
+}
+
+double SurfaceDirection::degrees() const {
+  const auto [cosine, sine] = at(64);
+  return std::atan2(mpfi_get_d(sine.get()), mpfi_get_d(cosine.get())) * 180 / std::numbers::pi;
 }
 
 Interval cosine_between(const SurfaceDirection& a, const SurfaceDirection& b, mpfr_prec_t precision) {

@@ -19,6 +19,9 @@ class SurfaceDirection {
   };
   [[nodiscard]] Cosines at(mpfr_prec_t precision) const { return cosines_(precision); }
 
+  /// The angle in degrees to rounding, from -180 to 180.
+  [[nodiscard]] double degrees() const;
+
  private:
   explicit SurfaceDirection(std::function<Cosines(mpfr_prec_t)> cosines) : cosines_(std::move(cosines)) {}
 

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -61,16 +60,6 @@ bool are_narrow(const Components& components, int digits) {
   return mpfr_lessequal_p(widest.get(), width.get()) != 0;
 }
 
-Enclosure as_enclosure(const Interval& x, int digits) {
-  Enclosure result{Real(x.precision()), Real(64), digits};
-  mpfi_mid(result.value.get(), x.get());
-  Real above(64);
-  mpfr_sub(result.error_bound.get(), result.value.get(), x.lower(), MPFR_RNDU);
-  mpfr_sub(above.get(), x.upper(), result.value.get(), MPFR_RNDU);
-  mpfr_max(result.error_bound.get(), result.error_bound.get(), above.get(), MPFR_RNDU);
-  return result;
-}
-
 }  // namespace
 
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
@@ -82,14 +71,14 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
       found = components_at(precision, solid, speed, motion, psi);
       if (found && are_narrow(*found, digits)) return found->front();
     }
-    throw data::BadInput("speed", speed.approximate(),
+    throw data::BadInput("speed", speed.text(),
                          "must stay below the limiting speed of the direction psi, which is where bulk "
                          "waves begin to radiate");
   };
   // The compliance is of the order of 1/C33.
   const double first_nats = Exact(solid.voigt[2][2]).log2_magnitude() * std::numbers::ln2;
   const Enclosure first = enclose(digits, std::max(0.0, first_nats), compliance);
-  const auto other = [&](std::size_t k) { return as_enclosure((*found)[k], digits); };
+  const auto other = [&](std::size_t k) { return enclosure_of((*found)[k], digits); };
   return {first, other(1), other(2), other(3), other(4), other(5), other(6)};
 }
 

@@ -1,7 +1,11 @@
 #pragma once
+#include <functional>
+
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 
@@ -34,5 +38,14 @@ struct LineResponse {
 /// itself at the least); "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                            const SurfaceDirection& psi, int digits);
+
+/// What contacts need of the response along a line, by line_response() or otherwise: compliance, coupling,
+/// coupling_across and in_line as there.
+struct LineAnswer {
+  Real compliance, coupling, coupling_across, in_line;
+};
+
+/// The answer at an angle from the motion in degrees, good to 10^-digits.
+using SurfaceAnswer = std::function<LineAnswer(const Exact& degrees, int digits)>;
 
 }  // namespace nipref::ref

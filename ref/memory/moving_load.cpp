@@ -127,7 +127,9 @@ double size_nats(const ExactMaterial& material) {
   return std::max(0.0, -ln_magnitude(material.normal().instantaneous));
 }
 
-Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
+/// The widths of the memory's intervals are estimates, see fading.hpp, and so is what enclose() makes of
+/// them.
+Estimated sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
                       int digits) {
   return enclose(digits, first_nats, [&](double nats) {
     Interval sum(64);
@@ -175,7 +177,7 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
   return slowest;
 }
 
-Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
+Estimated Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
                 int digits) {
   const ExactFunction normal = material.normal();
   const double distance = std::abs(place.alpha.approximate());
@@ -183,7 +185,7 @@ Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMa
   return sum_over_pi({{normal, Kernel::I1, place}}, way_per_time, first_nats, digits);
 }
 
-Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
+Estimated Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
                 const ExactMaterial& material, int digits) {
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
@@ -235,7 +237,7 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
   return {{theta1, {{theta1 * rate, rate}}}, {theta2, {{theta2 * rate, rate2}}}};
 }
 
-Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
+Estimated moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
@@ -245,7 +247,7 @@ Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const 
   return Un_at(place, way_per_time, material, digits);
 }
 
-Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+Estimated moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
@@ -253,7 +255,7 @@ Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, co
                material, digits);
 }
 
-Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
+Estimated moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits) {
   check_nonzero_argument(alpha, "alpha");
@@ -261,7 +263,7 @@ Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact
   return Un_at({alpha, std::nullopt}, way_per_time, material, digits);
 }
 
-Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
+Estimated moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
                                                      const Exact& half_thickness,
                                                      const ExactMaterial& material, int digits) {
   check_argument(alpha, "alpha");

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
@@ -56,27 +56,27 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///
-/// error_bound is an estimate where Enclosure has a proof: it includes every error of the quadrature, but
-/// those of the memory integrals by measured constants, see fading.hpp. It is meant to hold with a
-/// large margin. Otherwise the promise is Enclosure's. Bad arguments throw data::BadInput.
+/// The error includes every error of the quadrature, but those of the memory integrals by measured constants,
+/// see fading.hpp, so that it is an estimate; it is meant to hold with a large margin. Otherwise the promise
+/// is Enclosure's. Bad arguments throw data::BadInput.
 
 /// Normal displacement; t != T.
-Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
+Estimated moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits);
 
 /// Tangential displacement against the point held. At T = t, where it jumps, the mean of both sides (sign(0)
 /// = 0), at t0 = t it is continuous.
-Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+Estimated moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits);
 
 /// The same for a load that started infinitely long ago, alpha half thicknesses behind the point (alpha > 0:
 /// the load has yet to come) and eta behind the one held; |alpha|, |eta| <= 1000.
-Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
+Estimated moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits);
-Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
+Estimated moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
                                                      const Exact& half_thickness,
                                                      const ExactMaterial& material, int digits);
 

@@ -31,9 +31,13 @@ void check_digits(int digits);
 /// A truth that is exactly 0; BadInput for digits out of range.
 Enclosure exact_zero(int digits);
 
+/// Middle and half-width of an interval; that the latter keeps the promise is the caller's business.
+Enclosure enclosure_of(const Interval& interval, int digits);
+
 /// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
 /// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
-/// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked.
+/// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked. BadInput
+/// for digits out of range, and naming "arguments" where e^{-30000} more does not tell the value from 0.
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at);
 
 }  // namespace nipref::ref

@@ -1,3 +1,4 @@
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -100,6 +101,14 @@ Exact Exact::parse(std::string_view text, std::string_view name) {
 }
 
 Exact Exact::magnitude() const { return Exact(mpq_class(abs(value_))); }
+
+std::string Exact::text() const {
+  Real nearest(64);
+  mpfr_set_q(nearest.get(), value_.get_mpq_t(), MPFR_RNDN);
+  std::array<char, 64> buffer{};
+  mpfr_snprintf(buffer.data(), buffer.size(), "%.16Rg", nearest.get());
+  return buffer.data();
+}
 
 double Exact::approximate() const {
   Real nearest(53);

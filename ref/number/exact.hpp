@@ -1,6 +1,7 @@
 #pragma once
 #include <gmpxx.h>
 
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -25,6 +26,8 @@ class Exact {
   [[nodiscard]] Exact magnitude() const;
   /// log2 of the magnitude, to 1e-12; -infinity for 0. Good where the double under- or overflows.
   [[nodiscard]] double log2_magnitude() const;
+  /// Decimal text of 16 significant digits, for messages.
+  [[nodiscard]] std::string text() const;
   /// Nearest double, for choosing the work and for messages only.
   [[nodiscard]] double approximate() const;
 

@@ -16,7 +16,7 @@ struct AuditOptions {
   std::function<void(std::size_t done)> progress;
 };
 
-/// What an audit found about one quantity. Errors are upper bounds: ref's own error bound is added to each.
+/// What an audit found about one quantity. Errors are upper bounds: ref's own error is added to each.
 struct AuditResult {
   const Quantity* quantity;
   std::size_t points;     ///< points compared

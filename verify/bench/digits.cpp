@@ -26,7 +26,7 @@ struct Method {
   std::function<std::string(const std::string&)> evaluate;  ///< decimal text for a decimal argument
 };
 
-ref::Enclosure ref_at(const Quantity& quantity, const std::string& alpha, int digits) {
+Reference ref_at(const Quantity& quantity, const std::string& alpha, int digits) {
   const std::array arguments{ref::Exact::parse(alpha, "alpha")};
   return quantity.by_ref(arguments, digits);
 }
@@ -60,7 +60,7 @@ Contender contender_of(const Method& method) {
 void compare(const Quantity& quantity, const Method& method, int digits, BenchRow& row) {
   double ulps = 0, relative = 0;
   for (const std::string& alpha : alphas) {
-    const ref::Enclosure truth = ref_at(quantity, alpha, digits + extra_digits);
+    const Reference truth = ref_at(quantity, alpha, digits + extra_digits);
     const double value = std::fabs(truth.to_double());
     const std::array point{ref::Exact::parse(alpha, "alpha").approximate()};
     const double error = decimal_distance(method.evaluate(alpha), truth.value_text());

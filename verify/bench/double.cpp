@@ -138,7 +138,7 @@ std::vector<Method> methods(const Quantity& quantity, const Columns& columns) {
 
 /// ref at the first points of a set, computed once for all methods.
 struct Truth {
-  std::vector<ref::Enclosure> values;
+  std::vector<Reference> values;
   std::vector<double> envelopes;
 };
 

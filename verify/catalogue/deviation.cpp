@@ -11,12 +11,12 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr mpfr_prec_t quotient_precision = 64;
 
-/// |x - value| + error_bound, rounded up.
-ref::Real distance(double x, const ref::Enclosure& truth) {
+/// |x - value| + error, rounded up.
+ref::Real distance(double x, const ref::Estimated& truth) {
   ref::Real difference(quotient_precision);
   mpfr_d_sub(difference.get(), x, truth.value.get(), MPFR_RNDA);
   mpfr_abs(difference.get(), difference.get(), MPFR_RNDU);
-  mpfr_add(difference.get(), difference.get(), truth.error_bound.get(), MPFR_RNDU);
+  mpfr_add(difference.get(), difference.get(), truth.error.get(), MPFR_RNDU);
   return difference;
 }
 
@@ -36,7 +36,7 @@ double quotient(const ref::Real& distance, double unit) {
 
 }  // namespace
 
-Deviation deviation(double approximation, const ref::Enclosure& truth, double envelope) {
+Deviation deviation(double approximation, const ref::Estimated& truth, double envelope) {
   const double scale = std::max(std::fabs(truth.to_double()), envelope);
   if (!std::isfinite(approximation)) return {infinity, infinity, infinity, scale};
   const ref::Real error = distance(approximation, truth);

@@ -1,10 +1,10 @@
 #pragma once
-#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 
 namespace nipref::verify {
 
-/// How far an approximation is from the truth. Every number is an upper bound: the reference's own error
-/// bound is added. All are infinite when the approximation is not a finite number.
+/// How far an approximation is from the truth. Every number is an upper bound: the reference's own error is
+/// added. All are infinite when the approximation is not a finite number.
 struct Deviation {
   double ulps;      ///< |x - truth| in units in the last place of the scale
   double relative;  ///< |x - truth| / |truth|; 0 when both are 0
@@ -15,6 +15,6 @@ struct Deviation {
 /// Deviation of the double `approximation` from `truth`, where `envelope` >= 0 is the size that the quantity
 /// would have away from its zeros (0: none). The difference is formed in MPFR, so that nothing is lost to
 /// cancellation or underflow.
-Deviation deviation(double approximation, const ref::Enclosure& truth, double envelope);
+Deviation deviation(double approximation, const ref::Estimated& truth, double envelope);
 
 }  // namespace nipref::verify

@@ -5,10 +5,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nipref/fast/number/accuracy.hpp>
-#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -72,6 +73,14 @@ struct SeedForm {
   std::function<double(std::span<const double> arguments)> value;
 };
 
+/// What the reference says of a quantity; `proven` tells whether its error is a proven bound.
+struct Reference : ref::Estimated {
+  bool proven;
+
+  Reference(const ref::Enclosure& enclosure) : Estimated(enclosure), proven(true) {}
+  Reference(ref::Estimated estimated) : Estimated(std::move(estimated)), proven(false) {}
+};
+
 /// An entry of the catalogue: everything that the verbs need to know about one quantity.
 struct Quantity {
   std::string name;
@@ -81,10 +90,10 @@ struct Quantity {
   std::vector<Argument> arguments;
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
-  std::function<ref::Enclosure(std::span<const ref::Exact> arguments, int digits)> by_ref;
+  std::function<Reference(std::span<const ref::Exact> arguments, int digits)> by_ref;
   /// The reference at what fast makes of doubles, where the way into fast rounds (cosines of angles in
   /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
-  std::function<ref::Enclosure(std::span<const double> arguments, int digits)> by_ref_of_doubles;
+  std::function<Reference(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
   /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
   /// (empty where there is none).
@@ -114,6 +123,6 @@ struct Quantity {
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
 
 /// ref's value at exactly these doubles, as fast takes them.
-ref::Enclosure ref_value(const Quantity& quantity, std::span<const double> point, int digits);
+Reference ref_value(const Quantity& quantity, std::span<const double> point, int digits);
 
 }  // namespace nipref::verify

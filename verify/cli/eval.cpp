@@ -26,8 +26,9 @@ constexpr long default_digits = 50;
 struct Answer {
   std::string path;  ///< or the name of the seed's form
   std::string value;
-  std::optional<std::string> error_bound;  ///< none of the seed's forms
-  int digits;                              ///< ref: as asked for; fast: as promised
+  std::optional<std::string> error;  ///< none of the seed's forms
+  bool proven;                       ///< that error, as a bound
+  int digits;                        ///< ref: as asked for; fast: as promised
   double seconds;
 };
 
@@ -91,10 +92,10 @@ Request request_of(const CommandLine& line) {
 }
 
 Answer answer_of_ref(const Request& request) {
-  std::optional<ref::Enclosure> found;
+  std::optional<Reference> found;
   const double seconds =
       seconds_of([&] { found = request.quantity->by_ref(request.arguments.exact, request.digits); });
-  return {"ref", found->value_text(), found->bound_text(), request.digits, seconds};
+  return {"ref", found->value_text(), found->error_text(), found->proven, request.digits, seconds};
 }
 
 Answer answer_of_fast(const Request& request) {
@@ -105,8 +106,12 @@ Answer answer_of_fast(const Request& request) {
   const double scale = std::max(std::fabs(value), quantity.envelope(point));
   const double rtol = request.accuracy.rtol();
   const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
-  const double bound = std::max(quantity.promise * ulp_of(scale), tolerated);
-  return {"fast", fmt::format("{}", value), fmt::format("{:.1e}", bound), static_cast<int>(-std::log10(rtol)),
+  const double promised = std::max(quantity.promise * ulp_of(scale), tolerated);
+  return {"fast",
+          fmt::format("{}", value),
+          fmt::format("{:.1e}", promised),
+          false,
+          static_cast<int>(-std::log10(rtol)),
           seconds};
 }
 
@@ -118,7 +123,11 @@ Answer answer_of_seed(const Request& request) {
   const double seconds = seconds_of([&] { value = request.form->value(point); });
   if (!std::isfinite(value))
     throw BadInput("form", request.form->name, "must be corrected here: the seed's form gives no number");
-  return {request.form->name, fmt::format("{}", value), std::nullopt, std::numeric_limits<double>::digits10,
+  return {request.form->name,
+          fmt::format("{}", value),
+          std::nullopt,
+          false,
+          std::numeric_limits<double>::digits10,
           seconds};
 }
 
@@ -133,7 +142,8 @@ std::vector<Answer> answers_to(const Request& request) {
 Json answer_json(const Answer& answer) {
   return {{"path", answer.path},
           {"value", answer.value},
-          {"error_bound", answer.error_bound},
+          {answer.proven ? "error_bound" : "error_estimate", answer.error},
+          {"proven", answer.proven},
           {"digits", answer.digits},
           {"seconds", answer.seconds}};
 }
@@ -155,11 +165,12 @@ void print_text(const Request& request, const std::vector<Answer>& answers, std:
   for (const Answer& answer : answers) {
     out << fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
                        answer.seconds, answer.value);
-    if (answer.error_bound) out << fmt::format("  error bound  {}\n", *answer.error_bound);
+    if (answer.error)
+      out << fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
   }
   if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
   if (request.by_fast)
-    out << "fast takes each argument rounded to the nearest double; its bound is for that argument.\n";
+    out << "fast takes each argument rounded to the nearest double; its error is for that argument.\n";
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace nipref::verify {
 namespace {
 
 using ref::ConvergedElasticNip;
-using ref::Enclosure;
+using ref::Estimated;
 
-const std::map<std::string_view, Enclosure (ConvergedElasticNip::*)() const> numbers{
+const std::map<std::string_view, Estimated (ConvergedElasticNip::*)() const> numbers{
     {"contact_length", &ConvergedElasticNip::contact_length},
     {"load", &ConvergedElasticNip::load},
     {"indentation", &ConvergedElasticNip::indentation},

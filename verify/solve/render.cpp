@@ -13,6 +13,10 @@ std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15
 std::string error_text(const fast::Estimate& number) { return fmt::format("{:.1e}", number.error); }
 std::string value_text(const LongEstimate& number) { return number.value; }
 std::string error_text(const LongEstimate& number) { return number.error; }
+bool is_proven(const fast::Estimate&) { return false; }
+bool is_proven(const LongEstimate& number) { return number.proven; }
+/// What is proven is called a bound, and an error what is not.
+std::string_view error_word(const auto& number) { return is_proven(number) ? "bound" : "error"; }
 
 template <class Number>
 Json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
@@ -54,8 +58,9 @@ std::string work_text(const fast::Work& work) {
 template <class Number>
 void append_number(const typename SceneSolution<Number>::Result& result, std::string& text) {
   const Number& number = result.numbers.front();
-  fmt::format_to(std::back_inserter(text), "  {:<21} {:<22} error {:<8} {:<12}  {}\n", result.what->name,
-                 value_text(number), error_text(number), result.what->unit, result.what->meaning);
+  fmt::format_to(std::back_inserter(text), "  {:<21} {:<22} {} {:<8} {:<12}  {}\n", result.what->name,
+                 value_text(number), error_word(number), error_text(number), result.what->unit,
+                 result.what->meaning);
 }
 
 template <class Number>
@@ -65,8 +70,9 @@ void append_profile(const typename SceneSolution<Number>::Result& result,
                  result.what->unit);
   const char* where = result.what->kind == data::SceneKind::half_space ? "psi" : "Y";
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "    {} = {:<22} {:<22} error {}\n", where, positions[i],
-                   value_text(result.numbers[i]), error_text(result.numbers[i]));
+    fmt::format_to(std::back_inserter(text), "    {} = {:<22} {:<22} {} {}\n", where, positions[i],
+                   value_text(result.numbers[i]), error_word(result.numbers[i]),
+                   error_text(result.numbers[i]));
   }
 }
 
@@ -90,12 +96,18 @@ std::string solution_text(const SceneSolution<Number>& solution) {
 
 template <class Number>
 Json solution_json(const SceneSolution<Number>& solution) {
-  Json results = Json::object(), errors = Json::object();
+  Json results = Json::object(), errors = Json::object(), proven = Json::object();
+  bool all_proven = true;
   for (const auto& result : solution.results) {
     results.set(result.what->name, values_json(result, &Number::value));
     errors.set(result.what->name, values_json(result, &Number::error));
+    proven.set(result.what->name, is_proven(result.numbers.front()));
+    all_proven = all_proven && is_proven(result.numbers.front());
   }
-  Json json{{"title", solution.title}, {"results", results}, {"error_estimate", errors}};
+  Json json{{"title", solution.title},
+            {"results", results},
+            {all_proven ? "error_bound" : "error_estimate", errors}};
+  if (std::is_same_v<Number, LongEstimate>) json.set("proven", proven);
   if (!solution.positions.empty()) json.set("positions", json_list(solution.positions, std::identity()));
   json.set("work", work_json(solution.work));
   if (!is_empty(solution.error_work)) json.set("error_work", work_json(solution.error_work));

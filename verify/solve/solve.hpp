@@ -16,6 +16,7 @@ namespace nipref::verify {
 struct LongEstimate {
   std::string value;
   std::string error;
+  bool proven;  ///< that error, as a bound
 };
 
 /// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or LongEstimate.

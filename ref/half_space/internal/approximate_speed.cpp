@@ -79,8 +79,9 @@ double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDi
   const auto f = [&](double w) { return determinant(pencil, limit * (1 - w * w)); };
   constexpr double nearest = 1e-4;
   if (!(f(nearest) < 0)) return limit;
-  const double w = bracketed_root(f, 1.0, nearest, 1e-13);
-  return limit * (1 - w * w);
+  const auto w = bracketed_root(f, 1.0, nearest, 1e-13);
+  if (!w) refuse_proof(psi, surface_wave);
+  return limit * (1 - *w * *w);
 }
 
 }  // namespace nipref::ref

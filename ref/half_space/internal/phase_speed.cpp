@@ -1,5 +1,6 @@
-#include <stdexcept>
+#include <fmt/format.h>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/lowest_point.hpp>
@@ -80,10 +81,18 @@ Interval proven_bracket(const ExactStiffness& solid, const SurfaceDirection& psi
       return {to_real(left), to_real(right), precision};
     }
   }
-  throw std::logic_error("the surface wave's speed has no proof");
+  refuse_proof(psi, surface_wave);
 }
 
 }  // namespace
+
+void refuse_proof(const SurfaceDirection& psi, const char* what) {
+  throw data::BadInput(
+      "solid", "(as given)",
+      fmt::format("must be one whose {} in the direction psi = {:.6g} degrees can be proven: no "
+                  "moduli many powers of ten apart, no surface wave next to the limiting speed",
+                  what, psi.degrees()));
+}
 
 Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t bits) {
   const Valley valley = lowest_valley(at_rest(solid, psi, 64));
@@ -104,7 +113,7 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
       return {to_real(below), above, precision};
     }
   }
-  throw std::logic_error("the limiting speed has no proof");
+  refuse_proof(psi, "limiting speed");
 }
 
 std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
@@ -115,12 +124,22 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
   const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };
   const auto f = [&](const Float& w) {
     const auto value = determinant(solid, psi, inertia(w), precision);
-    if (!value) throw std::logic_error("no impedance below the limiting speed");
+    if (!value) refuse_proof(psi, surface_wave);
     return middle(*value);
   };
   if (!(f(Float(nearest_w)) < 0)) return std::nullopt;
-  const Float w = bracketed_root(f, Float(1), Float(nearest_w), power_of_two(-bits - 8));
-  return proven_bracket(solid, psi, inertia(w), bits, precision);
+  const auto w = bracketed_root(f, Float(1), Float(nearest_w), power_of_two(-bits - 8));
+  if (!w) refuse_proof(psi, surface_wave);
+  return proven_bracket(solid, psi, inertia(*w), bits, precision);
+}
+
+bool is_subcritical(const ExactStiffness& solid, const SurfaceDirection& psi,
+                    const std::function<Interval(mpfr_prec_t precision)>& inertia) {
+  for (const mpfr_prec_t precision : {128, 256, 512}) {
+    const auto impedance = surface_impedance(acoustic_matrices(solid, psi, inertia(precision)));
+    if (impedance && is_positive_definite(*impedance)) return true;
+  }
+  return false;
 }
 
 }  // namespace nipref::ref

@@ -1,11 +1,13 @@
 #pragma once
+#include <optional>
 
 namespace nipref::ref {
 
 /// A root of f between `positive` and `negative`, where f has these signs, by the Illinois form of false
-/// position; ends when a step is below `tolerance`.
+/// position; ends when a step is below `tolerance`. Nothing if no step is: f is no number somewhere.
 template <class Scalar, class Function>
-Scalar bracketed_root(const Function& f, Scalar positive, Scalar negative, const Scalar& tolerance) {
+std::optional<Scalar> bracketed_root(const Function& f, Scalar positive, Scalar negative,
+                                     const Scalar& tolerance) {
   constexpr int most_steps = 200;
   Scalar above = f(positive);
   Scalar below = f(negative);
@@ -29,7 +31,7 @@ Scalar bracketed_root(const Function& f, Scalar positive, Scalar negative, const
       side = -1;
     }
   }
-  return last;
+  return std::nullopt;
 }
 
 }  // namespace nipref::ref

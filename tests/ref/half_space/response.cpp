@@ -15,11 +15,13 @@
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
 
 #include "support/stroh.hpp"
 
 using namespace nipref;
 using ref::Enclosure;
+using ref::Estimated;
 using ref::Exact;
 using ref::ExactStiffness;
 using ref::LineResponse;
@@ -28,15 +30,15 @@ using stroh::Float;
 
 namespace {
 
-Float value(const Enclosure& x) {
+Float value(const Estimated& x) {
   Float result;
   mpfr_set(result.backend().data(), x.value.get(), MPFR_RNDN);
   return result;
 }
 
-Float bound(const Enclosure& x) {
+Float bound(const Estimated& x) {
   Float result;
-  mpfr_set(result.backend().data(), x.error_bound.get(), MPFR_RNDN);
+  mpfr_set(result.backend().data(), x.error.get(), MPFR_RNDN);
   return result;
 }
 
@@ -59,6 +61,10 @@ void check_agree(const LineResponse& x, const LineResponse& y, int digits, doubl
     CHECK(abs(value(a[k]) - factor * value(b[k])) <= bound(a[k]) + factor * bound(b[k]));
     CHECK(bound(a[k]) <= pow(Float(10), -digits) * scale(x));
   }
+}
+
+ExactStiffness isotropic_stiffness(const data::IsotropicSolid& solid) {
+  return ref::exact_stiffness(solid, data::SymmetryAxis::normal);
 }
 
 SurfaceDirection degrees(double angle) { return SurfaceDirection::of_degrees(Exact(angle)); }
@@ -149,12 +155,12 @@ TEST_CASE("isotropic solids: the closed form, in every direction") {
       CAPTURE(speed);
       const data::IsotropicSolid solid{3.7, poisson, 3.7};
       const auto response =
-          ref::line_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(-8, 6), 30);
+          ref::line_response(isotropic_stiffness(solid), Exact(speed), pair(3, 4), pair(-8, 6), 30);
       // cos(psi - theta) = 0: as at rest.
       CHECK(abs(value(response.compliance) - (1 - Float(poisson)) / Float(3.7)) <=
             bound(response.compliance));
       const auto moving =
-          ref::line_response(ref::exact_stiffness(solid), Exact(speed), pair(3, 4), pair(6, 8), 30);
+          ref::line_response(isotropic_stiffness(solid), Exact(speed), pair(3, 4), pair(6, 8), 30);
       const Float x = Float(speed) * speed;
       const Float squared_ratio = (2 - 2 * Float(poisson)) / (1 - 2 * Float(poisson));
       const Float shear = sqrt(1 - x);
@@ -176,7 +182,7 @@ TEST_CASE("isotropic solids: the closed form, in every direction") {
 TEST_CASE("at rest an isotropic surface answers with (1 - nu)/mu, whatever its units") {
   const data::IsotropicSolid steel{77.2e9, 0.25, 7860};
   const auto response =
-      ref::line_response(ref::exact_stiffness(steel), Exact(0.0), degrees(10), degrees(70), 50);
+      ref::line_response(isotropic_stiffness(steel), Exact(0.0), degrees(10), degrees(70), 50);
   const Float truth = Float(0.75) / Float(77.2e9);
   CHECK(abs(value(response.compliance) - truth) <= bound(response.compliance));
   CHECK(bound(response.compliance) <= Float("1e-50") * truth);
@@ -184,7 +190,7 @@ TEST_CASE("at rest an isotropic surface answers with (1 - nu)/mu, whatever its u
 
 TEST_CASE("an isotropic solid is the same transversely isotropic solid with either axis") {
   const data::TransverselyIsotropicSolid as_transverse{3, 3, 1, 1, 1, 1};
-  const auto isotropic = ref::exact_stiffness(data::IsotropicSolid{1, 0.25, 1});
+  const auto isotropic = isotropic_stiffness({1, 0.25, 1});
   const auto reference = ref::line_response(isotropic, Exact(0.8), degrees(20), degrees(50), 30);
   for (const auto axis : {data::SymmetryAxis::normal, data::SymmetryAxis::in_plane}) {
     check_agree(ref::line_response(ref::exact_stiffness(as_transverse, axis), Exact(0.8), degrees(20),
@@ -287,7 +293,7 @@ TEST_CASE("a proven impedance contains the one that is known better, and is not 
 TEST_CASE("isotropic: the limiting speed is that of shear, the surface wave is Rayleigh's") {
   for (const double poisson : {-0.3, 0.25, 0.45}) {
     CAPTURE(poisson);
-    const auto solid = ref::exact_stiffness(data::IsotropicSolid{4, poisson, 1});
+    const auto solid = isotropic_stiffness({4, poisson, 1});
     const auto limit = ref::limiting_speed(solid, degrees(0), degrees(0), 30);
     CHECK(abs(value(limit) - 2) <= bound(limit));
     const auto wave = ref::surface_wave_speed(solid, pair(1, 0), pair(3, 4), 30);
@@ -359,7 +365,7 @@ TEST_CASE("data::Stiffness rounds what the exact stiffness holds") {
             doctest::Approx(exact.voigt[k / 6][k % 6].get_d()).epsilon(1e-14).scale(1e-14));
     }
   };
-  check_same(data::Stiffness::of(isotropic), ref::exact_stiffness(isotropic));
+  check_same(data::Stiffness::of(isotropic), isotropic_stiffness(isotropic));
   for (const auto axis : {data::SymmetryAxis::normal, data::SymmetryAxis::in_plane}) {
     check_same(data::Stiffness::of(composite, axis), ref::exact_stiffness(composite, axis));
   }
@@ -409,5 +415,43 @@ TEST_CASE("bad stiffnesses, directions, digits and speeds are refused by one cle
   starts(message([&] { Exact(NAN, "speed"); }), "speed = nan");
   starts(message([&] { ref::limiting_speed(solid, pair(1, 0), pair(0, 1), 20); }), "psi = ");
   starts(message([&] { ref::surface_wave_speed(solid, degrees(0), degrees(90), 20); }), "psi = ");
-  starts(message([&] { ref::critical_speed(solid, degrees(0), 1001); }), "digits = 1001");
+  starts(message([&] { ref::critical_speed(solid, degrees(0), 509); }), "digits = 509");
+}
+
+TEST_CASE("speeds are refused from the critical one on, on one line and on all") {
+  const auto isotropic = ref::sagittal_stiffness(data::IsotropicSolid{1, 0.25, 1});
+  const double rayleigh = ref::surface_wave_speed(isotropic, degrees(0), degrees(0), 20)->to_double();
+  const auto check_line = [&](double speed, double psi) {
+    ref::check_subcritical(isotropic, Exact(speed), degrees(0), degrees(psi));
+  };
+  CHECK_NOTHROW(check_line(std::nextafter(rayleigh, 0), 0));
+  CHECK_THROWS_WITH_AS(check_line(std::nextafter(rayleigh, 1), 0),
+                       doctest::Contains("must be below 0.919402"), data::BadInput);
+  CHECK_THROWS_WITH_AS(check_line(0.95, 0), doctest::Contains("speed = 0.95: "), data::BadInput);
+  CHECK_NOTHROW(check_line(0.95, 60));
+  CHECK_THROWS_WITH_AS(check_line(1.9, 60), doctest::Contains("lines 60 degrees"), data::BadInput);
+  CHECK_NOTHROW(check_line(1e6, 90));
+
+  const auto lying = ref::exact_stiffness(composite, data::SymmetryAxis::in_plane);
+  const auto check_all = [&](double share) {
+    ref::check_subcritical(lying, Exact(share * 0.4989960517311832865), degrees(45));
+  };
+  CHECK_NOTHROW(check_all(1 - 1e-11));
+  CHECK_THROWS_WITH_AS(check_all(1 + 1e-11), doctest::Contains("psi = 24.55"), data::BadInput);
+  CHECK_THROWS_AS(check_all(3), data::BadInput);
+}
+
+TEST_CASE("a search for a root of what is no number finds nothing") {
+  const auto f = [](double x) { return x < 0.5 ? 1.0 : x > 0.7 ? -1.0 : std::nan(""); };
+  CHECK(!ref::bracketed_root(f, 0.0, 1.0, 1e-12).has_value());
+  CHECK(ref::bracketed_root([](double x) { return 0.3 - x * x; }, 0.0, 1.0, 1e-15).value() ==
+        doctest::Approx(std::sqrt(0.3)).epsilon(1e-15));
+}
+
+TEST_CASE("where no proof is found, that is said of the solid") {
+  // Moduli so far apart that a double sees nothing of the smaller ones.
+  const auto solid = ref::exact_stiffness(data::TransverselyIsotropicSolid{2e-60, 1e60, 0, 1e-60, 1e-60, 1},
+                                          data::SymmetryAxis::in_plane);
+  CHECK_THROWS_WITH_AS(ref::critical_speed(solid, degrees(30), 20),
+                       doctest::Contains("solid = (as given): must be"), data::BadInput);
 }

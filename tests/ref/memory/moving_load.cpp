@@ -30,7 +30,7 @@ constexpr int digits = 32;
 
 Exact exact(const std::string& text) { return Exact::parse(text); }
 Exact exact(const Float& x) { return Exact::parse(x.str(45, std::ios_base::scientific)); }
-Float number(const Enclosure& x) { return Float(x.value_text()); }
+Float number(const Estimated& x) { return Float(x.value_text()); }
 
 using KernelFunction = std::function<Float(const Float&)>;
 
@@ -82,7 +82,7 @@ Float convolution(const ExactFunction& theta, const KernelFunction& kernel, cons
   return sum;
 }
 
-void check_agrees(const Enclosure& reference, const Float& other) {
+void check_agrees(const Estimated& reference, const Float& other) {
   const Float tolerance("1e-30");
   CHECK(abs(number(reference) - other) <= tolerance * abs(other));
 }
@@ -119,7 +119,7 @@ void check_Vn(const std::string& t, const std::string& T, const std::string& t0)
                sum / boost::math::constants::pi<Float>());
 }
 
-double relative_difference(const Enclosure& x, const Enclosure& y) {
+double relative_difference(const Estimated& x, const Estimated& y) {
   return static_cast<double>(abs(number(x) / number(y) - 1));
 }
 
@@ -173,11 +173,11 @@ TEST_CASE("moving load: the displacements do not jump where the cases meet") {
 TEST_CASE("moving load: what happened long ago is forgotten") {
   const ExactMaterial solid = two_times();
   // The slowest rate is 1/2: e^{-50} is 2e-22.
-  const Enclosure steady = moving_load_steady_normal_displacement(exact("-0.75"), one, one, solid, 25);
+  const Estimated steady = moving_load_steady_normal_displacement(exact("-0.75"), one, one, solid, 25);
   CHECK(relative_difference(
             moving_load_normal_displacement(exact("100"), exact("99.25"), one, one, solid, 25), steady) <
         1e-19);
-  const Enclosure steady_shear =
+  const Estimated steady_shear =
       moving_load_steady_tangential_displacement(exact("-0.75"), exact("1.5"), one, one, solid, 25);
   CHECK(relative_difference(moving_load_tangential_displacement(exact("100"), exact("99.25"), exact("101.5"),
                                                                 one, one, solid, 25),
@@ -221,9 +221,9 @@ TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic 
 TEST_CASE("moving load: only speed tau/half thickness counts, and bulk scales") {
   const ExactMaterial solid = exact_solid(Solid::thesis, exact("2"), exact("0.5"));
   const ExactMaterial other = exact_solid(Solid::thesis, exact("1"), exact("1"));
-  const Enclosure x =
+  const Estimated x =
       moving_load_normal_displacement(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
-  const Enclosure y =
+  const Estimated y =
       moving_load_normal_displacement(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
   CHECK(abs(2 * number(x) / number(y) - 1) < Float("1e-24"));
 }
@@ -269,10 +269,10 @@ TEST_CASE("moving load: the estimated bounds hold against more digits, whatever 
       CAPTURE(tau);
       CAPTURE(alpha);
       const auto difference = [&](auto value) {
-        const Enclosure few = value(16);
+        const Estimated few = value(16);
         Real error(64);
         mpfr_sub(error.get(), few.value.get(), value(30).value.get(), MPFR_RNDA);
-        CHECK(mpfr_cmpabs(error.get(), few.error_bound.get()) <= 0);
+        CHECK(mpfr_cmpabs(error.get(), few.error.get()) <= 0);
       };
       difference(
           [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });

@@ -3,9 +3,11 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/estimated.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/roots.hpp>
@@ -143,6 +145,32 @@ TEST_CASE("exact zeros are exact") {
   }
   CHECK(us(exact("0"), exact("1"), exact("0.3"), 20).bound_text() == "0");
   CHECK(us(exact("1e-3"), exact("1"), exact("0.5"), 20).to_double() < 0);
+}
+
+TEST_CASE("what cannot be told from zero is refused, not looked at for ever") {
+  int evaluations = 0;
+  const auto around_zero = [&](double) {
+    ++evaluations;
+    return Interval(0L, 64).widened(Interval(1L, 64));
+  };
+  CHECK_THROWS_WITH_AS(enclose(20, 0, around_zero), doctest::Contains("arguments = (as given): "), BadInput);
+  CHECK(evaluations < 20);
+  // Small values are told from it, as those of arguments near a zero with thousands of digits.
+  const auto small = [](double nats) {
+    return exp(Interval(-11'000L, 20'000)).widened(exp(Interval(-nats, 64)));
+  };
+  CHECK(enclose(20, 0, small).digits == 20);
+}
+
+TEST_CASE("a proven bound is an estimate, too, but an estimate no proven bound") {
+  static_assert(std::is_convertible_v<Enclosure, Estimated>);
+  static_assert(!std::is_constructible_v<Enclosure, Estimated>);
+  const Enclosure proven = I1(exact("0.73"), 30);
+  const Estimated estimated = proven;
+  CHECK(estimated.value_text() == proven.value_text());
+  CHECK(estimated.error_text() == proven.bound_text());
+  CHECK(estimated.to_double() == proven.to_double());
+  CHECK(estimated.error_of(1) == proven.error_of(1));
 }
 
 TEST_CASE("bad input is refused") {

@@ -118,12 +118,14 @@ TEST_CASE("eval as JSON has the agreed shape and both paths") {
   CHECK(answer["results"][0].at("path") == "ref");
   CHECK(answer["results"][1].at("path") == "fast");
   for (const json& result : answer["results"]) {
-    CHECK(result.size() == 5);
+    CHECK(result.size() == 6);
     CHECK(result.at("value").is_string());
-    CHECK(result.at("error_bound").is_string());
+    CHECK(result.at(result.at("proven") == true ? "error_bound" : "error_estimate").is_string());
     CHECK(result.at("digits").is_number_integer());
     CHECK(result.at("seconds").is_number());
   }
+  CHECK(answer["results"][0]["proven"] == true);
+  CHECK(answer["results"][1]["proven"] == false);
   CHECK(answer["results"][0]["digits"] == 50);
   CHECK(std::stod(answer["results"][0]["error_bound"].get<std::string>()) <= 1e-50);
   // The double nearest to 0.73 differs from 0.73 by up to 2^-54, and the slope of I1 there is about -1.
@@ -148,14 +150,27 @@ TEST_CASE("ref takes the text exactly: 0.1 is not the double nearest to it") {
   CHECK(value("0.5") == value("0x1p-1"));
 }
 
-TEST_CASE("fast's error bound follows rtol") {
-  const auto bound = [](const std::string& options) {
+TEST_CASE("eval calls a bound what is proven, and an estimate what is not") {
+  const auto ref_says = [](const std::string& arguments) { return run("eval " + arguments + " --path ref"); };
+  const std::string kernel = "I1 alpha=0.73", load = "Un t=3 T=2 tau=0.5 digits=20";
+  CHECK(ref_says(kernel).out.find("error bound") != std::string::npos);
+  CHECK(ref_says(kernel).out.find("estimated") == std::string::npos);
+  CHECK(ref_says(load).out.find("estimated error") != std::string::npos);
+  CHECK(ref_says(load).out.find("bound") == std::string::npos);
+  const json estimated = json::parse(ref_says(load + " --json").out)["results"][0];
+  CHECK(estimated.at("proven") == false);
+  CHECK(std::stod(estimated.at("error_estimate").get<std::string>()) <= 1e-20);
+  CHECK_FALSE(estimated.contains("error_bound"));
+}
+
+TEST_CASE("fast's estimated error follows rtol") {
+  const auto error = [](const std::string& options) {
     const json answer = json::parse(run("eval I1 alpha=0.73 path=fast --json " + options).out);
-    return std::stod(answer["results"][0]["error_bound"].get<std::string>());
+    return std::stod(answer["results"][0]["error_estimate"].get<std::string>());
   };
-  CHECK(bound("") < 1e-15);
-  CHECK(bound("rtol=1e-3") > 1e-5);
-  CHECK(bound("rtol=1e-3") <= 1e-3);
+  CHECK(error("") < 1e-15);
+  CHECK(error("rtol=1e-3") > 1e-5);
+  CHECK(error("rtol=1e-3") <= 1e-3);
 }
 
 TEST_CASE("audit as JSON has the agreed shape") {

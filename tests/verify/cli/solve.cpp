@@ -71,6 +71,7 @@ TEST_CASE("solve by ref gives its numbers as text, with the digits that are aske
     CHECK(value.get<std::string>().size() > 40);
     CHECK(std::stod(answer.at("error_estimate").at(name).get<std::string>()) <=
           1e-40 * std::stod(value.get<std::string>()));
+    CHECK(answer.at("proven").at(name) == false);
   }
   const json fast = json::parse(run("solve --json " + example("thick-frictionless")).out);
   CHECK(std::stod(answer["results"]["contact_length"].get<std::string>()) ==

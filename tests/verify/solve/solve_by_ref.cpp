@@ -1,12 +1,14 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
@@ -86,6 +88,35 @@ TEST_CASE("the reference's line loads are those in double, with friction and wit
     }
     CHECK(reference.work.unknowns == (friction ? 11 : 6));
   }
+}
+
+namespace {
+
+template <class Solution>
+nlohmann::ordered_json json_of(const Solution& solution) {
+  return nlohmann::ordered_json::parse(verify::solution_json(solution).text());
+}
+
+}  // namespace
+
+TEST_CASE("line loads by ref are proven, the converged contact is estimated, and both say so") {
+  const auto loads = verify::solve_by_ref(line_load_scene(), 20);
+  const auto json = json_of(loads);
+  CHECK(json.at("proven") ==
+        nlohmann::ordered_json{{"load", true}, {"indentation", true}, {"edge_displacement", true}});
+  CHECK(json.at("error_bound").at("load") == loads["load"].error);
+  CHECK_FALSE(json.contains("error_estimate"));
+  CHECK(verify::solution_text(loads).find(" bound ") != std::string::npos);
+  CHECK(verify::solution_text(loads).find(" error ") == std::string::npos);
+
+  const auto contact = verify::solve_by_ref(scene_of(0.25, {"load", "pressure"}), 20);
+  const auto estimated = json_of(contact);
+  CHECK(estimated.at("proven") == nlohmann::ordered_json{{"load", false}, {"pressure", false}});
+  CHECK(estimated.at("error_estimate").at("pressure").size() == 4);
+  CHECK_FALSE(estimated.contains("error_bound"));
+  CHECK(verify::solution_text(contact).find(" bound ") == std::string::npos);
+
+  CHECK_FALSE(json_of(verify::solve(line_load_scene())).contains("proven"));
 }
 
 TEST_CASE("what the reference does not have is refused by its key") {

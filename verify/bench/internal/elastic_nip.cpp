@@ -82,7 +82,7 @@ std::vector<BenchRow> rows_of(const Case& at) {
   std::vector<Contender> contenders;
   for (const Method& method : all) contenders.push_back(contender(method.length));
   const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
-  const ref::Enclosure truth = ref::converged_for_load(at.nip, at.load, ref_digits).contact_length();
+  const ref::Estimated truth = ref::converged_for_load(at.nip, at.load, ref_digits).contact_length();
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double length = all[i].length();

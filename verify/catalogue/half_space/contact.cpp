@@ -3,7 +3,8 @@
 
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
-#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/rolling_sphere.hpp>
+#include <nipref/ref/half_space/sliding.hpp>
 #include <nipref/verify/catalogue/half_space/internal/contact_entry.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include <nipref/fast/half_space/elliptic.hpp>
-#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/contact_entry.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 

@@ -33,11 +33,21 @@ void draw_lines(Quantity& entry) {
   };
 }
 
-/// Refuses what fast refuses: the reference solves the equations beyond the Rayleigh speed too.
-void check_line(const Exact& poisson, const Exact& speed, const Exact& psi_deg) {
-  static_cast<void>(fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(),
-                                             direction_of_degrees(psi_deg.approximate())));
-}
+/// What ref takes: poisson, speed, psi_deg.
+struct Line {
+  ref::ExactStiffness solid;
+  Exact speed;
+  SurfaceDirection motion, psi;
+
+  /// Refuses what is not subcritical: line_response() solves the equations beyond the Rayleigh speed too.
+  explicit Line(Exacts x)
+      : solid(exact_isotropic(x[0])),
+        speed(x[1]),
+        motion(SurfaceDirection::of_degrees(Exact(0.0))),
+        psi(SurfaceDirection::of_degrees(x[2])) {
+    ref::check_subcritical(solid, speed, motion, psi);
+  }
+};
 
 template <class FastMember, class RefMember>
 Quantity isotropic_line(std::string name, std::string definition, FastMember of_fast, RefMember of_ref) {
@@ -48,10 +58,8 @@ Quantity isotropic_line(std::string name, std::string definition, FastMember of_
                      {"psi_deg", ArgumentKind::degrees, "0", {}}};
   draw_lines(entry);
   entry.by_ref = [of_ref](Exacts x, int digits) {
-    check_line(x[0], x[1], x[2]);
-    return ref::line_response(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
-                              SurfaceDirection::of_degrees(x[2]), digits).*
-           of_ref;
+    const Line line(x);
+    return ref::line_response(line.solid, line.speed, line.motion, line.psi, digits).*of_ref;
   };
   entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
     // All lines of an isotropic surface are alike: only the speed along them matters.
@@ -73,9 +81,8 @@ Quantity entry_condition() {
   entry.promise = 16;
   draw_lines(entry);
   entry.by_ref = [](Exacts x, int digits) {
-    check_line(x[0], x[1], x[2]);
-    return exact_condition(exact_isotropic(x[0]), x[1], SurfaceDirection::of_degrees(Exact(0.0)),
-                           SurfaceDirection::of_degrees(x[2]), digits);
+    const Line line(x);
+    return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
   };
   entry.by_ref_of_doubles = [](Doubles x, int digits) {
     const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});

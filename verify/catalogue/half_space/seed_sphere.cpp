@@ -10,8 +10,9 @@
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/half_space/sliding.hpp>
 #include <nipref/verify/catalogue/half_space/internal/contact_entry.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 

@@ -5,6 +5,7 @@
 
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimated.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
@@ -27,7 +28,10 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::El
 void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known);
 
 inline LongEstimate long_estimate(const ref::Enclosure& enclosure) {
-  return {enclosure.value_text(), enclosure.bound_text()};
+  return {enclosure.value_text(), enclosure.bound_text(), true};
+}
+inline LongEstimate long_estimate(const ref::Estimated& estimated) {
+  return {estimated.value_text(), estimated.error_text(), false};
 }
 
 }  // namespace nipref::verify

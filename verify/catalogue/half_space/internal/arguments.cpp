@@ -5,7 +5,7 @@
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
-#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 
@@ -15,30 +15,16 @@ namespace {
 using data::seed::graphite_epoxy;
 using data::seed::steel;
 
-struct Constants {
-  mpq_class c11, c33, c13, c44, c66, density;
-};
-
-/// Voigt's matrix; `along` is the number of the axis of symmetry. With the axis normal to the surface, waves
-/// polarised across the line have no part in u3 and may be overtaken: c66, which is theirs alone there, is
-/// taken so large that they are not met.
-ref::ExactStiffness stiffness_of(Constants c, std::size_t along) {
-  ref::ExactStiffness solid;
-  solid.density = c.density;
-  if (along == 2) c.c66 = c.c11;
-  const mpq_class c12 = c.c11 - 2 * c.c66;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool with_axis = i == along || k == along;
-      if (i == k) solid.voigt[i][k] = with_axis ? c.c33 : c.c11;
-      if (i != k) solid.voigt[i][k] = with_axis ? c.c13 : c12;
-    }
-    solid.voigt[i + 3][i + 3] = i == along ? c.c66 : c.c44;
-  }
-  return solid;
+/// With the axis normal to the surface, waves polarised across the line have no part in u3 and may be
+/// overtaken.
+ref::ExactStiffness stiffness_of(const ref::ExactTransverse& solid, data::SymmetryAxis axis) {
+  return axis == data::SymmetryAxis::normal ? ref::sagittal_stiffness(solid)
+                                            : ref::exact_stiffness(solid, axis);
 }
 
-std::size_t number_of(data::SymmetryAxis axis) { return axis == data::SymmetryAxis::normal ? 2 : 1; }
+data::SymmetryAxis axis_at(Exacts x, std::size_t at) {
+  return x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
+}
 
 }  // namespace
 
@@ -75,9 +61,8 @@ Point with_epoxy(Point x) {
 data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
 
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson) {
-  data::IsotropicSolid{1, poisson.approximate(), 1}.check();
-  const mpq_class lame = 2 * poisson.value() / (1 - 2 * poisson.value());
-  return stiffness_of({lame + 2, lame + 2, lame, 1, 1, 1}, 2);
+  const ref::Exact unit(1.0);
+  return ref::sagittal_stiffness(ref::ExactTransverse::isotropic(unit, poisson, unit));
 }
 
 fast::SurfaceResponse isotropic_surface(double poisson, double speed) {
@@ -88,10 +73,9 @@ fast::SurfaceResponse isotropic_surface(double poisson, double speed) {
 }
 
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed) {
-  static_cast<void>(
-      fast::isotropic_response(unit_isotropic(poisson.approximate()), speed.approximate(), {1, 0}));
   const ref::ExactStiffness solid = exact_isotropic(poisson);
   const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
+  ref::check_subcritical(solid, speed, motion, motion);
   return [=](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
     const auto answer =
         ref::line_response(solid, speed, motion, ref::SurfaceDirection::of_degrees(degrees), digits);
@@ -139,27 +123,23 @@ ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
-  return exact_transverse_at(x, at,
-                             x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane);
+  return exact_transverse_at(x, at, axis_at(x, at));
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
-  const mpq_class shear = as_written(steel.shear).value(), density = as_written(steel.density).value();
-  const auto in_steel = [&](std::size_t i) { return mpq_class(x[at + i].value() / shear); };
-  const Constants c{in_steel(1), in_steel(2), in_steel(3),
-                    in_steel(4), in_steel(5), mpq_class(x[at + 6].value() / density)};
-  data::TransverselyIsotropicSolid{c.c11.get_d(), c.c33.get_d(), c.c13.get_d(),
-                                   c.c44.get_d(), c.c66.get_d(), c.density.get_d()}
-      .check();
-  return stiffness_of(c, number_of(axis));
+  const ref::ExactTransverse given(x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]);
+  return stiffness_of(given.over(as_written(steel.shear).value(), as_written(steel.density).value()), axis);
 }
 
 void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed) {
-  std::vector<double> nearest;
-  for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
-  static_cast<void>(fast::TransverselyIsotropicHalfSpace(transverse_at(nearest, at), axis_at(nearest, at),
-                                                         direction_of_degrees(theta_deg.approximate()),
-                                                         speed.approximate()));
+  const ref::ExactStiffness solid = exact_transverse_at(x, at);
+  const auto motion = ref::SurfaceDirection::of_degrees(theta_deg);
+  // About a normal axis all lines are alike but for the speed along them, which is largest along the motion.
+  if (axis_at(x, at) == data::SymmetryAxis::normal) {
+    ref::check_subcritical(solid, speed, motion, motion);
+  } else {
+    ref::check_subcritical(solid, speed, motion);
+  }
 }
 
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
@@ -167,10 +147,7 @@ ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
 }
 
 ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis) {
-  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
-  solid.check();
-  return stiffness_of({solid.c11, solid.c33, solid.c13, solid.c44, solid.c66, solid.density},
-                      number_of(axis));
+  return stiffness_of(transverse_at(x, at), axis);
 }
 
 }  // namespace nipref::verify

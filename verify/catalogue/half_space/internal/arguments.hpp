@@ -4,7 +4,7 @@
 
 #include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/response.hpp>
-#include <nipref/ref/half_space/contact.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>

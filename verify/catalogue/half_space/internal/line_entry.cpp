@@ -1,5 +1,6 @@
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/line_entry.hpp>
 
@@ -33,9 +34,13 @@ Quantity condition_entry(std::string name, std::string source) {
 
 // The step so far below any distance from the critical speed that a double can have, that the next term of the
 // difference, step^2 over that distance's square, is below what the digits ask for.
-ref::Enclosure exact_condition(const ref::ExactStiffness& solid, const Exact& speed,
+ref::Estimated exact_condition(const ref::ExactStiffness& solid, const Exact& speed,
                                const SurfaceDirection& motion, const SurfaceDirection& psi, int digits) {
-  constexpr int below_a_rounding = 20, guard = 10;
+  constexpr int below_a_rounding = 20, guard = 10, most = 485;
+  if (digits < 16 || digits > most) {
+    throw data::BadInput("digits", std::to_string(digits),
+                         "must be from 16 to " + std::to_string(most) + " for a difference quotient");
+  }
   const Exact step = Exact::parse("1e-" + std::to_string(digits + below_a_rounding));
   const auto ln_K = [&](int sign) {
     const Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));

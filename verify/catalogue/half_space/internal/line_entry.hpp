@@ -18,8 +18,8 @@ Quantity half_space_entry(std::string name, std::string definition, std::string 
 /// d ln K/d ln speed.
 Quantity condition_entry(std::string name, std::string source);
 
-/// By a central difference of the reference's K in three times the digits.
-ref::Enclosure exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
+/// By a central difference of the reference's K in three times the digits; digits: 16 to 485.
+ref::Estimated exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
                                const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
                                int digits);
 

@@ -1,0 +1,25 @@
+#pragma once
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/number/estimated.hpp>
+
+namespace nipref::ref {
+
+// The exact frictionless contact of a smooth rigid body in multiprecision, from what the surface answers
+// along lines; errors are estimated.
+//
+//   curvature_ratio   the body's curvature across the motion over that along it, > 0; 1 for a sphere.
+//                     BadInput otherwise
+//   digits            16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they
+//                     are not, as for ellipses slenderer than about 1/100, which need more lines than are
+//                     tried
+
+/// Minor over major axis: of the ellipse whose half-widths w make int K n n/w^3 dpsi proportional to the
+/// curvatures. By Newton's method for w^2 = 1 + e cos(2 psi) + f sin(2 psi).
+Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
+
+/// F/(sqrt(R) delta^(3/2)) of that contact, 1/R the mean of the two curvatures and delta the approach: (8
+/// pi/3) I3^(1/2)/I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. A sphere at rest:
+/// Hertz's 8/(3 K).
+Estimated elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
+
+}  // namespace nipref::ref

@@ -1,0 +1,56 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/internal/float.hpp>
+
+namespace nipref::ref {
+
+// What the contacts of smooth rigid bodies with half-spaces share. Integrals by quadrature: over a line by a
+// double-exponential rule, over the directions by the trapezoidal rule, doubled until two results agree;
+// errors are those differences, estimated and not proven.
+
+/// LineAnswer at working digits.
+struct WorkingAnswer {
+  Float compliance, coupling, coupling_across, in_line;
+};
+
+/// The surface at working digits.
+class WorkingSurface {
+ public:
+  WorkingSurface(const SurfaceAnswer& answer, int digits) : answer_(answer), digits_(digits) {}
+
+  /// BadInput "surface" where it answers with what is not finite.
+  [[nodiscard]] WorkingAnswer at(const Exact& degrees) const;
+
+ private:
+  const SurfaceAnswer& answer_;
+  int digits_;
+};
+
+/// 10^-digits.
+Float tolerance(int digits);
+
+/// `compute(working)` at so many working digits that the result may be good to `digits`: for the roundings of
+/// thousands of terms, and the small factors of what is computed from the integrals. BadInput unless 16 <=
+/// digits <= 100.
+Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute);
+
+/// The value with its error, rounding and the surface's own digits included; BadInput "digits" where that is
+/// more than 10^-digits of the value (or of 1, if that is less).
+Estimated estimated(const Float& value, const Float& error, int digits);
+
+/// Without quadrature: what the surface's own digits and rounding leave.
+Estimated closed(const Float& value, int digits);
+
+/// Whether so large a change of a value of that size is good enough to end a quadrature.
+bool is_settled(const Float& change, const Float& value, int digits);
+
+/// Values at 8, 16, 32 ... directions spread evenly over half a turn from -90 degrees on, until `settled`
+/// says of them that they are enough; BadInput "digits" where 4096 are not.
+void double_directions(int digits, const std::function<Float(const Exact& degrees)>& value,
+                       const std::function<bool(const std::vector<Float>& values)>& settled);
+
+}  // namespace nipref::ref

@@ -1,0 +1,28 @@
+#pragma once
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/number/estimated.hpp>
+
+namespace nipref::ref {
+
+// Sliding contacts of smooth rigid bodies in multiprecision, by the papers' rule and from what the surface
+// answers along lines; errors are estimated.
+//
+//   digits      16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they are not
+//   friction    coefficient, >= 0
+//   degrees     angle of a line from the motion
+
+/// Omega = -1/2 + atan(friction (cos(psi) S - sin(psi) S')/K)/pi: the pressure on a line ends like (x+ -
+/// x)^(1 + Omega) (x - x-)^(-Omega). (brock2012 26a, brock2013 29a)
+Estimated sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                           int digits);
+
+/// A(psi) L(psi)/(A(0) L(0)), A the body's curvature along the line: spans of the contact by the papers'
+/// rule, that peak pressures are equal. (brock2012 34a, brock2013 34)
+Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                             int digits);
+
+/// F3/(C L^3) of a body of equal curvatures C, L its span along the motion; unit of stress: minus the
+/// integral of sigma33 |x| over the lines of half a turn. (brock2012 36, brock2013 36 with Q^3)
+Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
+
+}  // namespace nipref::ref

@@ -1,0 +1,65 @@
+#include <doctest/doctest.h>
+
+#include <boost/math/special_functions/ellint_rd.hpp>
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
+
+#include "support/isotropic_surface.hpp"
+
+using namespace nipref;
+using ref::Exact;
+
+TEST_CASE("the reference's sphere at rest is Hertz's") {
+  const auto surface = isotropic_surface(0.25, 1e-30);
+  CHECK(ref::elliptic_axis_ratio(surface, Exact(1.0), 20).to_double() == doctest::Approx(1).epsilon(1e-15));
+  CHECK(ref::elliptic_stiffness(surface, Exact(1.0), 20).to_double() ==
+        doctest::Approx(8 / (3 * 0.75)).epsilon(1e-14));
+}
+
+TEST_CASE("the reference's die at rest is Hertz's ellipse") {
+  // (Johnson, Contact Mechanics, 4.26-4.28) by Carlson's integrals, for axes a = 1 and b = ratio, p0 = E*.
+  const auto surface = isotropic_surface(0.25, 1e-30);
+  for (const double ratio : {0.9, 0.4, 0.15}) {
+    const double square = ratio * ratio;
+    const double flat = 2 * ratio * boost::math::ellint_rd(0, square, 1) / 3;
+    const double sharp = 2 * ratio * boost::math::ellint_rd(0, 1, square) / 3;
+    const double approach = ratio * boost::math::ellint_rf(0, square, 1), modulus = 2 / 0.75;
+    const double force = 2 * std::numbers::pi / 3 * ratio * modulus;
+    const double stiffness = force / std::pow(approach, 1.5) * std::sqrt((flat + sharp) / 2);
+    for (const double curvature_ratio : {sharp / flat, flat / sharp}) {
+      CHECK(ref::elliptic_axis_ratio(surface, Exact(curvature_ratio), 18).to_double() ==
+            doctest::Approx(ratio).epsilon(1e-13));
+      CHECK(ref::elliptic_stiffness(surface, Exact(curvature_ratio), 18).to_double() ==
+            doctest::Approx(stiffness).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("a sphere on a moving half-space has the shape found before") {
+  CHECK(ref::elliptic_axis_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(1.0), 18).to_double() ==
+        doctest::Approx(0.8905).epsilon(1e-4));
+}
+
+TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
+  const auto surface = isotropic_surface(0.25, 1e-30);
+  const auto refused = [](const ref::SurfaceAnswer& answer, const Exact& ratio, const char* name) {
+    CHECK_THROWS_WITH_AS((void)ref::elliptic_axis_ratio(answer, ratio, 18), doctest::Contains(name),
+                         data::BadInput);
+    CHECK_THROWS_WITH_AS((void)ref::elliptic_stiffness(answer, ratio, 18), doctest::Contains(name),
+                         data::BadInput);
+  };
+  refused(surface, Exact(0.0), "curvature_ratio = 0");
+  // Slenderer than 4096 lines show, and so slender that Newton's matrix is singular.
+  refused(surface, Exact(1e8), "digits = 18");
+  refused(surface, Exact::parse("1e-5000"), "digits = 18");
+  const ref::SurfaceAnswer no_number = [&](const Exact& degrees, int digits) {
+    ref::LineAnswer line = surface(degrees, digits);
+    mpfr_set_nan(line.compliance.get());
+    return line;
+  };
+  refused(no_number, Exact(1.0), "surface = nan");
+}

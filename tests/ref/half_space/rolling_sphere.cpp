@@ -1,0 +1,26 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/rolling_sphere.hpp>
+
+#include "support/isotropic_surface.hpp"
+
+using namespace nipref;
+using ref::Exact;
+
+TEST_CASE("the rolling index near rest is that of Dundurs' constant for a rigid body") {
+  const double nu = 0.3, q = (1 - 2 * nu) / (2 - 2 * nu);
+  CHECK(ref::rolling_index(isotropic_surface(nu, 1e-20), Exact(10.0), 18).to_double() ==
+        doctest::Approx(std::atanh(q) / std::numbers::pi).epsilon(1e-14));
+}
+
+TEST_CASE("a rolling sphere has the shape found before") {
+  // Table 2 of brock2012, last cell.
+  CHECK(ref::rolling_span_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(90.0), 18).to_double() ==
+        doctest::Approx(0.7318).epsilon(1e-4));
+  CHECK_THROWS_AS((void)ref::rolling_span_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(90.0), 101),
+                  data::BadInput);
+}
