@@ -1,68 +1,60 @@
-#include <Eigen/Eigenvalues>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
+#include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/barnett_lothe.hpp>
 #include <nipref/ref/half_space/internal/lowest_point.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 #include <nipref/ref/half_space/internal/valley.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
-// What of the phase speeds is found in double, to start from. The only one of this room's files that includes
-// Eigen for it.
+// What of the phase speeds is found in double, to start from.
 
 namespace nipref::ref {
 namespace {
 
-using Small = Eigen::Matrix3d;
+using Square = DenseMatrix<double>;
+using Pencil = AcousticPencil<double>;
 
-/// q + s (r + r^T) + s^2 t at rest.
-struct AcousticPencil {
-  Small q, r, t;
-
-  [[nodiscard]] Small at(double s) const { return q + s * (r + r.transpose()) + s * s * t; }
-  /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2, x its eigenvector.
-  [[nodiscard]] double half_slope(double s) const {
-    const Eigen::SelfAdjointEigenSolver<Small> solver(at(s));
-    const Eigen::Vector3d x = solver.eigenvectors().col(0);
-    return x.dot(r * x) + s * x.dot(t * x);
-  }
-};
-
-AcousticPencil pencil_of(const AcousticMatrices& x) {
-  const auto small = [](const IntervalMatrix& entries) {
-    Small result;
+Pencil pencil_of(const AcousticMatrices& x) {
+  const auto approximate = [](const IntervalMatrix& entries) {
+    Square result(3, 3);
     for (std::size_t k = 0; k < 9; ++k) {
-      result(static_cast<Eigen::Index>(k / 3), static_cast<Eigen::Index>(k % 3)) =
+      result(static_cast<Square::Index>(k / 3), static_cast<Square::Index>(k % 3)) =
           mpfi_get_d(entries(k / 3, k % 3).real.get());
     }
     return result;
   };
-  return {small(x.q), small(x.r), small(x.t)};
+  return {approximate(x.q), approximate(x.r), approximate(x.t)};
 }
 
-Valley scan(const AcousticPencil& pencil) {
+Valley scan(const Pencil& pencil) {
   constexpr int steps = 360;
   const auto s_at = [](int k) { return std::tan(std::numbers::pi * (k / double{steps} - 0.5)); };
   Valley best{0, 0, INFINITY};
-  Eigen::SelfAdjointEigenSolver<Small> solver;
   for (int k = 2; k <= steps - 2; ++k) {
-    solver.computeDirect(pencil.at(s_at(k)), Eigen::EigenvaluesOnly);
-    const double eigenvalue = solver.eigenvalues()(0);
+    const double eigenvalue = pencil.lowest_value(s_at(k));
     if (eigenvalue < best.eigenvalue) best = {s_at(k - 1), s_at(k + 1), eigenvalue};
   }
   return best;
 }
 
-double determinant(const AcousticPencil& pencil, double inertia) {
-  const Small q = pencil.q - inertia * Small::Identity();
-  const auto impedance = barnett_lothe_impedance<Eigen::MatrixXd>(q, pencil.r, pencil.t, 1e-7, 60);
-  if (!impedance) return -1;
-  Eigen::Matrix3cd complex;
-  complex.real() = impedance->re;
-  complex.imag() = impedance->im;
-  return complex.determinant().real();
+/// Of re + i im, Hermitian.
+double determinant(const Impedance<double>& x) {
+  const Square& a = x.re;
+  const Square& b = x.im;
+  const auto cofactor = [&](int i, int j, int k) {
+    return a(i, i) * (a(j, k) * a(j, k) + b(j, k) * b(j, k));
+  };
+  const double cycle =
+      a(0, 1) * (a(1, 2) * a(2, 0) - b(1, 2) * b(2, 0)) - b(0, 1) * (a(1, 2) * b(2, 0) + b(1, 2) * a(2, 0));
+  return a(0, 0) * a(1, 1) * a(2, 2) + 2 * cycle - cofactor(0, 1, 2) - cofactor(1, 2, 0) - cofactor(2, 0, 1);
+}
+
+double determinant(const Pencil& pencil, double inertia) {
+  const Square q = pencil.q - inertia * Square::identity(3);
+  const auto impedance = barnett_lothe_impedance(q, pencil.r, pencil.t, 1e-7, 60);
+  return impedance ? determinant(*impedance) : -1;
 }
 
 }  // namespace
@@ -70,12 +62,10 @@ double determinant(const AcousticPencil& pencil, double inertia) {
 Valley lowest_valley(const AcousticMatrices& matrices) { return scan(pencil_of(matrices)); }
 
 double approximate_critical_inertia(const ExactStiffness& solid, const SurfaceDirection& psi) {
-  const AcousticPencil pencil = pencil_of(acoustic_matrices(solid, psi, Interval(64)));
+  const Pencil pencil = pencil_of(acoustic_matrices(solid, psi, Interval(64)));
   const Valley valley = scan(pencil);
-  const double s =
-      lowest_point([&](double at) { return pencil.half_slope(at); }, valley.left, valley.right, 40);
-  const double limit =
-      Eigen::SelfAdjointEigenSolver<Small>(pencil.at(s), Eigen::EigenvaluesOnly).eigenvalues()(0);
+  const double limit = pencil.lowest_value(
+      lowest_point([&](double at) { return pencil.half_slope(at); }, valley.left, valley.right, 40));
   const auto f = [&](double w) { return determinant(pencil, limit * (1 - w * w)); };
   constexpr double nearest = 1e-4;
   if (!(f(nearest) < 0)) return limit;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/lowest_point.hpp>
@@ -11,23 +12,7 @@
 namespace nipref::ref {
 namespace {
 
-/// q + s (r + r^T) + s^2 t at rest, in floating point.
-struct AcousticPencil {
-  Matrix q, r, t;
-
-  [[nodiscard]] Matrix at(const Float& s) const { return q + s * (r + r.transpose()) + s * s * t; }
-  /// Eigenvector of the smallest eigenvalue at s.
-  [[nodiscard]] Vector lowest_vector(const Float& s) const {
-    return symmetric_eigen(at(s)).vectors.column(0);
-  }
-  /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2.
-  [[nodiscard]] Float half_slope(const Float& s) const {
-    const Vector x = lowest_vector(s);
-    return dot(x, r * x) + s * dot(x, t * x);
-  }
-};
-
-AcousticPencil pencil_of(const AcousticMatrices& x) {
+AcousticPencil<Float> pencil_of(const AcousticMatrices& x) {
   return {middle(x.q).re, middle(x.r).re, middle(x.t).re};
 }
 
@@ -102,7 +87,7 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
     const WorkingDigits working(digits_of(precision));
     const AcousticMatrices matrices = at_rest(solid, psi, precision);
-    const AcousticPencil pencil = pencil_of(matrices);
+    const AcousticPencil<Float> pencil = pencil_of(matrices);
     const Float s = lowest_point([&](const Float& at) { return pencil.half_slope(at); }, Float(valley.left),
                                  Float(valley.right), static_cast<int>(bits) + 16);
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));

@@ -1,141 +1,225 @@
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numeric>
 
 #include <nipref/ref/number/internal/linear_algebra.hpp>
-
-// What Eigen asks of a number.
-
-namespace nipref::ref {
-
-inline bool isinf(const Float& x) { return mpfr_inf_p(x.get()) != 0; }
-inline bool isnan(const Float& x) { return mpfr_nan_p(x.get()) != 0; }
-inline bool isfinite(const Float& x) { return mpfr_number_p(x.get()) != 0; }
-
-}  // namespace nipref::ref
-
-template <>
-struct Eigen::NumTraits<nipref::ref::Float> {
-  using Real = nipref::ref::Float;
-  using NonInteger = Real;
-  using Literal = double;
-  using Nested = Real;
-  enum {
-    IsComplex = 0,
-    IsInteger = 0,
-    IsSigned = 1,
-    RequireInitialization = 1,
-    ReadCost = 1,
-    AddCost = 4,
-    MulCost = 8
-  };
-  static Real epsilon() { return std::numeric_limits<Real>::epsilon(); }
-  static Real infinity() { return HUGE_VAL; }
-  static Real quiet_NaN() { return NAN; }
-};
 
 namespace nipref::ref {
 namespace {
 
-using Dense = Eigen::Matrix<Float, Eigen::Dynamic, Eigen::Dynamic>;
-using DenseVector = Eigen::Matrix<Float, Eigen::Dynamic, 1>;
+using Index = std::ptrdiff_t;
 
-Eigen::Map<const Dense> dense(const Matrix& x) { return {x.data(), x.rows(), x.columns()}; }
-Eigen::Map<const DenseVector> dense_vector(const Matrix& x) { return {x.data(), x.size()}; }
-Eigen::Map<Dense> dense(Matrix& x) { return {x.data(), x.rows(), x.columns()}; }
-Eigen::Map<DenseVector> dense_vector(Matrix& x) { return {x.data(), x.size()}; }
-
-template <class Operation>
-Matrix entrywise(const Matrix& x, const Matrix& y, Operation operation) {
-  Matrix result(x.rows(), x.columns());
-  std::transform(x.data(), x.data() + x.size(), y.data(), result.data(), operation);
-  return result;
+template <class Scalar, class Operation>
+DenseMatrix<Scalar> entrywise(DenseMatrix<Scalar> x, Operation operation) {
+  for (Index i = 0; i < x.size(); ++i) x(i) = operation(x(i), i);
+  return x;
 }
 
-template <class Operation>
-Matrix entrywise(const Matrix& x, Operation operation) {
-  Matrix result(x.rows(), x.columns());
-  std::transform(x.data(), x.data() + x.size(), result.data(), operation);
-  return result;
+template <class Scalar>
+Index pivot_row(const DenseMatrix<Scalar>& matrix, Index column) {
+  using std::abs;
+  Index best = column;
+  for (Index row = column + 1; row < matrix.rows(); ++row) {
+    if (abs(matrix(row, column)) > abs(matrix(best, column))) best = row;
+  }
+  return best;
+}
+
+template <class Scalar>
+void swap_rows(DenseMatrix<Scalar>& x, Index a, Index b, Index first_column) {
+  for (Index column = first_column; a != b && column < x.columns(); ++column)
+    std::swap(x(a, column), x(b, column));
+}
+
+template <class Scalar>
+void subtract_row(DenseMatrix<Scalar>& x, Index row, const Scalar& factor, Index other, Index first_column) {
+  for (Index column = first_column; column < x.columns(); ++column)
+    x(row, column) -= factor * x(other, column);
+}
+
+template <class Scalar>
+Scalar squared_off_diagonal(const DenseMatrix<Scalar>& x) {
+  Scalar sum = 0;
+  for (Index q = 1; q < x.rows(); ++q) {
+    for (Index p = 0; p < q; ++p) sum += x(p, q) * x(p, q);
+  }
+  return sum;
+}
+
+/// Columns p and q turned into each other.
+template <class Scalar>
+void turn_columns(DenseMatrix<Scalar>& x, Index p, Index q, const Scalar& cosine, const Scalar& sine) {
+  for (Index i = 0; i < x.rows(); ++i) {
+    const Scalar xp = x(i, p), xq = x(i, q);
+    x(i, p) = cosine * xp - sine * xq;
+    x(i, q) = sine * xp + cosine * xq;
+  }
+}
+
+/// Makes the entry at p, q of a symmetric matrix 0.
+template <class Scalar>
+void rotate(DenseMatrix<Scalar>& matrix, DenseMatrix<Scalar>& vectors, Index p, Index q) {
+  using std::abs, std::sqrt;
+  if (matrix(p, q) == 0) return;
+  const Scalar cotangent = (matrix(q, q) - matrix(p, p)) / (2 * matrix(p, q));  // of twice the angle
+  const Scalar size = 1 / (abs(cotangent) + sqrt(1 + cotangent * cotangent));
+  const Scalar tangent = cotangent < 0 ? -size : size;
+  const Scalar cosine = 1 / sqrt(1 + tangent * tangent);
+  const Scalar sine = tangent * cosine;
+  turn_columns(matrix, p, q, cosine, sine);
+  matrix = matrix.transpose();
+  turn_columns(matrix, p, q, cosine, sine);
+  matrix(p, q) = matrix(q, p) = 0;
+  turn_columns(vectors, p, q, cosine, sine);
 }
 
 }  // namespace
 
-Matrix::Matrix(Index rows, Index columns)
-    : rows_(rows), columns_(columns), entries_(static_cast<std::size_t>(rows * columns)) {}
-
-Matrix Matrix::identity(Index size) {
-  Matrix result(size, size);
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::identity(Index size) {
+  DenseMatrix result(size, size);
   for (Index i = 0; i < size; ++i) result(i, i) = 1;
   return result;
 }
 
-Matrix Matrix::block(Index row, Index column, Index rows, Index columns) const {
-  Matrix result(rows, columns);
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::block(Index row, Index column, Index rows, Index columns) const {
+  DenseMatrix result(rows, columns);
   for (Index k = 0; k < columns; ++k) {
     for (Index i = 0; i < rows; ++i) result(i, k) = (*this)(row + i, column + k);
   }
   return result;
 }
 
-void Matrix::set_block(Index row, Index column, const Matrix& block) {
+template <class Scalar>
+void DenseMatrix<Scalar>::set_block(Index row, Index column, const DenseMatrix& block) {
   for (Index k = 0; k < block.columns(); ++k) {
     for (Index i = 0; i < block.rows(); ++i) (*this)(row + i, column + k) = block(i, k);
   }
 }
 
-Matrix Matrix::transpose() const {
-  Matrix result(columns_, rows_);
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::transpose() const {
+  DenseMatrix result(columns_, rows_);
   for (Index k = 0; k < columns_; ++k) {
     for (Index i = 0; i < rows_; ++i) result(k, i) = (*this)(i, k);
   }
   return result;
 }
 
-Matrix Matrix::inverse() const {
-  Matrix result(rows_, columns_);
-  dense(result) = dense(*this).inverse();
-  return result;
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::inverse() const {
+  return solve(*this, identity(rows_));
 }
 
-Matrix operator-(const Matrix& x) { return entrywise(x, std::negate<>()); }
-Matrix operator+(const Matrix& x, const Matrix& y) { return entrywise(x, y, std::plus<>()); }
-Matrix operator-(const Matrix& x, const Matrix& y) { return entrywise(x, y, std::minus<>()); }
-Matrix operator*(const Float& x, const Matrix& y) {
-  return entrywise(y, [&](const Float& entry) { return x * entry; });
-}
-Matrix operator/(const Matrix& x, const Float& y) {
-  return entrywise(x, [&](const Float& entry) { return entry / y; });
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator-() const {
+  return entrywise(*this, [](const Scalar& x, Index) -> Scalar { return -x; });
 }
 
-Matrix operator*(const Matrix& x, const Matrix& y) {
-  Matrix result(x.rows(), y.columns());
-  if (y.columns() == 1) {
-    dense_vector(result) = dense(x) * dense_vector(y);
-  } else {
-    dense(result) = dense(x) * dense(y);
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator+(const DenseMatrix& y) const {
+  return entrywise(*this, [&](const Scalar& x, Index i) -> Scalar { return x + y(i); });
+}
+
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator-(const DenseMatrix& y) const {
+  return entrywise(*this, [&](const Scalar& x, Index i) -> Scalar { return x - y(i); });
+}
+
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator*(const Scalar& factor) const {
+  return entrywise(*this, [&](const Scalar& x, Index) -> Scalar { return factor * x; });
+}
+
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator/(const Scalar& divisor) const {
+  return entrywise(*this, [&](const Scalar& x, Index) -> Scalar { return x / divisor; });
+}
+
+template <class Scalar>
+DenseMatrix<Scalar> DenseMatrix<Scalar>::operator*(const DenseMatrix& y) const {
+  DenseMatrix result(rows_, y.columns_);
+  for (Index k = 0; k < y.columns_; ++k) {
+    for (Index j = 0; j < columns_; ++j) {
+      for (Index i = 0; i < rows_; ++i) result(i, k) += (*this)(i, j) * y(j, k);
+    }
   }
   return result;
 }
 
-Float dot(const Vector& x, const Vector& y) { return dense_vector(x).dot(dense_vector(y)); }
-Float squared_norm(const Matrix& x) { return dense(x).squaredNorm(); }
+template <class Scalar>
+Scalar dot(const DenseMatrix<Scalar>& x, const DenseMatrix<Scalar>& y) {
+  Scalar sum = 0;
+  for (Index i = 0; i < x.size(); ++i) sum += x(i) * y(i);
+  return sum;
+}
+
+template <class Scalar>
+Scalar squared_norm(const DenseMatrix<Scalar>& x) {
+  return dot(x, x);
+}
+
 Float norm(const Matrix& x) { return sqrt(squared_norm(x)); }
 
-Vector solve(const Matrix& matrix, const Vector& right) {
-  Vector result(right.size());
-  dense_vector(result) = dense(matrix).partialPivLu().solve(dense_vector(right));
+template <class Scalar>
+DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right) {
+  const Index size = matrix.rows();
+  for (Index k = 0; k < size; ++k) {
+    const Index pivot = pivot_row(matrix, k);
+    swap_rows(matrix, k, pivot, k);
+    swap_rows(right, k, pivot, 0);
+    for (Index row = k + 1; row < size; ++row) {
+      const Scalar factor = matrix(row, k) / matrix(k, k);
+      subtract_row(matrix, row, factor, k, k + 1);
+      subtract_row(right, row, factor, k, 0);
+    }
+  }
+  for (Index k = size - 1; k >= 0; --k) {
+    for (Index column = 0; column < right.columns(); ++column) right(k, column) /= matrix(k, k);
+    for (Index row = 0; row < k; ++row) subtract_row(right, row, matrix(row, k), k, 0);
+  }
+  return right;
+}
+
+template <class Scalar>
+SymmetricEigen<Scalar> symmetric_eigen(DenseMatrix<Scalar> matrix) {
+  const Index size = matrix.rows();
+  const Scalar unit = std::numeric_limits<Scalar>::epsilon();
+  const Scalar negligible = unit * unit * squared_norm(matrix);
+  DenseMatrix<Scalar> vectors = DenseMatrix<Scalar>::identity(size);
+  Scalar before = 0, off_diagonal = squared_off_diagonal(matrix);
+  do {  // until what is left is rounding, at the latest when a sweep no longer makes it smaller
+    before = off_diagonal;
+    for (Index q = 1; q < size; ++q) {
+      for (Index p = 0; p < q; ++p) rotate(matrix, vectors, p, q);
+    }
+    off_diagonal = squared_off_diagonal(matrix);
+  } while (off_diagonal > negligible && off_diagonal < before);
+
+  std::vector<Index> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), Index(0));
+  std::ranges::sort(order, std::less(), [&](Index k) { return matrix(k, k); });
+  SymmetricEigen<Scalar> result{DenseMatrix<Scalar>(size), DenseMatrix<Scalar>(size, size)};
+  for (Index k = 0; k < size; ++k) {
+    const Index from = order[static_cast<std::size_t>(k)];
+    result.values(k) = matrix(from, from);
+    result.vectors.set_block(0, k, vectors.column(from));
+  }
   return result;
 }
 
-SymmetricEigen symmetric_eigen(const Matrix& matrix) {
-  const Eigen::SelfAdjointEigenSolver<Dense> solver(dense(matrix));
-  SymmetricEigen result{Vector(matrix.rows()), Matrix(matrix.rows(), matrix.columns())};
-  dense_vector(result.values) = solver.eigenvalues();
-  dense(result.vectors) = solver.eigenvectors();
-  return result;
-}
+template class DenseMatrix<Float>;
+template Float dot(const Matrix& x, const Matrix& y);
+template Float squared_norm(const Matrix& x);
+template Matrix solve(Matrix matrix, Matrix right);
+template SymmetricEigen<Float> symmetric_eigen(Matrix matrix);
+
+template class DenseMatrix<double>;
+template double dot(const DenseMatrix<double>& x, const DenseMatrix<double>& y);
+template double squared_norm(const DenseMatrix<double>& x);
+template SymmetricEigen<double> symmetric_eigen(DenseMatrix<double> matrix);
 
 }  // namespace nipref::ref

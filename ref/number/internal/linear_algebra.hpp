@@ -6,32 +6,40 @@
 
 namespace nipref::ref {
 
-/// A dense matrix of Float, by columns; a vector is one of a single column. The arithmetic is Eigen's, which
-/// is compiled in linear_algebra.cpp alone. Shapes that do not fit are the caller's mistake and not checked.
-class Matrix {
+/// A dense matrix of Float or double, by columns; a vector is one of a single column. Shapes that do not fit
+/// are the caller's mistake and not checked.
+template <class Scalar>
+class DenseMatrix {
  public:
   using Index = std::ptrdiff_t;
 
-  Matrix() = default;
-  Matrix(Index rows, Index columns);  ///< zeros
-  explicit Matrix(Index size) : Matrix(size, 1) {}
-  static Matrix identity(Index size);
+  DenseMatrix() = default;
+  DenseMatrix(Index rows, Index columns)  ///< zeros
+      : rows_(rows), columns_(columns), entries_(static_cast<std::size_t>(rows * columns)) {}
+  explicit DenseMatrix(Index size) : DenseMatrix(size, 1) {}
+  static DenseMatrix identity(Index size);
 
   [[nodiscard]] Index rows() const { return rows_; }
   [[nodiscard]] Index columns() const { return columns_; }
   [[nodiscard]] Index size() const { return rows_ * columns_; }
-  Float& operator()(Index row, Index column) { return entries_[at(row, column)]; }
-  const Float& operator()(Index row, Index column) const { return entries_[at(row, column)]; }
-  Float& operator()(Index row) { return entries_[static_cast<std::size_t>(row)]; }
-  const Float& operator()(Index row) const { return entries_[static_cast<std::size_t>(row)]; }
-  [[nodiscard]] Float* data() { return entries_.data(); }
-  [[nodiscard]] const Float* data() const { return entries_.data(); }
+  Scalar& operator()(Index row, Index column) { return entries_[at(row, column)]; }
+  const Scalar& operator()(Index row, Index column) const { return entries_[at(row, column)]; }
+  Scalar& operator()(Index row) { return entries_[static_cast<std::size_t>(row)]; }
+  const Scalar& operator()(Index row) const { return entries_[static_cast<std::size_t>(row)]; }
 
-  [[nodiscard]] Matrix block(Index row, Index column, Index rows, Index columns) const;
-  void set_block(Index row, Index column, const Matrix& block);
-  [[nodiscard]] Matrix column(Index column) const { return block(0, column, rows_, 1); }
-  [[nodiscard]] Matrix transpose() const;
-  [[nodiscard]] Matrix inverse() const;
+  [[nodiscard]] DenseMatrix block(Index row, Index column, Index rows, Index columns) const;
+  void set_block(Index row, Index column, const DenseMatrix& block);
+  [[nodiscard]] DenseMatrix column(Index column) const { return block(0, column, rows_, 1); }
+  [[nodiscard]] DenseMatrix transpose() const;
+  [[nodiscard]] DenseMatrix inverse() const;
+
+  DenseMatrix operator-() const;
+  DenseMatrix operator+(const DenseMatrix& y) const;
+  DenseMatrix operator-(const DenseMatrix& y) const;
+  DenseMatrix operator*(const DenseMatrix& y) const;
+  DenseMatrix operator*(const Scalar& factor) const;
+  DenseMatrix operator/(const Scalar& divisor) const;
+  friend DenseMatrix operator*(const Scalar& factor, const DenseMatrix& x) { return x * factor; }
 
  private:
   [[nodiscard]] std::size_t at(Index row, Index column) const {
@@ -39,31 +47,31 @@ class Matrix {
   }
 
   Index rows_ = 0, columns_ = 0;
-  std::vector<Float> entries_;
+  std::vector<Scalar> entries_;
 };
 
+using Matrix = DenseMatrix<Float>;
 using Vector = Matrix;
 
-Matrix operator-(const Matrix& x);
-Matrix operator+(const Matrix& x, const Matrix& y);
-Matrix operator-(const Matrix& x, const Matrix& y);
-Matrix operator*(const Matrix& x, const Matrix& y);
-Matrix operator*(const Float& x, const Matrix& y);
-Matrix operator/(const Matrix& x, const Float& y);
-
-Float dot(const Vector& x, const Vector& y);
+template <class Scalar>
+Scalar dot(const DenseMatrix<Scalar>& x, const DenseMatrix<Scalar>& y);
 /// The sum of the squares of the entries, and its root.
-Float squared_norm(const Matrix& x);
+template <class Scalar>
+Scalar squared_norm(const DenseMatrix<Scalar>& x);
 Float norm(const Matrix& x);
 
-/// By elimination with partial pivoting.
-Vector solve(const Matrix& matrix, const Vector& right);
+/// By elimination with partial pivoting; a column for each right-hand side.
+template <class Scalar>
+DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right);
 
 /// Of a symmetric matrix: eigenvalues ascend, unit vectors are the columns.
+template <class Scalar>
 struct SymmetricEigen {
-  Vector values;
-  Matrix vectors;
+  DenseMatrix<Scalar> values;
+  DenseMatrix<Scalar> vectors;
 };
-SymmetricEigen symmetric_eigen(const Matrix& matrix);
+/// By Jacobi's rotations, to rounding: for matrices of a few rows.
+template <class Scalar>
+SymmetricEigen<Scalar> symmetric_eigen(DenseMatrix<Scalar> matrix);
 
 }  // namespace nipref::ref

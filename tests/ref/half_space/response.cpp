@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -248,26 +247,33 @@ TEST_CASE("doubling steps are the trapezoidal rule of Barnett and Lothe's integr
   std::mt19937_64 generator(10);
   const auto solid = random_solid(generator);
   const auto& c = solid.voigt;
-  Eigen::MatrixXd q(3, 3), r(3, 3), t(3, 3);  // psi = 0
-  q << c[0][0], c[0][5], c[0][4], c[5][0], c[5][5], c[5][4], c[4][0], c[4][5], c[4][4];
-  r << c[0][4], c[0][3], c[0][2], c[5][4], c[5][3], c[5][2], c[4][4], c[4][3], c[4][2];
-  t << c[4][4], c[4][3], c[4][2], c[3][4], c[3][3], c[3][2], c[2][4], c[2][3], c[2][2];
-  q -= 0.02 * Eigen::MatrixXd::Identity(3, 3);
-  Eigen::MatrixXd s = Eigen::MatrixXd::Zero(3, 3);
-  Eigen::MatrixXd h = Eigen::MatrixXd::Zero(3, 3);
+  using Square = ref::DenseMatrix<double>;
+  const auto matrix = [&](const int(&rows)[3], const int(&columns)[3]) {
+    Square result(3, 3);
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < 3; ++k)
+        result(i, k) = c[static_cast<std::size_t>(rows[i])][static_cast<std::size_t>(columns[k])];
+    }
+    return result;
+  };
+  const Square q = matrix({0, 5, 4}, {0, 5, 4}) - 0.02 * Square::identity(3);  // psi = 0
+  const Square r = matrix({0, 5, 4}, {4, 3, 2});
+  const Square t = matrix({4, 3, 2}, {4, 3, 2});
+  Square s(3, 3), h(3, 3);
   constexpr int points = 512;
   for (int k = 0; k < points; ++k) {
     const double a = std::cos(std::numbers::pi * k / points);
     const double b = std::sin(std::numbers::pi * k / points);
-    const Eigen::MatrixXd rotated_t = b * b * q - a * b * (r + r.transpose()) + a * a * t;
-    const Eigen::MatrixXd rotated_r = -a * b * q + a * a * r - b * b * r.transpose() + a * b * t;
-    h += rotated_t.inverse() / points;
-    s -= rotated_t.inverse() * rotated_r.transpose() / points;
+    const Square rotated_t = b * b * q - a * b * (r + r.transpose()) + a * a * t;
+    const Square rotated_r = -a * b * q + a * a * r - b * b * r.transpose() + a * b * t;
+    h = h + rotated_t.inverse() / points;
+    s = s - rotated_t.inverse() * rotated_r.transpose() / points;
   }
   const auto impedance = ref::barnett_lothe_impedance(q, r, t, 1e-8, 30);
   REQUIRE(impedance.has_value());
-  CHECK((impedance->re - h.inverse()).norm() < 1e-11 * h.inverse().norm());
-  CHECK((impedance->im - h.inverse() * s).norm() < 1e-11 * h.inverse().norm());
+  const Square inverse = h.inverse();
+  CHECK(squared_norm(impedance->re - inverse) < 1e-22 * squared_norm(inverse));
+  CHECK(squared_norm(impedance->im - inverse * s) < 1e-22 * squared_norm(inverse));
 }
 
 TEST_CASE("a proven impedance contains the one that is known better, and is not wide") {

@@ -1,0 +1,26 @@
+#pragma once
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+
+namespace nipref::ref {
+
+/// q + s (r + r^T) + s^2 t at rest, in floating point.
+template <class Scalar>
+struct AcousticPencil {
+  DenseMatrix<Scalar> q, r, t;
+
+  [[nodiscard]] DenseMatrix<Scalar> at(const Scalar& s) const {
+    return q + s * (r + r.transpose()) + s * s * t;
+  }
+  [[nodiscard]] Scalar lowest_value(const Scalar& s) const { return symmetric_eigen(at(s)).values(0); }
+  /// Of the smallest eigenvalue.
+  [[nodiscard]] DenseMatrix<Scalar> lowest_vector(const Scalar& s) const {
+    return symmetric_eigen(at(s)).vectors.column(0);
+  }
+  /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2.
+  [[nodiscard]] Scalar half_slope(const Scalar& s) const {
+    const auto x = lowest_vector(s);
+    return dot(x, r * x) + s * dot(x, t * x);
+  }
+};
+
+}  // namespace nipref::ref
