@@ -1,4 +1,5 @@
 #pragma once
+#include <numeric>
 #include <optional>
 #include <string_view>
 
@@ -8,6 +9,9 @@ namespace nipref::data {
 struct Interval {
   double lower;
   double upper;
+
+  static Interval only(double value) { return {value, value}; }
+  [[nodiscard]] double middle() const { return std::midpoint(lower, upper); }
 };
 
 /// A number as printed in a table, with the scaling of its column undone.

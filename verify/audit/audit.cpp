@@ -13,7 +13,6 @@
 namespace nipref::verify {
 namespace {
 
-constexpr int ref_digits = 21;  // 1e-21 is 1e-5 of an ulp
 constexpr std::size_t starts_of_search = 8;
 // Shares of the points asked for.
 constexpr double share_of_hard = 0.5;  // at most
@@ -33,7 +32,7 @@ class Judge {
   [[nodiscard]] Finding operator()(const Point& point) const {
     const double value = fast_value(quantity_, point, accuracy_);
     const Deviation found =
-        deviation(value, ref_value(quantity_, point, ref_digits), quantity_.envelope(point));
+        deviation(value, ref_value(quantity_, point, digits_beyond_double), quantity_.envelope(point));
     return {found.ulps, found.ulps / std::max(quantity_.promise, tolerated_ulps(found.scale))};
   }
 

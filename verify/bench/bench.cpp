@@ -43,14 +43,14 @@ const BenchRow* find_row(const std::vector<BenchRow>& rows, const Promise& promi
 }
 
 std::vector<BenchRatio> form_ratios(const std::vector<BenchRow>& rows) {
-  std::vector<BenchRatio> ratios;
+  std::vector<BenchRatio> formed;
   for (const Promise& promise : promises) {
     const BenchRow* slow = find_row(rows, promise, promise.slow);
     const BenchRow* quick = find_row(rows, promise, promise.quick);
     if (slow == nullptr || quick == nullptr) continue;
-    ratios.push_back({std::string(promise.what), slow->nanoseconds / quick->nanoseconds, promise.target});
+    formed.push_back({std::string(promise.what), slow->nanoseconds / quick->nanoseconds, promise.target});
   }
-  return ratios;
+  return formed;
 }
 
 }  // namespace

@@ -15,12 +15,10 @@ namespace {
 
 const std::array<std::string, 3> alphas{"0.01", "0.73", "5"};
 constexpr auto arguments_text = "alpha in {0.01, 0.73, 5}";
-constexpr int rounds = 5;
-constexpr double seconds_per_round = 0.01;
 constexpr int extra_digits = 10;
 constexpr double nanoseconds_per_value = 1e9 / std::tuple_size_v<decltype(alphas)>;
 
-struct Method {
+struct DigitsMethod {
   std::string name;
   std::function<void(std::size_t)> run;                     ///< evaluates at alphas[i]; this is timed
   std::function<std::string(const std::string&)> evaluate;  ///< decimal text for a decimal argument
@@ -31,7 +29,7 @@ Reference ref_at(const Quantity& quantity, const std::string& alpha, int digits)
   return quantity.by_ref(arguments, digits);
 }
 
-Method ref_method(const Quantity& quantity, int digits) {
+DigitsMethod ref_method(const Quantity& quantity, int digits) {
   std::vector<ref::Exact> exact;
   for (const std::string& alpha : alphas) exact.push_back(ref::Exact::parse(alpha, "alpha"));
   return {
@@ -40,14 +38,14 @@ Method ref_method(const Quantity& quantity, int digits) {
       [&quantity, digits](const std::string& alpha) { return ref_at(quantity, alpha, digits).value_text(); }};
 }
 
-Method peer_method(const MultiprecisionPeer& peer, int digits) {
+DigitsMethod peer_method(const MultiprecisionPeer& peer, int digits) {
   const auto evaluate = [&peer, digits](const std::string& alpha) { return peer.evaluate(alpha, digits); };
   return {fmt::format("{} {} digits", peer.method, digits),
           [evaluate](std::size_t i) { evaluate(alphas[i]); }, evaluate};
 }
 
 /// The unit that is timed is a pass over all arguments, so that each counts alike.
-Contender contender_of(const Method& method) {
+Contender contender_of(const DigitsMethod& method) {
   constexpr std::size_t most = 1000;
   return {[&method](std::size_t passes) {
             for (std::size_t pass = 0; pass < passes; ++pass) {
@@ -57,7 +55,7 @@ Contender contender_of(const Method& method) {
           1, most};
 }
 
-void compare(const Quantity& quantity, const Method& method, int digits, BenchRow& row) {
+void compare(const Quantity& quantity, const DigitsMethod& method, int digits, BenchRow& row) {
   double ulps = 0, relative = 0;
   for (const std::string& alpha : alphas) {
     const Reference truth = ref_at(quantity, alpha, digits + extra_digits);
@@ -87,15 +85,15 @@ BenchRow first_call_row(const BenchRow& steady, double seconds) {
 }
 
 Rows bench_at(const Quantity& quantity, int digits) {
-  std::vector<Method> methods{ref_method(quantity, digits)};
+  std::vector<DigitsMethod> methods{ref_method(quantity, digits)};
   for (const MultiprecisionPeer& peer : quantity.multiprecision_peers) {
     methods.push_back(peer_method(peer, digits));
   }
   ref::clear_caches();
   const double first_call = seconds_of([&] { methods.front().run(1); });
   std::vector<Contender> contenders;
-  for (const Method& method : methods) contenders.push_back(contender_of(method));
-  const std::vector<Timing> timings = time_interleaved(contenders, rounds, seconds_per_round);
+  for (const DigitsMethod& method : methods) contenders.push_back(contender_of(method));
+  const std::vector<Timing> timings = time_interleaved(contenders, 5, 0.01);
 
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < methods.size(); ++i) {

@@ -15,9 +15,6 @@ namespace {
 constexpr std::size_t points_in_a_set = 4096;
 constexpr std::size_t least_points = 32;
 constexpr std::size_t points_compared = 400;
-constexpr int rounds = 15;
-constexpr double seconds_per_round = 1e-3;
-constexpr int ref_digits = 21;
 constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::best_rtol};
 
 struct Range {
@@ -87,7 +84,7 @@ std::string range_text(const Quantity& quantity, const Range& range) {
 }
 
 /// A method fills values[0, count) for the first `count` points.
-struct Method {
+struct BatchMethod {
   std::string name;
   std::function<void(std::size_t count, std::span<double> values)> evaluate;
 };
@@ -103,28 +100,28 @@ std::vector<std::span<const double>> heads(const Columns& columns, std::size_t c
   return parts;
 }
 
-Method scalar_method(const Quantity& quantity, const Columns& columns, double rtol) {
+BatchMethod scalar_method(const Quantity& quantity, const Columns& columns, double rtol) {
   return {"fast " + tolerance_name(rtol),
           [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
             quantity.by_fast_loop(heads(columns, count), values.first(count), accuracy);
           }};
 }
 
-Method batch_method(const Quantity& quantity, const Columns& columns, double rtol) {
+BatchMethod batch_method(const Quantity& quantity, const Columns& columns, double rtol) {
   return {"fast batch " + tolerance_name(rtol),
           [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
             quantity.by_fast_batch(heads(columns, count), values.first(count), accuracy);
           }};
 }
 
-Method peer_method(const Peer& peer, const Columns& columns) {
+BatchMethod peer_method(const Peer& peer, const Columns& columns) {
   return {peer.method, [evaluate = peer.make(), &columns](std::size_t count, std::span<double> values) {
             for (std::size_t i = 0; i < count; ++i) values[i] = evaluate(columns[0][i]);
           }};
 }
 
-std::vector<Method> methods(const Quantity& quantity, const Columns& columns) {
-  std::vector<Method> all{scalar_method(quantity, columns, fast::Accuracy::best_rtol)};
+std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& columns) {
+  std::vector<BatchMethod> all{scalar_method(quantity, columns, fast::Accuracy::best_rtol)};
   if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::best_rtol));
   if (quantity.peers.empty()) return all;
   for (const double rtol : tolerances) {
@@ -147,7 +144,7 @@ Truth truth_of(const Quantity& quantity, const Columns& columns) {
   for (std::size_t i = 0; i < points_compared; ++i) {
     Point point;
     for (const auto& column : columns) point.push_back(column[i]);
-    truth.values.push_back(ref_value(quantity, point, ref_digits));
+    truth.values.push_back(ref_value(quantity, point, digits_beyond_double));
     truth.envelopes.push_back(quantity.envelope(point));
   }
   return truth;
@@ -166,14 +163,14 @@ void compare(std::span<const double> values, const Truth& truth, BenchRow& row) 
 
 std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) {
   const Columns columns = draw_columns(quantity, range);
-  const std::vector<Method> contestants = methods(quantity, columns);
+  const std::vector<BatchMethod> contestants = methods(quantity, columns);
   std::vector<double> values(points_in_a_set);
   std::vector<Contender> contenders;
-  for (const Method& method : contestants) {
+  for (const BatchMethod& method : contestants) {
     contenders.push_back(
         {[&](std::size_t count) { method.evaluate(count, values); }, least_points, points_in_a_set});
   }
-  const std::vector<Timing> timings = time_interleaved(contenders, rounds, seconds_per_round);
+  const std::vector<Timing> timings = time_interleaved(contenders, 15, 1e-3);
 
   const Truth truth = truth_of(quantity, columns);
   std::vector<BenchRow> rows;

@@ -122,6 +122,9 @@ struct Quantity {
 /// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
 
+/// Of a reference value whose own error is 1e-5 of a double's unit in the last place.
+inline constexpr int digits_beyond_double = 21;
+
 /// ref's value at exactly these doubles, as fast takes them.
 Reference ref_value(const Quantity& quantity, std::span<const double> point, int digits);
 

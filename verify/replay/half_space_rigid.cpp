@@ -11,14 +11,12 @@
 namespace nipref::verify {
 namespace {
 
-data::Interval only(double value) { return {value, value}; }
-
-constexpr fast::Direction along{1, 0}, across{0, 1};
+constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
 
 /// Of the exact frictionless contact of a sphere: span across over span along.
 double exact_span_ratio(const fast::SurfaceResponse& surface) {
   const fast::EllipticContact contact(surface, {1, 1});
-  return contact.radius_ratio(across) / contact.radius_ratio(along);
+  return contact.radius_ratio(sideways) / contact.radius_ratio(forwards);
 }
 
 }  // namespace
@@ -32,22 +30,23 @@ std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
       if (column.is_key) continue;
       const double speed = *column.coordinate;
       const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
-      const double corrected = fast::sliding_for_span(surface, {1, 1}, friction, along, 1).span_ratio(across);
+      const double corrected =
+          fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways);
       const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
       const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
       const std::string error = fmt::format(
           "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
           "(Delta_1, Q_1); as printed it gives {:.5f}",
           die_span_ratio_as_printed(poisson, friction, speed));
-      cells.push_back(
-          {row,
-           column.name,
-           corrected,
-           {{only(exact_roots), Verdict::match, "reproduced so"},
-            {only(rounded_roots), Verdict::match, "reproduced so with w_S and w_D to five decimals"}},
-           error,
-           "",
-           exact_span_ratio(surface)});
+      cells.push_back({row,
+                       column.name,
+                       corrected,
+                       {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
+                        {data::Interval::only(rounded_roots), Verdict::match,
+                         "reproduced so with w_S and w_D to five decimals"}},
+                       error,
+                       "",
+                       exact_span_ratio(surface)});
     }
   }
   return cells;
@@ -59,7 +58,7 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
   for (const data::TableColumn& column : table.columns) {
     const double speed = *column.coordinate;
     const double corrected =
-        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(across);
+        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways);
     const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
     const std::string loss = fmt::format(
         "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "
@@ -68,8 +67,8 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
     cells.push_back({0,
                      column.name,
                      corrected,
-                     {{only(corrected), Verdict::match, "to the digits printed"},
-                      {only(rounded_roots), Verdict::match, loss}},
+                     {{data::Interval::only(corrected), Verdict::match, "to the digits printed"},
+                      {data::Interval::only(rounded_roots), Verdict::match, loss}},
                      ""});
   }
   return cells;

@@ -19,8 +19,6 @@ namespace {
 /// The paper's C11/mu_0, a slip for 0.18005, with which its c_plus and c_minus were made.
 constexpr double printed_d1 = 0.1803;
 
-data::Interval only(double value) { return {value, value}; }
-
 /// The two bodies as the table's header states them, GPa and kg/m^3.
 struct Bodies {
   data::IsotropicSolid sphere;
@@ -162,7 +160,7 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
       cells.push_back({row,
                        column.name,
                        corrected,
-                       {{only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
+                       {{data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
                          Verdict::seed_error, "reproduced so"}},
                        error,
                        error,
@@ -187,7 +185,7 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
                           const data::TransverselyIsotropicSolid& made_with, const std::string& how) {
       const double right = fast::branch_speed(wave, bodies.half_space, motion) / unit;
       const double made = fast::branch_speed(wave, made_with, motion) / unit;
-      return HalfSpaceCell{row, column, right, {{only(made), Verdict::match, how}}, ""};
+      return HalfSpaceCell{row, column, right, {{data::Interval::only(made), Verdict::match, how}}, ""};
     };
     cells.push_back(cell("c_56", fast::BranchWave::transverse, bodies.half_space, ""));
     cells.push_back(cell("c_plus", fast::BranchWave::quasi_longitudinal, with_printed_d1, print));
@@ -210,7 +208,7 @@ std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& tabl
           row,
           column.name,
           spans.corrected(phi, speed),
-          {{only(tabulated), Verdict::match, "reproduced so"}},
+          {{data::Interval::only(tabulated), Verdict::match, "reproduced so"}},
           fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
                       "wrong too, {:.4f}",
                       spans.printed(phi, speed)),

@@ -7,8 +7,6 @@
 namespace nipref::verify {
 namespace {
 
-double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
-
 RowValues solve(const data::ElasticNip& nip, const fast::LineLoadMethod& method, double length,
                 std::optional<double> creep) {
   const fast::LineLoadSolution solution =
@@ -48,8 +46,8 @@ ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& 
   std::vector<std::optional<double>> creeps{std::nullopt};
   if (input.creep) creeps = {input.creep->lower, input.creep->upper};
   ReplayedRow row;
-  row.at_centre = solve(nip, method, middle(input.length),
-                        input.creep ? std::optional(middle(*input.creep)) : std::nullopt);
+  row.at_centre = solve(nip, method, input.length.middle(),
+                        input.creep ? std::optional(input.creep->middle()) : std::nullopt);
   for (const double length : {input.length.lower, input.length.upper}) {
     for (const std::optional<double> creep : creeps) {
       row.corners.push_back(solve(nip, method, length, creep));

@@ -14,7 +14,7 @@ namespace {
 using fast::ConvergedElasticNip;
 using fast::Estimate;
 
-const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> numbers{
+const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> elastic_converged_numbers{
     {"contact_length", &ConvergedElasticNip::contact_length},
     {"load", &ConvergedElasticNip::load},
     {"indentation", &ConvergedElasticNip::indentation},
@@ -24,7 +24,7 @@ const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> numb
     {"peak_shear", &ConvergedElasticNip::peak_shear},
 };
 
-const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const> profiles{
+const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const> elastic_converged_profiles{
     {"pressure", &ConvergedElasticNip::pressure},
     {"shear", &ConvergedElasticNip::shear},
     {"normal_displacement", &ConvergedElasticNip::normal_displacement},
@@ -37,10 +37,10 @@ class Converged : public SolvedContact<Estimate> {
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
-    return std::invoke(numbers.at(name), contact_);
+    return std::invoke(elastic_converged_numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
-    return std::invoke(profiles.at(name), contact_, y);
+    return std::invoke(elastic_converged_profiles.at(name), contact_, y);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
@@ -51,7 +51,7 @@ class Converged : public SolvedContact<Estimate> {
   ConvergedElasticNip contact_;
 };
 
-struct Solve {
+struct SolveElasticConverged {
   const data::ElasticNipProblem& problem;
   double accuracy;
 
@@ -67,7 +67,7 @@ struct Solve {
 
 std::unique_ptr<SolvedContact<Estimate>> solve_converged(const data::ElasticNipProblem& problem,
                                                          double accuracy) {
-  return std::make_unique<Converged>(std::visit(Solve{problem, accuracy}, problem.given));
+  return std::make_unique<Converged>(std::visit(SolveElasticConverged{problem, accuracy}, problem.given));
 }
 
 }  // namespace nipref::verify

@@ -23,7 +23,7 @@ using fast::Work;
 /// Of the continuous contact that line loads are set against: they are no closer than about 1e-3.
 constexpr double truth_accuracy = 1e-5;
 
-const std::map<std::string_view, double LineLoadSolution::*> numbers{
+const std::map<std::string_view, double LineLoadSolution::*> elastic_line_load_numbers{
     {"contact_length", &LineLoadSolution::contact_length},
     {"load", &LineLoadSolution::load},
     {"indentation", &LineLoadSolution::indentation},
@@ -107,7 +107,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
     const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
-                                               : solution_.*numbers.at(name);
+                                               : solution_.*elastic_line_load_numbers.at(name);
     return beside(value, truth_->number(name));
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {

@@ -13,24 +13,26 @@ namespace {
 using fast::ConvergedViscoelasticNip;
 using fast::Estimate;
 
-const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)() const> numbers{
-    {"contact_length", &ConvergedViscoelasticNip::contact_length},
-    {"leading_length", &ConvergedViscoelasticNip::leading_length},
-    {"trailing_length", &ConvergedViscoelasticNip::trailing_length},
-    {"load", &ConvergedViscoelasticNip::load},
-    {"indentation", &ConvergedViscoelasticNip::indentation},
-    {"edge_displacement", &ConvergedViscoelasticNip::leading_displacement},
-    {"trailing_displacement", &ConvergedViscoelasticNip::trailing_displacement},
-    {"creep_ratio", &ConvergedViscoelasticNip::creep_ratio},
-    {"rolling_resistance", &ConvergedViscoelasticNip::rolling_resistance},
-    {"peak_pressure", &ConvergedViscoelasticNip::peak_pressure},
-};
+const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)() const>
+    viscoelastic_converged_numbers{
+        {"contact_length", &ConvergedViscoelasticNip::contact_length},
+        {"leading_length", &ConvergedViscoelasticNip::leading_length},
+        {"trailing_length", &ConvergedViscoelasticNip::trailing_length},
+        {"load", &ConvergedViscoelasticNip::load},
+        {"indentation", &ConvergedViscoelasticNip::indentation},
+        {"edge_displacement", &ConvergedViscoelasticNip::leading_displacement},
+        {"trailing_displacement", &ConvergedViscoelasticNip::trailing_displacement},
+        {"creep_ratio", &ConvergedViscoelasticNip::creep_ratio},
+        {"rolling_resistance", &ConvergedViscoelasticNip::rolling_resistance},
+        {"peak_pressure", &ConvergedViscoelasticNip::peak_pressure},
+    };
 
-const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) const> profiles{
-    {"pressure", &ConvergedViscoelasticNip::pressure},
-    {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
-    {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
-};
+const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) const>
+    viscoelastic_converged_profiles{
+        {"pressure", &ConvergedViscoelasticNip::pressure},
+        {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
+        {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
+    };
 
 class Rolling : public SolvedContact<Estimate> {
  public:
@@ -38,11 +40,11 @@ class Rolling : public SolvedContact<Estimate> {
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (name == "peak_shear") return {0, 0};  // without friction
-    return std::invoke(numbers.at(name), contact_);
+    return std::invoke(viscoelastic_converged_numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     if (name == "shear") return {0, 0};
-    return std::invoke(profiles.at(name), contact_, y);
+    return std::invoke(viscoelastic_converged_profiles.at(name), contact_, y);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().value, contact_.leading_length().value};
@@ -53,7 +55,7 @@ class Rolling : public SolvedContact<Estimate> {
   ConvergedViscoelasticNip contact_;
 };
 
-struct Solve {
+struct SolveViscoelasticConverged {
   const data::ViscoelasticNip& nip;
   double accuracy;
 
@@ -69,7 +71,8 @@ struct Solve {
 
 std::unique_ptr<SolvedContact<Estimate>> solve_viscoelastic(const data::ViscoelasticNipProblem& problem,
                                                             double accuracy) {
-  return std::make_unique<Rolling>(std::visit(Solve{problem.nip, accuracy}, problem.given));
+  return std::make_unique<Rolling>(
+      std::visit(SolveViscoelasticConverged{problem.nip, accuracy}, problem.given));
 }
 
 }  // namespace nipref::verify

@@ -20,7 +20,7 @@ using fast::Work;
 /// Of the continuous contact that line loads are set against, as in the elastic nip.
 constexpr double truth_accuracy = 1e-5;
 
-const std::map<std::string_view, double ViscoelasticLineLoads::*> numbers{
+const std::map<std::string_view, double ViscoelasticLineLoads::*> viscoelastic_line_load_numbers{
     {"leading_length", &ViscoelasticLineLoads::leading_length},
     {"trailing_length", &ViscoelasticLineLoads::trailing_length},
     {"load", &ViscoelasticLineLoads::load},
@@ -31,7 +31,7 @@ const std::map<std::string_view, double ViscoelasticLineLoads::*> numbers{
     {"peak_pressure", &ViscoelasticLineLoads::peak_pressure},
 };
 
-struct Solve {
+struct SolveViscoelasticLineLoads {
   const data::ViscoelasticNip& nip;
   ViscoelasticLineLoadMethod method;
   bool search;  ///< for the number of trailing elements
@@ -52,7 +52,8 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
   LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
       : truth_(solve_viscoelastic(problem, truth_accuracy)),
         nip_(problem.nip),
-        solution_(std::visit(Solve{nip_, method_of(loads), !loads.trailing_elements}, problem.given)),
+        solution_(std::visit(SolveViscoelasticLineLoads{nip_, method_of(loads), !loads.trailing_elements},
+                             problem.given)),
         method_(method_of(loads, solution_)),
         surface_(nip_, solution_, method_) {}
 
@@ -92,7 +93,7 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     if (name == "peak_shear") return 0;  // without friction
     if (name == "contact_length") return solution_.contact_length();
     if (name == "creep_ratio") return fast::creep_ratio(nip_, solution_, method_);
-    return solution_.*numbers.at(name);
+    return solution_.*viscoelastic_line_load_numbers.at(name);
   }
   [[nodiscard]] double profile(std::string_view name, double y) const {
     if (name == "shear") return 0;

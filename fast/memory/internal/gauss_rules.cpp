@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <span>
 
@@ -11,27 +10,12 @@
 namespace nipref::fast::internal {
 namespace {
 
-/// From extended precision: the nodes next to 0 are wanted to their own last place.
-GaussRule gauss_rule(int count) {
-  GaussRule rule;
-  const auto add = [&](long double zero) {
-    const long double slope = boost::math::legendre_p_prime(count, zero);
-    rule.at.push_back(static_cast<double>((1 + zero) / 2));
-    rule.weight.push_back(static_cast<double>(1 / ((1 - zero * zero) * slope * slope)));
-  };
-  for (const long double zero : boost::math::legendre_p_zeros<long double>(count)) {
-    add(zero);
-    add(-zero);
-  }
-  return rule;
-}
-
 constexpr int rules[] = {8, 10, 16, 32};
 
 const GaussRule& rule(int index) {
   static const std::array<GaussRule, std::size(rules)> all = [] {
     std::array<GaussRule, std::size(rules)> made;
-    for (std::size_t i = 0; i < made.size(); ++i) made[i] = gauss_rule(rules[i]);
+    for (std::size_t i = 0; i < made.size(); ++i) made[i] = gauss_legendre(rules[i]);
     return made;
   }();
   return all[static_cast<std::size_t>(index)];

@@ -1,9 +1,9 @@
 #pragma once
 #include <array>
-#include <vector>
 
 #include <nipref/fast/memory/internal/waves.hpp>
 #include <nipref/fast/number/accuracy.hpp>
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
 namespace nipref::fast::internal {
@@ -13,10 +13,6 @@ constexpr double inner_end = near_end;
 
 inline constexpr int most_nodes = 32;
 using Nodes = std::array<double, most_nodes>;
-
-struct GaussRule {
-  std::vector<double> at, weight;  ///< on [0, 1]
-};
 
 /// int_0^length e^(-rate d) f(d) dd from f at the rule's points.
 template <typename Rate>

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
 #include <nipref/fast/sheet/generator/component_series.hpp>
@@ -10,8 +9,6 @@ namespace {
 
 using internal::Component;
 using internal::Shape;
-
-const Real pi_number = boost::math::constants::pi<Real>();
 
 /// Coefficient c of c e^(i z x): residue of the kernel's transform at the root z, thesis (AI.8), (AI.13) in
 /// complex form.
@@ -41,7 +38,7 @@ Complex residue(Component component, const Complex& z) {
 /// largest argument the series is used for.
 void check_parity(Component component, Series series, const Real& reach) {
   if (component == Component::alpha_part_of_I6 || component == Component::eta_part_of_I6)
-    series[1] -= pi_number / 4;
+    series[1] -= pi() / 4;
   const std::size_t wrong = shape(component) == Shape::odd ? 0 : 1;
   for (std::size_t k = wrong; k < series.size(); k += 2) {
     const Real effect = abs(series[k]) * pow(reach, static_cast<int>(k));
@@ -56,13 +53,11 @@ ComponentSeries::ComponentSeries(Component component, const std::vector<Complex>
   for (const Complex& z : roots) amplitudes_.push_back(amplitude(z));
 }
 
-Real ComponentSeries::limit() const {
-  return shape(component_) == Shape::odd ? Real(pi_number / 4) : Real(0);
-}
+Real ComponentSeries::limit() const { return shape(component_) == Shape::odd ? Real(pi() / 4) : Real(0); }
 
 /// Odd components are Re(2 pi c e^(i z x)), the others -Im(2 pi c e^(i z x)) = Re(2 pi i c e^(i z x)).
 Complex ComponentSeries::amplitude(const Complex& root) const {
-  const Complex c = 2 * pi_number * residue(component_, root);
+  const Complex c = 2 * pi() * residue(component_, root);
   return shape(component_) == Shape::odd ? c : Complex(-c.imag(), c.real());
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpc.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <vector>
@@ -10,6 +11,8 @@ using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_bac
                                            boost::multiprecision::et_off>;
 using Complex = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<100>,
                                               boost::multiprecision::et_off>;
+
+inline Real pi() { return boost::math::constants::pi<Real>(); }
 
 /// Coefficients of powers 0, 1, 2, ...
 using Series = std::vector<Real>;

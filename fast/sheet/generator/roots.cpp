@@ -1,4 +1,3 @@
-#include <boost/math/constants/constants.hpp>
 #include <stdexcept>
 
 #include <nipref/fast/sheet/generator/roots.hpp>
@@ -10,7 +9,7 @@ Complex equation(const Complex& z) { return sinh(2 * z) + 2 * z; }
 
 /// For large n: e^(2z) ~ -4z, hence z ~ i pi (n - 1/4) + ln(4 pi (n - 1/4))/2.
 Complex asymptotic_root(int n) {
-  const Real imaginary = boost::math::constants::pi<Real>() * (n - Real(1) / 4);
+  const Real imaginary = pi() * (n - Real(1) / 4);
   return {Real(log(4 * imaginary) / 2), imaginary};
 }
 
@@ -26,9 +25,8 @@ Complex polished(Complex z) {
 }
 
 void check(const Complex& z, int n) {
-  const Real pi = boost::math::constants::pi<Real>();
   const bool solves = abs(equation(z)) < Real("1e-85") * abs(z) * abs(z);
-  const bool in_strip = z.real() > 0 && z.imag() > (n - Real(1) / 2) * pi && z.imag() < n * pi;
+  const bool in_strip = z.real() > 0 && z.imag() > (n - Real(1) / 2) * pi() && z.imag() < n * pi();
   if (!solves || !in_strip) throw std::logic_error("a root of sinh 2z + 2z is not the one asked for");
 }
 

@@ -1,4 +1,3 @@
-#include <boost/math/constants/constants.hpp>
 
 #include <nipref/fast/sheet/generator/series.hpp>
 
@@ -47,7 +46,7 @@ namespace {
 std::vector<Real> chebyshev_nodes(const Real& low, const Real& high, int count) {
   std::vector<Real> nodes;
   for (int j = 0; j < count; ++j) {
-    const Real angle = boost::math::constants::pi<Real>() * (2 * j + 1) / (2 * count);
+    const Real angle = pi() * (2 * j + 1) / (2 * count);
     nodes.push_back((low + high) / 2 + (high - low) / 2 * cos(angle));
   }
   return nodes;

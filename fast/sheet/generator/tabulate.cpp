@@ -12,8 +12,6 @@ using internal::Component;
 using internal::ComponentTable;
 using internal::Shape;
 
-const Real pi_number = boost::math::constants::pi<Real>();
-
 /// Longer than any double can see: the largest argument is 1/64 of the radius of convergence.
 constexpr int local_length = 24;
 
@@ -132,7 +130,7 @@ void fill_residue(const ComponentSeries& component, ComponentTable& table) {
     table.exponential_low[j] = cell.low;
   }
   for (int p = 0; p < internal::phase_cells; ++p) {
-    const Real angle = phase + 2 * pi_number * p / internal::phase_cells;
+    const Real angle = phase + 2 * pi() * p / internal::phase_cells;
     const TwoDoubles cosine = split(cos(angle));
     table.cosine_high[p] = cosine.high;
     table.cosine_low[p] = cosine.low;
@@ -166,7 +164,7 @@ internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
   const Complex& z = roots.front();
   const TwoDoubles decay =
       split(internal::exponential_cells * z.imag() / boost::math::constants::ln_two<Real>());
-  const TwoDoubles phase = split(internal::phase_cells * z.real() / (2 * pi_number));
+  const TwoDoubles phase = split(internal::phase_cells * z.real() / (2 * pi()));
   table.decay_high = decay.high;
   table.decay_low = decay.low;
   table.phase_high = phase.high;

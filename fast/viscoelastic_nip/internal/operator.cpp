@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <numbers>
 #include <span>
 
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/number/internal/memo.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 
@@ -16,29 +16,6 @@ constexpr double pi = std::numbers::pi;
 
 /// alpha increases towards the leading side, e away from the end: +1 on the trailing half.
 double orientation(const ViscoelasticPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
-
-struct UnitGauss {
-  std::vector<double> x, weight;
-};
-
-UnitGauss make_gauss_legendre(const int& count) {
-  UnitGauss rule;
-  const auto append = [&](double zero) {
-    const double slope = boost::math::legendre_p_prime(count, zero);
-    rule.x.push_back((1 + zero) / 2);
-    rule.weight.push_back(1 / ((1 - zero * zero) * slope * slope));
-  };
-  for (const double zero : boost::math::legendre_p_zeros<double>(count)) {
-    append(zero);
-    if (zero != 0) append(-zero);
-  }
-  return rule;
-}
-
-std::shared_ptr<const UnitGauss> gauss_legendre(int count) {
-  static Memo<int, UnitGauss> kept(make_gauss_legendre);
-  return kept.at(count);
-}
 
 /// T_j(2 xi - 1), j = 0 .. degree, for each xi one row.
 void chebyshev_rows(std::span<const double> xi, int degree, Eigen::MatrixXd& rows) {
@@ -144,17 +121,17 @@ void ViscoelasticOperator::far_moments(const std::vector<double>& at, const std:
   const int degree = layout_.degree(panel);
   // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
   const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance_) / 3.5 + panel.width);
-  const auto kept = gauss_legendre(count);
-  const UnitGauss& rule = *kept;
+  static Memo<int, GaussRule> rules(gauss_legendre);
+  const auto rule = rules.at(count);
   Eigen::MatrixXd weighted;
-  chebyshev_rows(rule.x, degree, weighted);
+  chebyshev_rows(rule->at, degree, weighted);
   for (int g = 0; g < count; ++g) {
     const auto node = static_cast<std::size_t>(g);
-    weighted.row(g) *= rule.weight[node] * panel.width * panel.slope(rule.x[node]);
+    weighted.row(g) *= rule->weight[node] * panel.width * panel.slope(rule->at[node]);
   }
   std::vector<double> alpha;
   for (const std::size_t row : rows) {
-    for (const double xi : rule.x)
+    for (const double xi : rule->at)
       alpha.push_back(orientation(panel) * (at[row] - panel.left - panel.width * panel.x(xi)));
   }
   std::vector<double> kernel_values = values(kernel, alpha);

@@ -24,11 +24,11 @@ using data::Friction;
 constexpr std::array ratios{1e-4, 1e-2, 1.0, 30.0, 1e3};
 constexpr std::array poissons{-0.9, 1.0 / 3, 0.5};
 constexpr std::array elements{10, 500};
-constexpr int ref_digits = 20;
+constexpr int contact_digits = 20;
 constexpr int most_ref_elements = 40;
 constexpr double longest_ref_line_loads = 500;
 constexpr double longest_ref_converged = 12;
-constexpr double accuracy = 1e-10;
+constexpr double contact_accuracy = 1e-10;
 
 /// Of unit radius and thickness such that L <= R.
 ElasticNip nip_for(double ratio, double poisson) { return {1, 1e-3 / std::max(ratio, 1.0), {1, poisson}}; }
@@ -54,7 +54,7 @@ void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int 
   std::vector<double> kernel;
   for (int q = 0; q < 2 * m; ++q)
     kernel.push_back(fast::I1((2 * q + 1) * length / (4 * m) / nip.half_thickness()));
-  const auto exactly_solved = ref::line_loads_from_kernel_values(nip, kernel, length, ref_digits);
+  const auto exactly_solved = ref::line_loads_from_kernel_values(nip, kernel, length, contact_digits);
   double kernel_error = 0, size = 0;
   for (std::size_t k = 0; k < solution.line_loads.size(); ++k) {
     const double computed = solution.line_loads[k];
@@ -63,7 +63,7 @@ void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int 
     kernel_error = std::max(kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
   }
   audit.kernel_error = kernel_error / size;
-  const double continuous = fast::converged_for_length(nip, Friction::none, length, accuracy).load().value;
+  const double continuous = fast::converged_for_length(nip, Friction::none, length, contact_accuracy).load().value;
   audit.discretisation_error = solution.load / continuous - 1;
 }
 
@@ -84,8 +84,8 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
                      shear ? std::optional(fast::oscillation(solution.shear_loads)) : std::nullopt,
                      1e-15 * condition};
   if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
-  const auto truth = shear ? ref::gripped_line_loads_for_length(nip, m, length, creep, ref_digits)
-                           : ref::line_loads_for_length(nip, m, length, ref_digits);
+  const auto truth = shear ? ref::gripped_line_loads_for_length(nip, m, length, creep, contact_digits)
+                           : ref::line_loads_for_length(nip, m, length, contact_digits);
   audit.error = error_of(solution.line_loads, truth.line_loads);
   if (shear) {
     audit.error = std::max(*audit.error, error_of(solution.shear_loads, truth.shear_loads));
@@ -106,7 +106,7 @@ std::vector<double> sampled_shear(const fast::ConvergedElasticNip& contact, int 
 ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
   const ElasticNip nip = nip_for(ratio, poisson);
   const double length = ratio * nip.sheet_thickness;
-  const auto contact = fast::converged_for_length(nip, friction, length, accuracy);
+  const auto contact = fast::converged_for_length(nip, friction, length, contact_accuracy);
   const fast::Estimate load = contact.load();
   const bool shear = friction == Friction::full;
   ContactAudit audit{name("converged", friction),
@@ -117,7 +117,7 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
                      shear ? std::optional(fast::oscillation(sampled_shear(contact, 40))) : std::nullopt,
                      load.error / load.value};
   if (shear || ratio > longest_ref_converged) return audit;
-  const ref::Estimated truth = ref::converged_for_length(nip, length, ref_digits).load();
+  const ref::Estimated truth = ref::converged_for_length(nip, length, contact_digits).load();
   audit.error = std::fabs(truth.error_of(load.value)) / load.value;
   return audit;
 }

@@ -21,9 +21,7 @@ namespace {
 using data::ElasticNip;
 using data::Friction;
 
-constexpr int rounds = 15;
-constexpr double seconds_per_round = 5e-3;
-constexpr int ref_digits = 20;
+constexpr int length_digits = 20;
 constexpr auto elastic_nip = "elastic-nip";
 constexpr auto method_of_the_thesis = "thesis: m=10, 500 terms";
 constexpr auto arguments_to_compare = "B=0.005 W=100";
@@ -44,13 +42,13 @@ std::vector<Case> cases() {
 }
 
 /// Finds the contact length.
-struct Method {
+struct ElasticNipMethod {
   std::string name;
   std::function<double()> length;
 };
 
-std::vector<Method> methods(const Case& at) {
-  std::vector<Method> all;
+std::vector<ElasticNipMethod> methods(const Case& at) {
+  std::vector<ElasticNipMethod> all;
   all.push_back({method_of_the_thesis, [&at] {
                    const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
                    return fast::line_loads_for_load(at.nip, {10, 500}, at.load, search).contact_length;
@@ -80,9 +78,9 @@ Contender contender(const std::function<double()>& work) {
 std::vector<BenchRow> rows_of(const Case& at) {
   const auto all = methods(at);
   std::vector<Contender> contenders;
-  for (const Method& method : all) contenders.push_back(contender(method.length));
-  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
-  const ref::Estimated truth = ref::converged_for_load(at.nip, at.load, ref_digits).contact_length();
+  for (const ElasticNipMethod& method : all) contenders.push_back(contender(method.length));
+  const auto timings = time_interleaved(contenders);
+  const ref::Estimated truth = ref::converged_for_load(at.nip, at.load, length_digits).contact_length();
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double length = all[i].length();
@@ -122,7 +120,7 @@ BenchRow replay_row() {
     }
     return cells;
   };
-  const auto timings = time_interleaved({contender(replay_all)}, rounds, seconds_per_round);
+  const auto timings = time_interleaved({contender(replay_all)});
   return {elastic_nip, "all rows of Tables III-X", "replay", 1e9 * timings[0].seconds, {}, {}, {}};
 }
 

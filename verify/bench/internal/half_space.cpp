@@ -21,8 +21,6 @@ namespace {
 
 using fast::Direction;
 
-constexpr int rounds = 15;
-constexpr double seconds_per_round = 5e-3;
 constexpr auto half_space = "half-space";
 constexpr std::size_t directions = 1000;
 constexpr double theta_deg = 45, speed = 0.3;
@@ -37,16 +35,17 @@ std::vector<double> angles() {
   return all;
 }
 
-struct Method {
+struct HalfSpaceMethod {
   std::string name;
   std::function<void(std::size_t count)> run;  ///< so many values
   std::optional<double> error = {};            ///< relative, if there is something to compare with
 };
 
-void append_rows(BenchReport& report, const std::string& arguments, const std::vector<Method>& methods) {
+void append_rows(BenchReport& report, const std::string& arguments,
+                 const std::vector<HalfSpaceMethod>& methods) {
   std::vector<Contender> contenders;
-  for (const Method& method : methods) contenders.push_back({method.run, 1, 100'000'000});
-  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  for (const HalfSpaceMethod& method : methods) contenders.push_back({method.run, 1, 100'000'000});
+  const auto timings = time_interleaved(contenders);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const std::optional<double> error = methods[i].error;
     report.rows.push_back({half_space, arguments, methods[i].name, 1e9 * timings[i].seconds,
@@ -72,16 +71,17 @@ double bench_line(BenchReport& report, const std::string& what, const fast::Surf
   std::vector<Direction> lines;
   for (const double angle : angles()) lines.push_back(direction_of_degrees(angle));
   double sink = 0;
-  const Method fast_K{"fast K " + what,
-                      [&](std::size_t count) {
-                        for (std::size_t i = 0; i < count; ++i)
-                          sink += response(lines[i % directions]).compliance;
-                      },
-                      error_of(quantity, point)};
-  const Method ref_K{"ref K " + what + ", 20 digits", [&](std::size_t count) {
-                       for (std::size_t i = 0; i < count; ++i)
-                         static_cast<void>(ref_value(quantity, point(static_cast<double>(i % 90)), 20));
-                     }};
+  const HalfSpaceMethod fast_K{"fast K " + what,
+                               [&](std::size_t count) {
+                                 for (std::size_t i = 0; i < count; ++i)
+                                   sink += response(lines[i % directions]).compliance;
+                               },
+                               error_of(quantity, point)};
+  const HalfSpaceMethod ref_K{
+      "ref K " + what + ", 20 digits", [&](std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i)
+          static_cast<void>(ref_value(quantity, point(static_cast<double>(i % 90)), 20));
+      }};
   append_rows(report, "1000 directions", {fast_K, ref_K});
   return report.rows[report.rows.size() - 2].nanoseconds;
 }

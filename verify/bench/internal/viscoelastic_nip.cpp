@@ -25,8 +25,6 @@
 namespace nipref::verify {
 namespace {
 
-constexpr int rounds = 15;
-constexpr double seconds_per_round = 5e-3;
 constexpr auto viscoelastic_nip = "viscoelastic-nip";
 
 /// Bulk modulus 1 and relaxation time 1, at unit speed and half-thickness.
@@ -49,13 +47,13 @@ std::vector<Times> journeys(std::size_t count) {
   return all;
 }
 
-struct Method {
+struct UnMethod {
   std::string name;
   std::function<double(const Times&)> evaluate;
 };
 
-std::vector<Method> methods_for_Un() {
-  std::vector<Method> all;
+std::vector<UnMethod> methods_for_Un() {
+  std::vector<UnMethod> all;
   for (const double rtol : {fast::Accuracy::best_rtol, 1e-9, 1e-6, 1e-3}) {
     const fast::MovingLoad load(unit_solid(), 1, 1, fast::Accuracy(rtol));
     all.push_back(
@@ -71,7 +69,7 @@ std::vector<Method> methods_for_Un() {
 }
 
 /// Largest error over the scale of the catalogue's Un, at the first few of the points.
-double largest_error(const Method& method, const std::vector<Times>& points) {
+double largest_error(const UnMethod& method, const std::vector<Times>& points) {
   constexpr std::size_t compared = 30;
   const auto material = ref::exact_material(unit_solid());
   const Quantity& Un = find_quantity("Un");
@@ -91,14 +89,14 @@ BenchReport bench_Un() {
   const auto methods = methods_for_Un();
   std::vector<Contender> contenders;
   std::vector<double> values(points.size());
-  for (const Method& method : methods) {
+  for (const UnMethod& method : methods) {
     contenders.push_back({[&](std::size_t count) {
                             for (std::size_t i = 0; i < count; ++i)
                               values[i % points.size()] = method.evaluate(points[i % points.size()]);
                           },
                           points.size(), 1000});
   }
-  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  const auto timings = time_interleaved(contenders);
   BenchReport report;
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const double error = largest_error(methods[i], points);
@@ -138,7 +136,7 @@ BenchReport bench_nip() {
                           },
                           1, 1000});
   }
-  const auto timings = time_interleaved(contenders, rounds, seconds_per_round);
+  const auto timings = time_interleaved(contenders);
   // No reference path solves this contact: the finest of its own, stated as such in the method's name.
   const double truth = fast::converged_for_load(nip, load, 1e-12).contact_length().value;
   BenchReport report;

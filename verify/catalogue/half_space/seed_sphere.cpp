@@ -122,7 +122,7 @@ std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
   };
 }
 
-Quantity entry_span_ratio() {
+Quantity entry_sphere_span_ratio() {
   Quantity entry = seed_entry("ti.span_ratio",
                               "L_phi/L_X: span of a sphere at phi from the motion over that along it, by the "
                               "papers' rule",
@@ -147,7 +147,7 @@ Quantity entry_span_ratio() {
   return entry;
 }
 
-Quantity entry_axis_ratio() {
+Quantity entry_sphere_axis_ratio() {
   Quantity entry =
       seed_entry("ti.axis_ratio", "minor over major axis of the exact frictionless contact of a sphere",
                  "notes on brock2013 (33)", "fixed");
@@ -163,6 +163,6 @@ Quantity entry_axis_ratio() {
 
 }  // namespace
 
-std::vector<Quantity> seed_sphere_entries() { return {entry_span_ratio(), entry_axis_ratio()}; }
+std::vector<Quantity> seed_sphere_entries() { return {entry_sphere_span_ratio(), entry_sphere_axis_ratio()}; }
 
 }  // namespace nipref::verify

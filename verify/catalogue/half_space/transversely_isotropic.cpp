@@ -46,14 +46,13 @@ Point draw_solid(Random& random) {
   return {axis, c11, c33, c13, c44, c66, random.log_uniform(500, 2e4)};
 }
 
-fast::CriticalSpeed critical_at(Doubles x, std::size_t solid_at, double theta_deg) {
-  return fast::critical_speed(transverse_at(x, solid_at), axis_at(x, solid_at),
-                              direction_of_degrees(theta_deg));
+fast::CriticalSpeed critical_at(Doubles x, std::size_t first, double theta_deg) {
+  return fast::critical_speed(transverse_at(x, first), axis_at(x, first), direction_of_degrees(theta_deg));
 }
 
-bool is_physical(Doubles x, std::size_t solid_at) {
+bool is_physical(Doubles x, std::size_t first) {
   try {
-    transverse_at(x, solid_at).check();
+    transverse_at(x, first).check();
     return true;
   } catch (const data::BadInput&) {
     return false;
@@ -132,7 +131,7 @@ Quantity entry_transverse_compliance(std::string definition) {
   return entry;
 }
 
-Quantity entry_condition() {
+Quantity entry_ti_condition() {
   Quantity entry = condition_entry("ti.condition", "of brock2013 (19), (43) corrected");
   set_line_arguments(entry);
   entry.promise = 2048;  // a difference quotient in two words
@@ -267,7 +266,7 @@ std::vector<Quantity> transverse_half_space_entries() {
           transverse_line("ti.coupling_across",
                           std::string("S' of shear across the line, 90 degrees on from it,") + transverse,
                           &LineResponse::coupling_across, &ref::LineResponse::coupling_across),
-          entry_condition(),
+          entry_ti_condition(),
           entry_transverse_rayleigh(),
           entry_branch(),
           entry_transverse_critical()};

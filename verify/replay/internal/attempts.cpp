@@ -28,8 +28,6 @@ data::Interval range_with(const MissedCell& missed, const RowInput& input,
   return replay_row(missed.nip, method, input).range(missed.column);
 }
 
-double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
-
 std::string other_digit(const MissedCell& missed) {
   return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
 }
@@ -52,13 +50,11 @@ double needed(const MissedCell& missed, double low, double at_low, double high, 
 }
 
 /// One point of an interval, as an interval.
-data::Interval only(double value) { return {value, value}; }
-
 /// The inputs at the middle of their intervals.
 RowInput centre(const MissedCell& missed) {
   RowInput input = missed.input;
-  input.length = only(middle(input.length));
-  if (input.creep) input.creep = only(middle(*input.creep));
+  input.length = data::Interval::only(input.length.middle());
+  if (input.creep) input.creep = data::Interval::only(input.creep->middle());
   return input;
 }
 
@@ -70,7 +66,7 @@ std::string needed_length(const MissedCell& missed) {
   const auto [low, high] = missed.input.length;
   const auto value = [&](double length) {
     RowInput input = centre(missed);
-    input.length = only(length);
+    input.length = data::Interval::only(length);
     return value_with(missed, input);
   };
   return fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed, low, value(low), high, value(high)));
@@ -81,7 +77,7 @@ std::string needed_creep(const MissedCell& missed) {
   const auto [low, high] = *missed.input.creep;
   const auto value = [&](double creep) {
     RowInput input = centre(missed);
-    input.creep = only(creep);
+    input.creep = data::Interval::only(creep);
     return value_with(missed, input);
   };
   return fmt::format("or creep = {:.7g}e-4", 1e4 * needed(missed, low, value(low), high, value(high)));
@@ -100,7 +96,7 @@ std::string other_elements(const MissedCell& missed) {
 std::string other_shear(const MissedCell& missed) {
   if (missed.column != "q_max") return "";
   const auto solution = fast::gripped_line_loads_for_length(
-      missed.nip, missed.method, middle(missed.input.length), middle(*missed.input.creep));
+      missed.nip, missed.method, missed.input.length.middle(), missed.input.creep->middle());
   const double printed = cell_of(missed).number->value;
   const auto shear = [&](double load) { return std::abs(load) / solution.element_width(); };
   const auto nearest = std::ranges::min_element(solution.shear_loads, {},

@@ -16,7 +16,7 @@ struct HalfSpaceTable {
 constexpr std::array<std::string_view, 5> ids{"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2",
                                               "brock2013-3"};
 
-constexpr std::array<HalfSpaceTable, 5> tables{
+constexpr std::array<HalfSpaceTable, 5> table_replays{
     {{sliding_die_cells,
       "(brock2012 35) with sqrt(c_D^4 + gamma^2)/2 and without friction in Delta_1 and Q_1"},
      {rolling_sphere_cells, "(brock2012 53b) without the c_D under its root"},
@@ -26,7 +26,7 @@ constexpr std::array<HalfSpaceTable, 5> tables{
       "(brock2013 48) with a minus sign before the first term of (43b), the last term of M still missing"}}};
 
 const HalfSpaceTable& half_space_table(std::string_view id) {
-  return tables[static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin())];
+  return table_replays[static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin())];
 }
 
 /// The cells that are 1 because the table's numbers are divided by them.

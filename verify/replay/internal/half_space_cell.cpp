@@ -21,8 +21,6 @@ double last_digit(const data::TableCell& cell) {
   return cell.number->rounding.upper - cell.number->rounding.lower;
 }
 
-double middle(const data::Interval& range) { return std::midpoint(range.lower, range.upper); }
-
 /// A reading with two neighbouring digits exchanged that an attempt meets, in words; or empty.
 std::string exchanged_digits(const data::TableCell& cell, const std::vector<Attempt>& attempts) {
   for (std::size_t place = 0; place + 1 < cell.read_as.size(); ++place) {
@@ -41,7 +39,7 @@ std::string exchanged_digits(const data::TableCell& cell, const std::vector<Atte
 
 std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
   return fmt::format("{:+.1f} units of the fourth decimal from {:.5f}",
-                     (cell.number->value - middle(attempt.range)) / table_unit, middle(attempt.range));
+                     (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
 }
 
 /// The formula's own number, where it does not meet the cell.
@@ -73,7 +71,7 @@ ReplayedCell judge_half_space(const data::Table& table, const HalfSpaceCell& cel
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   const double value = printed.number->value;
   const data::Interval& formula = cell.attempts.front().range;
-  ReplayedCell result{cell.row, cell.column, middle(formula), formula, Verdict::unexplained, ""};
+  ReplayedCell result{cell.row, cell.column, formula.middle(), formula, Verdict::unexplained, ""};
   result.corrected = cell.corrected;
   result.exact = cell.exact;
   if (std::fabs(value - cell.corrected) <= table_unit + binary) {
@@ -84,7 +82,7 @@ ReplayedCell judge_half_space(const data::Table& table, const HalfSpaceCell& cel
     return distance(value, attempt.range) <= last_digit(printed) + binary;
   });
   if (met != cell.attempts.end()) {
-    result.value = middle(met->range);
+    result.value = met->range.middle();
     result.range = met->range;
     result.verdict = met->if_met;
     result.note = joined(cell.error, met->how);

@@ -46,8 +46,6 @@ std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
   }));
 }
 
-double middle(const data::Interval& interval) { return std::midpoint(interval.lower, interval.upper); }
-
 /// What the memory of the sign terms adds to v at the time t, by the loads that pass at T_j, as far as
 /// e^(-rate t) underflows: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j) e^(-rate
 /// (t - T_j))].
@@ -148,8 +146,8 @@ ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_
         other.trailing_elements = trailing_elements;
         return fast::viscoelastic_line_loads_for_length(nip, other, length).presses_everywhere();
       };
-      if (!presses(best->trailing_elements, middle(best->leading_length)) &&
-          presses(method.trailing_elements, middle(leading)))
+      if (!presses(best->trailing_elements, best->leading_length.middle()) &&
+          presses(method.trailing_elements, leading.middle()))
         best = {lengths.front().column, leading, method.trailing_elements};
     }
   }
@@ -191,7 +189,7 @@ RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
                                     const fast::ViscoelasticLineLoadMethod& method,
                                     const data::Interval& leading_length) {
-  return {solve(nip, method, middle(leading_length)),
+  return {solve(nip, method, leading_length.middle()),
           {solve(nip, method, leading_length.lower), solve(nip, method, leading_length.upper)}};
 }
 

@@ -23,7 +23,7 @@ struct Timing {
 /// Times the contenders side by side: each round runs every one of them once, so that a change of the
 /// machine's speed meets all alike; the number of evaluations in a round follows from a first measurement,
 /// about `seconds_per_round`.
-std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, int rounds,
-                                     double seconds_per_round);
+std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, int rounds = 15,
+                                     double seconds_per_round = 5e-3);
 
 }  // namespace nipref::verify

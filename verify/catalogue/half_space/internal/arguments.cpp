@@ -13,7 +13,6 @@ namespace nipref::verify {
 namespace {
 
 using data::seed::graphite_epoxy;
-using data::seed::steel;
 
 /// With the axis normal to the surface, waves polarised across the line have no part in u3 and may be
 /// overtaken.
@@ -22,7 +21,7 @@ ref::ExactStiffness stiffness_of(const ref::ExactTransverse& solid, data::Symmet
                                             : ref::exact_stiffness(solid, axis);
 }
 
-data::SymmetryAxis axis_at(Exacts x, std::size_t at) {
+data::SymmetryAxis exact_axis_at(Exacts x, std::size_t at) {
   return x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
 }
 
@@ -106,13 +105,14 @@ data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
 }
 
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
-  const auto in_steel = [&](std::size_t i) { return x[at + i] / steel.shear; };
-  return {in_steel(1), in_steel(2), in_steel(3), in_steel(4), in_steel(5), x[at + 6] / steel.density};
+  const auto in_steel = [&](std::size_t i) { return x[at + i] / data::seed::steel.shear; };
+  return {in_steel(1), in_steel(2), in_steel(3),
+          in_steel(4), in_steel(5), x[at + 6] / data::seed::steel.density};
 }
 
 ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
   const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
-  constexpr double nu = steel.poisson;
+  constexpr double nu = data::seed::steel.poisson;
   return {solid.c11,
           solid.c33,
           solid.c13,
@@ -123,19 +123,21 @@ ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
-  return exact_transverse_at(x, at, axis_at(x, at));
+  return exact_transverse_at(x, at, exact_axis_at(x, at));
 }
 
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
   const ref::ExactTransverse given(x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]);
-  return stiffness_of(given.over(as_written(steel.shear).value(), as_written(steel.density).value()), axis);
+  return stiffness_of(
+      given.over(as_written(data::seed::steel.shear).value(), as_written(data::seed::steel.density).value()),
+      axis);
 }
 
 void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed) {
   const ref::ExactStiffness solid = exact_transverse_at(x, at);
   const auto motion = ref::SurfaceDirection::of_degrees(theta_deg);
   // About a normal axis all lines are alike but for the speed along them, which is largest along the motion.
-  if (axis_at(x, at) == data::SymmetryAxis::normal) {
+  if (exact_axis_at(x, at) == data::SymmetryAxis::normal) {
     ref::check_subcritical(solid, speed, motion, motion);
   } else {
     ref::check_subcritical(solid, speed, motion);
