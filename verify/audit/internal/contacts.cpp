@@ -63,7 +63,8 @@ void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int 
     kernel_error = std::max(kernel_error, std::fabs(truth.line_loads[k].error_of(computed) - by_rounding));
   }
   audit.kernel_error = kernel_error / size;
-  const double continuous = fast::converged_for_length(nip, Friction::none, length, contact_accuracy).load().value;
+  const double continuous =
+      fast::converged_for_length(nip, Friction::none, length, contact_accuracy).load().value;
   audit.discretisation_error = solution.load / continuous - 1;
 }
 
