@@ -6,6 +6,9 @@
 
 namespace nipref::test {
 
+/// Poisson's ratio where it does not matter.
+inline constexpr double any_poisson = 1. / 3;
+
 /// An isotropic solid of shear modulus 1 under a load that moves along x1 at `speed` shear wave speeds.
 /// (brock2012 18a)
 inline fast::LineResponse isotropic_line(double poisson, double speed, fast::Direction psi) {

@@ -29,3 +29,15 @@ inline Outcome run(const std::string& arguments) {
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, errors.text()};
 }
+
+/// Status 2, nothing on standard output, one line on standard error that says `says`.
+inline void check_call_refused(const std::string& arguments, const std::string& says) {
+  const Outcome outcome = run(arguments);
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  CAPTURE(says);
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.find(says) != std::string::npos);
+  CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
+}

@@ -10,18 +10,19 @@
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/number/internal/feasible_set.hpp>
 
+#include "support/thesis_nips.hpp"
+
 using namespace nipref;
 using fast::Affine;
 using fast::FeasibleSet;
 using fast::LineLoadSolution;
+using test::middling_nip;
+using test::thick_nip;
+using test::thin_nip;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-const data::ElasticNip thick = data::seed::nip(1.0);
-const data::ElasticNip middling = data::seed::nip(0.0625);
-const data::ElasticNip thin = data::seed::nip(0.005);
 
 /// By how much the thesis's conditions are violated, each in units of its own size; <= 0 if they are met.
 double violation(const LineLoadSolution& solution, bool monotone_ratio) {
@@ -77,8 +78,8 @@ TEST_CASE("inside the creep range the thesis's conditions hold, just outside the
     double length;
   };
   int limits = 0;
-  for (const Case& c : {Case{thick, 2, 0.08}, Case{thick, 5, 0.1}, Case{thick, 10, 0.1},
-                        Case{middling, 5, 0.05}, Case{thin, 10, 0.03}, Case{thin, 10, 0.044}}) {
+  for (const Case& c : {Case{thick_nip, 2, 0.08}, Case{thick_nip, 5, 0.1}, Case{thick_nip, 10, 0.1},
+                        Case{middling_nip, 5, 0.05}, Case{thin_nip, 10, 0.03}, Case{thin_nip, 10, 0.044}}) {
     for (const bool monotone : {true, false}) {
       CAPTURE(c.nip.sheet_thickness);
       CAPTURE(c.m);
@@ -102,23 +103,23 @@ TEST_CASE("inside the creep range the thesis's conditions hold, just outside the
 }
 
 TEST_CASE("the thesis's creep is the least in size, and there may be none") {
-  const auto thick_range = fast::creep_ranges(thick, 2, 0.08)[0];
-  const auto chosen = fast::thesis_line_loads_for_length(thick, 2, 0.08);
+  const auto thick_range = fast::creep_ranges(thick_nip, 2, 0.08)[0];
+  const auto chosen = fast::thesis_line_loads_for_length(thick_nip, 2, 0.08);
   REQUIRE(chosen);
   CHECK(thick_range.upper < 0);  // drawn in
   CHECK(*chosen->gripped_creep == thick_range.upper);
-  const auto thin_range = fast::creep_ranges(thin, 10, 0.03)[0];
+  const auto thin_range = fast::creep_ranges(thin_nip, 10, 0.03)[0];
   CHECK(thin_range.lower > 0);  // squeezed out
-  CHECK(*fast::thesis_line_loads_for_length(thin, 10, 0.03)->gripped_creep == thin_range.lower);
+  CHECK(*fast::thesis_line_loads_for_length(thin_nip, 10, 0.03)->gripped_creep == thin_range.lower);
   // One factorisation, whatever the number of conditions.
   fast::Work work;
-  CHECK(fast::creep_ranges(middling, 10, 1.164 * 0.0625, {}, &work).empty());
+  CHECK(fast::creep_ranges(middling_nip, 10, 1.164 * 0.0625, {}, &work).empty());
   CHECK(work.systems == 1);
-  CHECK_FALSE(fast::thesis_line_loads_for_length(middling, 10, 1.164 * 0.0625).has_value());
+  CHECK_FALSE(fast::thesis_line_loads_for_length(middling_nip, 10, 1.164 * 0.0625).has_value());
 }
 
 TEST_CASE("the thesis's choice for a load carries it, by either iteration") {
-  for (const data::ElasticNip& nip : {thick, thin}) {
+  for (const data::ElasticNip& nip : {thick_nip, thin_nip}) {
     const int m = nip.sheet_thickness == 1.0 ? 2 : 10;
     CAPTURE(m);
     fast::Work fast_work;

@@ -4,26 +4,21 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 
 #include "support/line_load_sums.hpp"
+#include "support/thesis_nips.hpp"
 
 using namespace nipref;
 using fast::LineLoadSolution;
 using line_load_tests::displacement;
-
-namespace {
-
-const data::ElasticNip thick = data::seed::nip(1.0);
-const data::ElasticNip middling = data::seed::nip(0.0625);
-const data::ElasticNip thin = data::seed::nip(0.005);
-
-}  // namespace
+using test::middling_nip;
+using test::thick_nip;
+using test::thin_nip;
 
 TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m + 1 points, both sides") {
-  for (const data::ElasticNip& nip : {thick, middling, thin}) {
+  for (const data::ElasticNip& nip : {thick_nip, middling_nip, thin_nip}) {
     for (const int m : {1, 2, 5, 30}) {
       const double length = 1.3 * nip.sheet_thickness;
       const double creep = 2e-3;
@@ -49,27 +44,27 @@ TEST_CASE("with full friction u follows the cylinder and v the creep, at all 2m 
 
 TEST_CASE("displacements between, outside and at the end are those of all loads together") {
   const double length = 0.1;
-  const LineLoadSolution gripped = fast::gripped_line_loads_for_length(middling, 5, length, 1e-3);
-  const LineLoadSolution slipping = fast::line_loads_for_length(middling, 5, length);
+  const LineLoadSolution gripped = fast::gripped_line_loads_for_length(middling_nip, 5, length, 1e-3);
+  const LineLoadSolution slipping = fast::line_loads_for_length(middling_nip, 5, length);
   for (const double y : {0.0, 0.013, -0.041, 0.05, 0.0501, -0.08, 1.5}) {
     CAPTURE(y);
     for (const LineLoadSolution& solution : {gripped, slipping}) {
-      const auto [u, v] = displacement(middling, solution, y);
+      const auto [u, v] = displacement(middling_nip, solution, y);
       const double scale = solution.indentation;
-      CHECK(fast::normal_displacement(middling, solution, 5, y) ==
+      CHECK(fast::normal_displacement(middling_nip, solution, 5, y) ==
             doctest::Approx(u).epsilon(1e-11).scale(scale));
-      CHECK(fast::tangential_displacement(middling, solution, 5, y) ==
+      CHECK(fast::tangential_displacement(middling_nip, solution, 5, y) ==
             doctest::Approx(v).epsilon(1e-11).scale(scale));
     }
   }
-  CHECK(fast::tangential_displacement(middling, gripped, 5, length / 2) ==
+  CHECK(fast::tangential_displacement(middling_nip, gripped, 5, length / 2) ==
         doctest::Approx(1e-3 * length / 2).epsilon(1e-11).scale(0));
-  CHECK_THROWS_AS(fast::normal_displacement(middling, slipping, 5, 0.005), data::BadInput);
-  CHECK_THROWS_AS(fast::tangential_displacement(middling, gripped, 5, std::nan("")), data::BadInput);
+  CHECK_THROWS_AS(fast::normal_displacement(middling_nip, slipping, 5, 0.005), data::BadInput);
+  CHECK_THROWS_AS(fast::tangential_displacement(middling_nip, gripped, 5, std::nan("")), data::BadInput);
 }
 
 TEST_CASE("an element's tractions are its loads over its width, opposite shear on the other side") {
-  const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick, 3, 0.12, -1e-3);
+  const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 3, 0.12, -1e-3);
   const double width = 0.02;
   CHECK(fast::element_pressure(solution, 0.021) ==
         doctest::Approx(solution.line_loads[1] / width).epsilon(1e-14).scale(0));
@@ -78,12 +73,14 @@ TEST_CASE("an element's tractions are its loads over its width, opposite shear o
         doctest::Approx(solution.shear_loads[2] / width).epsilon(1e-14).scale(0));
   CHECK(fast::element_shear(solution, -0.06) == -fast::element_shear(solution, 0.06));
   CHECK(fast::element_pressure(solution, 0.0601) == 0);
-  CHECK(fast::element_shear(fast::line_loads_for_length(thick, 3, 0.12), 0.01) == 0);
+  CHECK(fast::element_shear(fast::line_loads_for_length(thick_nip, 3, 0.12), 0.01) == 0);
   CHECK_THROWS_AS(fast::element_pressure(solution, std::nan("")), data::BadInput);
 }
 
 TEST_CASE("the loads are affine in the creep") {
-  const auto at = [](double creep) { return fast::gripped_line_loads_for_length(middling, 4, 0.07, creep); };
+  const auto at = [](double creep) {
+    return fast::gripped_line_loads_for_length(middling_nip, 4, 0.07, creep);
+  };
   const LineLoadSolution low = at(-1e-3);
   const LineLoadSolution middle = at(0);
   const LineLoadSolution high = at(1e-3);
@@ -116,10 +113,10 @@ TEST_CASE("an incompressible sheet much thicker than the contact couples pressur
 TEST_CASE("length for a load and load for a length are inverse with full friction, over twelve decades") {
   for (double length = 1e-6; length < 2; length *= 10) {
     CAPTURE(length);
-    // The creep of a thick nip is proportional to its length.
+    // The creep of a thick_nip nip is proportional to its length.
     const double creep = -1e-2 * length;
-    const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick, 4, length, creep);
-    const LineLoadSolution again = fast::gripped_line_loads_for_load(thick, 4, solution.load, creep);
+    const LineLoadSolution solution = fast::gripped_line_loads_for_length(thick_nip, 4, length, creep);
+    const LineLoadSolution again = fast::gripped_line_loads_for_load(thick_nip, 4, solution.load, creep);
     CHECK(again.load == doctest::Approx(solution.load).epsilon(1e-12).scale(0));
     CHECK(again.contact_length == doctest::Approx(length).epsilon(1e-9).scale(0));
   }
@@ -127,14 +124,14 @@ TEST_CASE("length for a load and load for a length are inverse with full frictio
 
 TEST_CASE("bad input to the gripped contact is refused") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH_AS(fast::gripped_line_loads_for_length(thick, 2, 0.1, nan), "creep = nan: must be finite",
-                       data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, 2, -0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, {2, -1}, 0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick, {2, 501}, 0.1, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick, 2, 0, 0), data::BadInput);
-  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick, 2, 1, 0, {.tolerance = 0}), data::BadInput);
-  CHECK_THROWS_AS(fast::thesis_line_loads_for_length(thick, 0, 0.1), data::BadInput);
+  CHECK_THROWS_WITH_AS(fast::gripped_line_loads_for_length(thick_nip, 2, 0.1, nan),
+                       "creep = nan: must be finite", data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, 2, -0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, {2, -1}, 0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_length(thick_nip, {2, 501}, 0.1, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick_nip, 2, 0, 0), data::BadInput);
+  CHECK_THROWS_AS(fast::gripped_line_loads_for_load(thick_nip, 2, 1, 0, {.tolerance = 0}), data::BadInput);
+  CHECK_THROWS_AS(fast::thesis_line_loads_for_length(thick_nip, 0, 0.1), data::BadInput);
   // Elements so wide that their loads no longer reach the next matching point.
-  CHECK_THROWS_AS(fast::line_loads_for_length(thin, 1, 301 * 2 * 0.005), data::BadInput);
+  CHECK_THROWS_AS(fast::line_loads_for_length(thin_nip, 1, 301 * 2 * 0.005), data::BadInput);
 }

@@ -59,7 +59,7 @@ constexpr TransverselyIsotropicSolid graphite_epoxy{
     1e9 * data::seed::graphite_epoxy.c66, data::seed::graphite_epoxy.density};
 
 /// lambda = mu: every modulus and Poisson's ratio are doubles.
-constexpr TransverselyIsotropicSolid isotropic{3, 3, 1, 1, 1, 1};
+constexpr TransverselyIsotropicSolid isotropic_moduli{3, 3, 1, 1, 1, 1};
 
 TransverselyIsotropicSolid random_solid(std::mt19937_64& generator) {
   std::uniform_real_distribution<double> unit(0, 1);
@@ -284,7 +284,7 @@ TEST_CASE("transversely isotropic half-space: isotropic moduli answer isotropica
   for (const SymmetryAxis axis : {SymmetryAxis::normal, SymmetryAxis::in_plane}) {
     for (const double speed : {0.0, 1e-6, 0.3, 0.6, 0.9}) {
       const Direction motion{1, 0};
-      const TransverselyIsotropicHalfSpace surface(isotropic, axis, motion, speed);
+      const TransverselyIsotropicHalfSpace surface(isotropic_moduli, axis, motion, speed);
       for (const Direction psi : {Direction{1, 0}, Direction{0.8, 0.6}, Direction{-0.28, 0.96},
                                   Direction{0, 1}, Direction::of_angle(0.1), Direction::of_angle(2)}) {
         const LineResponse expected = fast::isotropic_response({1, 0.25, 1}, speed, psi);

@@ -12,13 +12,15 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/pressure.hpp>
 
+#include "support/softening_sheet.hpp"
+
 using namespace nipref;
+using namespace nipref::test;
 using data::ElasticNip;
 using data::ViscoelasticNip;
 using fast::converged_for_length;
@@ -31,22 +33,6 @@ using fast::ViscoelasticPressure;
 using fast::Work;
 
 namespace {
-
-constexpr data::ElasticNip at_once = data::seed::nip(0.25);
-constexpr double radius = at_once.roller_radius, thickness = at_once.sheet_thickness, load = 50;
-constexpr double bulk = at_once.material.young;  // Poisson's ratio is 1/3
-
-/// One relaxation time in shear and dilatation, twice the instantaneous compliance in the end.
-data::ViscoelasticMaterial solid(double relaxation_time) {
-  return data::single_relaxation_time_solid(bulk, data::thesis_shear_over_bulk * bulk, relaxation_time);
-}
-
-ViscoelasticNip nip(double relaxation_length) { return {radius, thickness, solid(relaxation_length), 1}; }
-
-/// The elastic nip of `compliance` times the instantaneous compliance of `solid`.
-ElasticNip elastic(double compliance) {
-  return {radius, thickness, {bulk / compliance, at_once.material.poisson}};
-}
 
 /// The same, dimensionless.
 ViscoelasticCompliances compliances(double rate) { return {{{rate, rate}}, 0.25, {{rate / 4, rate}}}; }

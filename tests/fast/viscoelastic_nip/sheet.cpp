@@ -19,14 +19,15 @@ using fast::ViscoelasticSheet;
 namespace {
 
 constexpr double speed = 3, half = 0.125, unit = half / speed;
-const data::ViscoelasticNip nip{6, 2 * half, {{1e-5, {{4e-4, 40.0}}}, {3e-6, {{1.2e-4, 40.0}}}}, speed};
+const data::ViscoelasticNip rolled_nip{
+    6, 2 * half, {{1e-5, {{4e-4, 40.0}}}, {3e-6, {{1.2e-4, 40.0}}}}, speed};
 
 }  // namespace
 
 TEST_CASE("sheet: the plain sums and the exact displacements, whichever it was made for") {
-  const ViscoelasticSheet plain(nip, 300), exact(nip, 0);
-  const PlainMovingLoad plain_load(nip.material, speed, half, 300);
-  const MovingLoad exact_load(nip.material, speed, half);
+  const ViscoelasticSheet plain(rolled_nip, 300), exact(rolled_nip, 0);
+  const PlainMovingLoad plain_load(rolled_nip.material, speed, half, 300);
+  const MovingLoad exact_load(rolled_nip.material, speed, half);
   CHECK(plain.plain() != nullptr);
   CHECK(exact.plain() == nullptr);
   for (const double T : {-1.0, 0.4, 5.0}) {
@@ -43,29 +44,31 @@ TEST_CASE("surface under line loads: the roller's shape where it was matched, th
   for (const int terms : {0, 300}) {
     CAPTURE(terms);
     const ViscoelasticLineLoadMethod method{4, 3, 30, terms};
-    const auto loads = fast::viscoelastic_line_loads_for_length(nip, method, 0.06);
-    const ViscoelasticLineLoadSurface surface(nip, loads, method);
+    const auto loads = fast::viscoelastic_line_loads_for_length(rolled_nip, method, 0.06);
+    const ViscoelasticLineLoadSurface surface(rolled_nip, loads, method);
     for (int i = 0; i <= 7; ++i) {
       const double y = loads.leading_length - i * loads.element_width();
       CHECK(surface.normal_displacement(y) ==
-            doctest::Approx(loads.indentation - y * y / (2 * nip.roller_radius)).epsilon(1e-10).scale(0));
+            doctest::Approx(loads.indentation - y * y / (2 * rolled_nip.roller_radius))
+                .epsilon(1e-10)
+                .scale(0));
     }
     CHECK(surface.tangential_displacement(0) == 0);
     const double stretch = surface.tangential_displacement(loads.leading_length) -
                            surface.tangential_displacement(-loads.trailing_length);
     CHECK(stretch / loads.contact_length() ==
-          doctest::Approx(fast::creep_ratio(nip, loads, method)).epsilon(1e-10).scale(0));
+          doctest::Approx(fast::creep_ratio(rolled_nip, loads, method)).epsilon(1e-10).scale(0));
   }
 }
 
 TEST_CASE("surface under line loads: bad input") {
   const ViscoelasticLineLoadMethod method{4, 3, 30, 0};
-  const auto loads = fast::viscoelastic_line_loads_for_length(nip, method, 0.06);
-  CHECK_THROWS_AS(ViscoelasticLineLoadSurface(nip, loads, {4, 4, 30, 0}), data::BadInput);
-  auto standing = nip;
+  const auto loads = fast::viscoelastic_line_loads_for_length(rolled_nip, method, 0.06);
+  CHECK_THROWS_AS(ViscoelasticLineLoadSurface(rolled_nip, loads, {4, 4, 30, 0}), data::BadInput);
+  auto standing = rolled_nip;
   standing.speed = 0;
   CHECK_THROWS_AS(ViscoelasticLineLoadSurface(standing, loads, method), data::BadInput);
-  const ViscoelasticLineLoadSurface surface(nip, loads, method);
+  const ViscoelasticLineLoadSurface surface(rolled_nip, loads, method);
   CHECK_THROWS_AS((void)surface.normal_displacement(0.06 - loads.element_width() / 2), data::BadInput);
   CHECK_THROWS_AS((void)surface.normal_displacement(0.06 + 31 * half), data::BadInput);
   CHECK_THROWS_AS((void)fast::element_pressure(loads, HUGE_VAL), data::BadInput);

@@ -10,15 +10,11 @@
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 
 #include "support/reference_values.hpp"
+#include "support/thesis_nips.hpp"
 
 using namespace nipref;
 using data::ElasticNip;
-
-namespace {
-
-const ElasticNip nip = nipref::data::seed::nip(0.25);
-
-}  // namespace
+using test::quarter_inch_nip;
 
 TEST_CASE("ref converged contact: the double path agrees to 1e-12, its estimates cover the difference") {
   for (const double thickness : {1.0, 0.0625}) {
@@ -41,8 +37,8 @@ TEST_CASE("ref converged contact: the double path agrees to 1e-12, its estimates
 
 TEST_CASE(
     "ref converged contact: more digits stay within the estimate, and the pressure is symmetric and ends") {
-  const auto coarse = ref::converged_for_length(nip, 0.2, 18);
-  const auto fine = ref::converged_for_length(nip, 0.2, 40);
+  const auto coarse = ref::converged_for_length(quarter_inch_nip, 0.2, 18);
+  const auto fine = ref::converged_for_length(quarter_inch_nip, 0.2, 40);
   CHECK(difference(coarse.load(), fine.load()) <= error(coarse.load()));
   CHECK(difference(coarse.indentation(), fine.indentation()) <= error(coarse.indentation()));
   CHECK(difference(coarse.pressure(0.05), fine.pressure(-0.05)) <= error(coarse.pressure(0.05)));
@@ -50,19 +46,26 @@ TEST_CASE(
   CHECK(fine.pressure(0.1).to_double() == 0);
   // Line loads approach it: their distance halves with the elements.
   const auto excess = [&](int m) {
-    return ref::line_loads_for_length(nip, m, 0.2, 16).load.to_double() / fine.load().to_double() - 1;
+    return ref::line_loads_for_length(quarter_inch_nip, m, 0.2, 16).load.to_double() /
+               fine.load().to_double() -
+           1;
   };
   CHECK(std::fabs(excess(40)) < 0.6 * std::fabs(excess(20)));
 }
 
 TEST_CASE("ref converged contact refuses bad input by name") {
   using data::BadInput;
-  CHECK_THROWS_WITH_AS(ref::converged_for_length(nip, 7, 30), doctest::Contains("contact_length"), BadInput);
-  CHECK_THROWS_WITH_AS(ref::converged_for_load(nip, -1, 30), doctest::Contains("load"), BadInput);
-  CHECK_THROWS_WITH_AS(ref::converged_for_load(nip, 1e7, 30), doctest::Contains("load"), BadInput);
-  CHECK_THROWS_WITH_AS(ref::converged_for_load(nip, 1, 101), doctest::Contains("digits"), BadInput);
+  CHECK_THROWS_WITH_AS(ref::converged_for_length(quarter_inch_nip, 7, 30),
+                       doctest::Contains("contact_length"), BadInput);
+  CHECK_THROWS_WITH_AS(ref::converged_for_load(quarter_inch_nip, -1, 30), doctest::Contains("load"),
+                       BadInput);
+  CHECK_THROWS_WITH_AS(ref::converged_for_load(quarter_inch_nip, 1e7, 30), doctest::Contains("load"),
+                       BadInput);
+  CHECK_THROWS_WITH_AS(ref::converged_for_load(quarter_inch_nip, 1, 101), doctest::Contains("digits"),
+                       BadInput);
   // Too small and too large for a double once they are made dimensionless.
-  CHECK_THROWS_WITH_AS(ref::converged_for_load(nip, 5e-324, 30), doctest::Contains("load = "), BadInput);
+  CHECK_THROWS_WITH_AS(ref::converged_for_load(quarter_inch_nip, 5e-324, 30), doctest::Contains("load = "),
+                       BadInput);
   CHECK_THROWS_WITH_AS(ref::converged_for_load({6, 0.25, {1e-60, 0.3}}, 1e308, 30),
                        doctest::Contains("load = "), BadInput);
 }

@@ -14,20 +14,16 @@
 #include <nipref/ref/sheet/displacements.hpp>
 
 #include "support/reference_values.hpp"
+#include "support/thesis_nips.hpp"
 
 using namespace nipref;
 using data::ElasticNip;
-
-namespace {
-
-const ElasticNip nip{6, 0.25, {1.45e5, 1.0 / 3}};
-
-}  // namespace
+using test::quarter_inch_nip;
 
 TEST_CASE("ref line loads: fewer digits enclose more digits") {
   for (const double length : {1e-3, 0.1, 2.0}) {
-    const auto coarse = ref::gripped_line_loads_for_length(nip, 4, length, 1e-3, 20);
-    const auto fine = ref::gripped_line_loads_for_length(nip, 4, length, 1e-3, 60);
+    const auto coarse = ref::gripped_line_loads_for_length(quarter_inch_nip, 4, length, 1e-3, 20);
+    const auto fine = ref::gripped_line_loads_for_length(quarter_inch_nip, 4, length, 1e-3, 60);
     CHECK(difference(coarse.indentation, fine.indentation) <=
           error(coarse.indentation) + error(fine.indentation));
     CHECK(error(coarse.indentation) <= 1e-20 * std::fabs(coarse.indentation.to_double()) * 1e3);
@@ -40,9 +36,9 @@ TEST_CASE("ref line loads: fewer digits enclose more digits") {
 
 TEST_CASE("ref line loads displace the sheet to the roller, summed load by load without the symmetry") {
   const int m = 3;
-  const ref::Exact young(nip.material.young), poisson(nip.material.poisson);
+  const ref::Exact young(quarter_inch_nip.material.young), poisson(quarter_inch_nip.material.poisson);
   const double length = 0.375, creep = -0.0009765625;  // exact in binary, so that all distances are
-  const auto solution = ref::gripped_line_loads_for_length(nip, m, length, creep, 40);
+  const auto solution = ref::gripped_line_loads_for_length(quarter_inch_nip, m, length, creep, 40);
   for (int i = -m; i <= m; ++i) {
     double u = 0, v = 0;
     for (int k = -m; k < m; ++k) {
@@ -69,38 +65,39 @@ TEST_CASE(
     for (const double length : {0.01, 0.1, 1.0}) {
       CAPTURE(m);
       CAPTURE(length);
-      const auto truth = ref::line_loads_for_length(nip, m, length, 30);
-      const auto computed = fast::line_loads_for_length(nip, m, length);
+      const auto truth = ref::line_loads_for_length(quarter_inch_nip, m, length, 30);
+      const auto computed = fast::line_loads_for_length(quarter_inch_nip, m, length);
       CHECK(relative_error(truth.indentation, computed.indentation) < 1e-16 * truth.condition + 4e-16);
       CHECK(relative_error(truth.load, computed.load) < 1e-16 * truth.condition + 4e-16);
 
       std::vector<double> kernel;
       for (int q = 0; q < 2 * m; ++q) kernel.push_back(fast::I1((2 * q + 1) * length / (4 * m) / 0.125));
-      const auto exact_solve = ref::line_loads_from_kernel_values(nip, kernel, length, 30);
+      const auto exact_solve = ref::line_loads_from_kernel_values(quarter_inch_nip, kernel, length, 30);
       const double by_kernels = difference(exact_solve.load, truth.load);
       const double by_rounding = std::fabs(exact_solve.load.error_of(computed.load));
       CHECK(std::fabs(truth.load.error_of(computed.load)) <= 1.01 * (by_kernels + by_rounding));
     }
-    const auto truth = ref::gripped_line_loads_for_length(nip, m, 0.1, 1e-4, 30);
-    const auto computed = fast::gripped_line_loads_for_length(nip, m, 0.1, 1e-4);
+    const auto truth = ref::gripped_line_loads_for_length(quarter_inch_nip, m, 0.1, 1e-4, 30);
+    const auto computed = fast::gripped_line_loads_for_length(quarter_inch_nip, m, 0.1, 1e-4);
     CHECK(relative_error(truth.load, computed.load) < 1e-15 * truth.condition);
   }
 }
 
 TEST_CASE("ref line loads refuse bad input by name") {
   using data::BadInput;
-  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(nip, 0, 0.1, 30), doctest::Contains("elements_per_side"),
+  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 0, 0.1, 30),
+                       doctest::Contains("elements_per_side"), BadInput);
+  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 2, -0.1, 30),
+                       doctest::Contains("contact_length"), BadInput);
+  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 2, 0.1, 5), doctest::Contains("digits"),
                        BadInput);
-  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(nip, 2, -0.1, 30), doctest::Contains("contact_length"),
-                       BadInput);
-  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(nip, 2, 0.1, 5), doctest::Contains("digits"), BadInput);
-  CHECK_THROWS_WITH_AS(ref::gripped_line_loads_for_length(nip, 2, 0.1, HUGE_VAL, 30),
+  CHECK_THROWS_WITH_AS(ref::gripped_line_loads_for_length(quarter_inch_nip, 2, 0.1, HUGE_VAL, 30),
                        doctest::Contains("creep"), BadInput);
   const std::array<double, 3> odd{1, 2, 3};
-  CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(nip, odd, 0.1, 30), doctest::Contains("kernel"),
-                       BadInput);
+  CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(quarter_inch_nip, odd, 0.1, 30),
+                       doctest::Contains("kernel"), BadInput);
   // One value for all distances: every row of the matrix is the same, and no digits make up for that.
   const std::array<double, 4> singular{1, 1, 1, 1};
-  CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(nip, singular, 0.1, 30),
+  CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(quarter_inch_nip, singular, 0.1, 30),
                        doctest::Contains("kernel = 1"), BadInput);
 }

@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <random>
 #include <string>
@@ -9,18 +8,18 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 
+#include "support/decimal.hpp"
+
 // The thesis's closed forms (AII.6, AII.9, AII.13, AII.18), in so many digits that what cancels in them does
 // not matter, against the quadrature of the reference path.
 
 using namespace nipref::ref;
 using nipref::data::BadInput;
+using nipref::test::exact;
 
 namespace {
 
-namespace mp = boost::multiprecision;
-using Float = mp::number<mp::mpfr_float_backend<250>, mp::et_off>;
-
-Exact exact(const std::string& text) { return Exact::parse(text); }
+using Float250 = nipref::test::Decimal<250>;
 
 struct Case {
   std::string lambda, a, b, t, T;
@@ -30,47 +29,47 @@ struct Case {
 struct Closed {
   explicit Closed(const Case& x) : lambda(x.lambda), a(x.a), b(x.b), t(x.t), T(x.T) {}
 
-  Float lambda, a, b, t, T;
+  Float250 lambda, a, b, t, T;
 
-  [[nodiscard]] Float before(bool sine) const {
+  [[nodiscard]] Float250 before(bool sine) const {
     if (T <= 0) return 0;
-    const Float k = lambda + a;
-    const Float square = k * k + b * b;
-    const Float origin = wave(k, T, sine) * exp(-lambda * t - a * T);
+    const Float250 k = lambda + a;
+    const Float250 square = k * k + b * b;
+    const Float250 origin = wave(k, T, sine) * exp(-lambda * t - a * T);
     if (t > T) return ((sine ? b : k) * exp(-lambda * (t - T)) - origin) / square;
     return (wave(k, T - t, sine) * exp(-a * (T - t)) - origin) / square;
   }
 
-  [[nodiscard]] Float after(bool sine) const {
+  [[nodiscard]] Float250 after(bool sine) const {
     if (T >= t) return 0;
-    const Float k = lambda - a;
-    const Float square = k * k + b * b;
-    const Float now = wave(k, T - t, sine) * exp(-a * (t - T));
+    const Float250 k = lambda - a;
+    const Float250 square = k * k + b * b;
+    const Float250 now = wave(k, T - t, sine) * exp(-a * (t - T));
     if (T >= 0) return (now - (sine ? b : k) * exp(-lambda * (t - T))) / square;
     return (now - wave(k, T, sine) * exp(-lambda * t + a * T)) / square;
   }
 
-  [[nodiscard]] Float steps(const Float& gamma0, const Float& gamma) const {
-    const Float side = T > t ? 1 : T < t ? -1 : 0;
-    const Float since = T < 0 ? t : T < t ? t - T : Float(0);
-    const Float until = t - since;
+  [[nodiscard]] Float250 steps(const Float250& gamma0, const Float250& gamma) const {
+    const Float250 side = T > t ? 1 : T < t ? -1 : 0;
+    const Float250 since = T < 0 ? t : T < t ? t - T : Float250(0);
+    const Float250 until = t - since;
     return gamma0 * side +
            gamma / lambda * (exp(-lambda * since) * (1 - exp(-lambda * until)) - (1 - exp(-lambda * since)));
   }
 
  private:
-  [[nodiscard]] Float wave(const Float& k, const Float& x, bool sine) const {
-    return sine ? Float(k * sin(b * x) + b * cos(b * x)) : Float(k * cos(b * x) - b * sin(b * x));
+  [[nodiscard]] Float250 wave(const Float250& k, const Float250& x, bool sine) const {
+    return sine ? Float250(k * sin(b * x) + b * cos(b * x)) : Float250(k * cos(b * x) - b * sin(b * x));
   }
 };
 
-void check_agrees(const Enclosure& reference, const Float& closed) {
-  const Float value(reference.value_text());
-  Float bound;
+void check_agrees(const Enclosure& reference, const Float250& closed) {
+  const Float250 value(reference.value_text());
+  Float250 bound;
   mpfr_set(bound.backend().data(), reference.error_bound.get(), MPFR_RNDU);
-  const Float faded("1e-200000000");
-  CHECK(abs(value - closed) <= bound + abs(closed) * Float("1e-32"));
-  CHECK(bound <= abs(closed) * Float("1e-30") + faded);
+  const Float250 faded("1e-200000000");
+  CHECK(abs(value - closed) <= bound + abs(closed) * Float250("1e-32"));
+  CHECK(bound <= abs(closed) * Float250("1e-30") + faded);
 }
 
 void check_case(const Case& x) {
@@ -88,9 +87,9 @@ void check_case(const Case& x) {
   check_agrees(value(J3), closed.after(true));
   check_agrees(value(J4), closed.after(false));
   check_agrees(J5(exact("0.75"), exact("-2.5"), exact(x.lambda), exact(x.t), exact(x.T), 30),
-               closed.steps(Float("0.75"), Float("-2.5")));
+               closed.steps(Float250("0.75"), Float250("-2.5")));
   check_agrees(J6(exact("-0.75"), exact("2.5"), exact(x.lambda), exact(x.t), exact(x.T), 30),
-               closed.steps(Float("-0.75"), Float("2.5")));
+               closed.steps(Float250("-0.75"), Float250("2.5")));
 }
 
 /// T before, at and after both ends of 0 .. t = 2.

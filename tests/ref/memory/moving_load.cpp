@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -15,75 +14,76 @@
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
+#include "support/decimal.hpp"
+
 // The reference path takes the memory of the sheet from the symbols of the kernels. Here it is the integral over
 // the past itself, by quadrature over the elastic kernels in real space, and what is known of its limits.
 
 using namespace nipref::ref;
 using nipref::data::BadInput;
+using nipref::test::exact;
 
 namespace {
 
-namespace mp = boost::multiprecision;
-using Float = mp::number<mp::mpfr_float_backend<45>, mp::et_off>;
+using Float45 = nipref::test::Decimal<45>;
 
 constexpr int digits = 32;
 
-Exact exact(const std::string& text) { return Exact::parse(text); }
-Exact exact(const Float& x) { return Exact::parse(x.str(45, std::ios_base::scientific)); }
-Float number(const Estimated& x) { return Float(x.value_text()); }
+Float45 number(const Estimated& x) { return Float45(x.value_text()); }
 
-using KernelFunction = std::function<Float(const Float&)>;
+using KernelFunction = std::function<Float45(const Float45&)>;
 
-Float kernel_1(const Float& w) { return number(I1(exact(w), 36)); }
-Float kernel_2(const Float& w) {
-  const Float half_pi = boost::math::constants::half_pi<Float>();
-  return w > 0 ? half_pi : Float(-half_pi);
+Float45 kernel_1(const Float45& w) { return number(I1(exact(w), 36)); }
+Float45 kernel_2(const Float45& w) {
+  const Float45 half_pi = boost::math::constants::half_pi<Float45>();
+  return w > 0 ? half_pi : Float45(-half_pi);
 }
-Float kernel_3(const Float& w) { return number(I3(exact(w), 36)); }
-Float kernel_4(const Float& w) { return number(I4(exact(w), 36)); }
-Float kernel_5(const Float& w) { return number(I5(exact(w), 36)); }
+Float45 kernel_3(const Float45& w) { return number(I3(exact(w), 36)); }
+Float45 kernel_4(const Float45& w) { return number(I4(exact(w), 36)); }
+Float45 kernel_5(const Float45& w) { return number(I5(exact(w), 36)); }
 
 /// int_from^to e^{-rate (w - from)} I(w) dw in pieces that end at 0, where I1 and I2 are singular.
-Float memory_integral(const KernelFunction& kernel, const Float& from, const Float& to, const Float& rate) {
-  static boost::math::quadrature::tanh_sinh<Float> rule(9);
-  const Float nothing("1e-80");
-  const Float zero = 0;
-  const auto piece = [&](const Float& a, const Float& b) -> Float {
+Float45 memory_integral(const KernelFunction& kernel, const Float45& from, const Float45& to,
+                        const Float45& rate) {
+  static boost::math::quadrature::tanh_sinh<Float45> rule(9);
+  const Float45 nothing("1e-80");
+  const Float45 zero = 0;
+  const auto piece = [&](const Float45& a, const Float45& b) -> Float45 {
     if (!(b > a)) return 0;
     // Measured from the end nearer to 0, so that the distance to the singularity is exact.
     const bool backwards = b <= 0;
-    const Float origin = backwards ? b : a;
-    const auto integrand = [&](const Float& v) -> Float {
+    const Float45 origin = backwards ? b : a;
+    const auto integrand = [&](const Float45& v) -> Float45 {
       if (v < nothing) return 0;
-      const Float w = backwards ? Float(origin - v) : Float(origin + v);
+      const Float45 w = backwards ? Float45(origin - v) : Float45(origin + v);
       return exp(-rate * (w - from)) * kernel(w);
     };
-    return rule.integrate(integrand, zero, Float(b - a), Float("1e-34"));
+    return rule.integrate(integrand, zero, Float45(b - a), Float45("1e-34"));
   };
-  Float sum = piece(from, std::min(to, zero));
+  Float45 sum = piece(from, std::min(to, zero));
   // Short pieces near the start, where the memory is fresh.
-  Float left = std::max(from, zero);
-  for (Float length = 2; left < to; length *= 2) {
-    const Float right = std::min(to, Float(left + length));
+  Float45 left = std::max(from, zero);
+  for (Float45 length = 2; left < to; length *= 2) {
+    const Float45 right = std::min(to, Float45(left + length));
     sum += piece(left, right);
     left = right;
   }
   return sum;
 }
 
-Float convolution(const ExactFunction& theta, const KernelFunction& kernel, const Float& from,
-                  const Float& to) {
-  const auto real = [](const mpq_class& x) -> Float {
-    return Float(x.get_num().get_str()) / Float(x.get_den().get_str());
+Float45 convolution(const ExactFunction& theta, const KernelFunction& kernel, const Float45& from,
+                    const Float45& to) {
+  const auto real = [](const mpq_class& x) -> Float45 {
+    return Float45(x.get_num().get_str()) / Float45(x.get_den().get_str());
   };
-  Float sum = real(theta.instantaneous) * kernel(from);
+  Float45 sum = real(theta.instantaneous) * kernel(from);
   for (const ExactFunction::Term& term : theta.terms)
     sum += real(term.amplitude) * memory_integral(kernel, from, to, real(term.rate));
   return sum;
 }
 
-void check_agrees(const Estimated& reference, const Float& other) {
-  const Float tolerance("1e-30");
+void check_agrees(const Estimated& reference, const Float45& other) {
+  const Float45 tolerance("1e-30");
   CHECK(abs(number(reference) - other) <= tolerance * abs(other));
 }
 
@@ -99,9 +99,10 @@ void check_Un(const std::string& t, const std::string& T) {
   CAPTURE(t);
   CAPTURE(T);
   const ExactMaterial solid = two_times();
-  const Float from = Float(T) - Float(t);
-  check_agrees(moving_load_normal_displacement(exact(t), exact(T), one, one, solid, digits),
-               convolution(solid.normal(), kernel_1, from, Float(T)) / boost::math::constants::pi<Float>());
+  const Float45 from = Float45(T) - Float45(t);
+  check_agrees(
+      moving_load_normal_displacement(exact(t), exact(T), one, one, solid, digits),
+      convolution(solid.normal(), kernel_1, from, Float45(T)) / boost::math::constants::pi<Float45>());
 }
 
 void check_Vn(const std::string& t, const std::string& T, const std::string& t0) {
@@ -109,14 +110,14 @@ void check_Vn(const std::string& t, const std::string& T, const std::string& t0)
   CAPTURE(T);
   CAPTURE(t0);
   const ExactMaterial solid = two_times();
-  const Float alpha = Float(T) - Float(t);
-  const Float eta = Float(t0) - Float(t);
-  const Float sum = convolution(solid.normal(), kernel_3, alpha, Float(T)) -
-                    convolution(solid.theta2, kernel_2, alpha, Float(T)) +
-                    convolution(solid.theta2, kernel_4, eta, Float(t0)) -
-                    convolution(solid.theta1, kernel_5, eta, Float(t0));
+  const Float45 alpha = Float45(T) - Float45(t);
+  const Float45 eta = Float45(t0) - Float45(t);
+  const Float45 sum = convolution(solid.normal(), kernel_3, alpha, Float45(T)) -
+                      convolution(solid.theta2, kernel_2, alpha, Float45(T)) +
+                      convolution(solid.theta2, kernel_4, eta, Float45(t0)) -
+                      convolution(solid.theta1, kernel_5, eta, Float45(t0));
   check_agrees(moving_load_tangential_displacement(exact(t), exact(T), exact(t0), one, one, solid, digits),
-               sum / boost::math::constants::pi<Float>());
+               sum / boost::math::constants::pi<Float45>());
 }
 
 double relative_difference(const Estimated& x, const Estimated& y) {
@@ -146,9 +147,9 @@ TEST_CASE("moving load: steady Un is the memory integral of a load that came fro
   for (const std::string alpha : {"0.5", "-1.25", "1e-6"}) {
     CAPTURE(alpha);
     // Beyond w = 40 the kernel is below e^{-84}.
-    check_agrees(
-        moving_load_steady_normal_displacement(exact(alpha), one, one, solid, digits),
-        convolution(solid.normal(), kernel_1, Float(alpha), Float(40)) / boost::math::constants::pi<Float>());
+    check_agrees(moving_load_steady_normal_displacement(exact(alpha), one, one, solid, digits),
+                 convolution(solid.normal(), kernel_1, Float45(alpha), Float45(40)) /
+                     boost::math::constants::pi<Float45>());
   }
 }
 
@@ -166,8 +167,8 @@ TEST_CASE("moving load: the displacements do not jump where the cases meet") {
   const char* near_now = "1.50000000000000000001";
   CHECK(relative_difference(V("0.4", near_now), V("0.4", "1.5")) < 1e-17);
   // At T = t the jump is that of theta2's step, and the value is the mean.
-  const Float mean = (number(V(near_now, "0.4")) + number(V("1.49999999999999999999", "0.4"))) / 2;
-  CHECK(abs(mean / number(V("1.5", "0.4")) - 1) < Float("1e-17"));
+  const Float45 mean = (number(V(near_now, "0.4")) + number(V("1.49999999999999999999", "0.4"))) / 2;
+  CHECK(abs(mean / number(V("1.5", "0.4")) - 1) < Float45("1e-17"));
 }
 
 TEST_CASE("moving load: what happened long ago is forgotten") {
@@ -186,20 +187,20 @@ TEST_CASE("moving load: what happened long ago is forgotten") {
 
 TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
   const ExactMaterial solid = two_times();
-  const Float pi = boost::math::constants::pi<Float>();
+  const Float45 pi = boost::math::constants::pi<Float45>();
   check_agrees(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits),
-               Float(4) / 3 * kernel_1(Float("0.75")) / pi);
+               Float45(4) / 3 * kernel_1(Float45("0.75")) / pi);
   // Young 4/3 and Poisson 1/3 have theta1 = 1, theta2 = 1/3; their rounding to double is seen.
   const double elastic = vn(exact("0.75"), exact("0.5"), Exact(4.0 / 3), Exact(1.0 / 3), 25).to_double();
   CHECK(moving_load_tangential_displacement(exact("0"), exact("0.75"), exact("0.5"), one, one, solid, 25)
             .to_double() == doctest::Approx(elastic).epsilon(1e-14));
   // The memory grows in proportion to the time.
-  const Float start =
+  const Float45 start =
       number(moving_load_normal_displacement(exact("0"), exact("0.75"), one, one, solid, digits));
-  const auto growth = [&](const char* t) -> Float {
+  const auto growth = [&](const char* t) -> Float45 {
     return (number(moving_load_normal_displacement(exact(t), exact("0.75"), one, one, solid, digits)) -
             start) /
-           Float(t);
+           Float45(t);
   };
   CHECK(static_cast<double>(abs(growth("1e-10") / growth("2e-10") - 1)) < 1e-9);
 }
@@ -207,9 +208,9 @@ TEST_CASE("moving load: at first the sheet answers at once, gamma_0 alone") {
 TEST_CASE("moving load: slow and fast motion are the soft and the stiff elastic sheet, to first order") {
   const auto deviation = [](const char* tau, double stiffness) {
     const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, exact("1"), exact(tau));
-    const Float value = number(moving_load_steady_normal_displacement(exact("0.5"), one, one, solid, 25));
-    const Float elastic =
-        Float(stiffness) * 16 / 9 * kernel_1(Float("0.5")) / boost::math::constants::pi<Float>();
+    const Float45 value = number(moving_load_steady_normal_displacement(exact("0.5"), one, one, solid, 25));
+    const Float45 elastic =
+        Float45(stiffness) * 16 / 9 * kernel_1(Float45("0.5")) / boost::math::constants::pi<Float45>();
     return static_cast<double>(value / elastic - 1);
   };
   CHECK(std::abs(deviation("1e-6", 2)) < 1e-5);
@@ -225,7 +226,7 @@ TEST_CASE("moving load: only speed tau/half thickness counts, and bulk scales") 
       moving_load_normal_displacement(exact("3"), exact("2"), exact("6"), exact("4"), solid, 25);
   const Estimated y =
       moving_load_normal_displacement(exact("6"), exact("4"), exact("3"), exact("4"), other, 25);
-  CHECK(abs(2 * number(x) / number(y) - 1) < Float("1e-24"));
+  CHECK(abs(2 * number(x) / number(y) - 1) < Float45("1e-24"));
 }
 
 TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
@@ -280,11 +281,11 @@ TEST_CASE("moving load: the estimated bounds hold against more digits, whatever 
         return moving_load_steady_tangential_displacement(exact(alpha), exact("0.7"), one, one, solid, n);
       });
       difference([&](int n) {
-        return moving_load_normal_displacement(exact("4"), exact(Float(alpha) + 4), one, one, solid, n);
+        return moving_load_normal_displacement(exact("4"), exact(Float45(alpha) + 4), one, one, solid, n);
       });
       difference([&](int n) {
-        return moving_load_tangential_displacement(exact("4"), exact(Float(alpha) + 4), exact("-3"), one, one,
-                                                   solid, n);
+        return moving_load_tangential_displacement(exact("4"), exact(Float45(alpha) + 4), exact("-3"), one,
+                                                   one, solid, n);
       });
     }
   }

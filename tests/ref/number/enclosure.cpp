@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -12,16 +11,18 @@
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 
+#include "support/decimal.hpp"
+
 using namespace nipref::ref;
 using nipref::data::BadInput;
+using nipref::test::exact;
 
 namespace {
 
-using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<160>>;
+using Float160 = nipref::test::Decimal<160>;
 
-Exact exact(const std::string& text) { return Exact::parse(text); }
-Float value(const Enclosure& e) { return Float(e.value_text()); }
-Float bound(const Enclosure& e) { return Float(e.bound_text()); }
+Float160 value(const Enclosure& e) { return Float160(e.value_text()); }
+Float160 bound(const Enclosure& e) { return Float160(e.bound_text()); }
 
 using Kernel = Enclosure (*)(const Exact&, int);
 const std::vector<Kernel> kernels{I1, I2, I3, I4, I5, I7};
@@ -30,9 +31,9 @@ const std::vector<std::string> arguments{
 
 /// The promise: the bound is at most 10^-digits min(1, |truth|), and it holds against a far better value.
 void check_promise(const Enclosure& coarse, const Enclosure& fine) {
-  const Float truth = value(fine);
-  const Float size = abs(truth) < 1 ? Float(abs(truth)) : Float(1);
-  CHECK(bound(coarse) <= size * pow(Float(10), -coarse.digits) * Float("1.000001"));
+  const Float160 truth = value(fine);
+  const Float160 size = abs(truth) < 1 ? Float160(abs(truth)) : Float160(1);
+  CHECK(bound(coarse) <= size * pow(Float160(10), -coarse.digits) * Float160("1.000001"));
   CHECK(abs(value(coarse) - truth) <= bound(coarse) + bound(fine));
 }
 
@@ -54,16 +55,16 @@ TEST_CASE("bounds hold and are as small as asked, for every kernel and argument"
 
 TEST_CASE("next to a zero of the kernel the digits are those of the value") {
   // I1 changes sign between these; the closer end of each bracket is small.
-  Float left("1");
-  Float right("2");
-  const auto at = [](const Float& x) { return value(I1(exact(x.str(60)), 20)); };
+  Float160 left("1");
+  Float160 right("2");
+  const auto at = [](const Float160& x) { return value(I1(exact(x.str(60)), 20)); };
   REQUIRE(at(left) * at(right) < 0);
   for (int halving = 0; halving < 90; ++halving) {
-    const Float middle = (left + right) / 2;
+    const Float160 middle = (left + right) / 2;
     (at(middle) * at(left) > 0 ? left : right) = middle;
   }
   const Enclosure coarse = I1(exact(left.str(60)), 30);
-  REQUIRE(abs(value(coarse)) < Float("1e-25"));
+  REQUIRE(abs(value(coarse)) < Float160("1e-25"));
   check_promise(coarse, I1(exact(left.str(60)), 60));
 }
 
@@ -85,16 +86,16 @@ TEST_CASE("I6 - I1 is a kernel without singularity: it agrees with its small-arg
   // int 2 [cos(a x) - cosh x cos(e x)]/(x S) dx is even in a and analytic at 0, so it changes by O(a^2).
   const Exact eta = exact("0.9");
   const auto smooth = [&](const char* a) {
-    return Float(value(I6(exact(a), eta, 80)) - value(I1(exact(a), 80)));
+    return Float160(value(I6(exact(a), eta, 80)) - value(I1(exact(a), 80)));
   };
-  const Float change = smooth("1e-20") - smooth("2e-20");
-  CHECK(abs(change) < Float("1e-39"));
-  CHECK(abs(smooth("1e-10") - smooth("2e-10") - change * Float("1e20")) < Float("1e-38"));
+  const Float160 change = smooth("1e-20") - smooth("2e-20");
+  CHECK(abs(change) < Float160("1e-39"));
+  CHECK(abs(smooth("1e-10") - smooth("2e-10") - change * Float160("1e20")) < Float160("1e-38"));
 }
 
 TEST_CASE("I1 behaves like -ln alpha - 0.3516753926187 at 0 (the constant is the notes')") {
-  const Float a("1e-20");
-  CHECK(abs(value(I1(exact("1e-20"), 40)) + log(a) + Float("0.3516753926187")) < Float("1e-13"));
+  const Float160 a("1e-20");
+  CHECK(abs(value(I1(exact("1e-20"), 40)) + log(a) + Float160("0.3516753926187")) < Float160("1e-13"));
 }
 
 TEST_CASE("the decimal and the double 0.1 are different arguments") {
@@ -113,13 +114,13 @@ TEST_CASE("displacements are what their kernels make of them") {
   const Exact eta = exact("-1.9");
   const Exact young = exact("145000");
   const Exact poisson = exact("0.25");
-  const Float pi = boost::math::constants::pi<Float>();
-  const Float theta1 = Float(1.25) / 145000;
-  const Float theta2 = theta1 / 2;
-  const Float normal = theta1 + theta2;
+  const Float160 pi = boost::math::constants::pi<Float160>();
+  const Float160 theta1 = Float160(1.25) / 145000;
+  const Float160 theta2 = theta1 / 2;
+  const Float160 normal = theta1 + theta2;
   const auto k = [](const Enclosure& e) { return value(e); };
-  const auto close = [](const Enclosure& e, const Float& x) {
-    CHECK(abs(value(e) - x) <= 2 * bound(e) + abs(x) * Float("1e-45"));
+  const auto close = [](const Enclosure& e, const Float160& x) {
+    CHECK(abs(value(e) - x) <= 2 * bound(e) + abs(x) * Float160("1e-45"));
   };
   close(un(alpha, young, poisson, 40), normal / pi * k(I1(alpha, 50)));
   close(us(alpha, young, poisson, 40), (theta2 * k(I2(alpha, 50)) - normal * k(I3(alpha, 50))) / pi);
@@ -130,12 +131,12 @@ TEST_CASE("displacements are what their kernels make of them") {
   close(F1(eta, poisson, 40), (theta2 * k(I4(eta, 50)) - theta1 * k(I5(eta, 50))) / (pi * normal));
   // F2 is what vs/N leaves when the part in alpha is taken off: the same for every alpha, and known from one.
   const Exact other = exact("2.2");
-  const Float alpha_part = value(vs(alpha, eta, young, poisson, 50)) / normal - k(F2(eta, poisson, 50));
-  const Float same_eta0 =
+  const Float160 alpha_part = value(vs(alpha, eta, young, poisson, 50)) / normal - k(F2(eta, poisson, 50));
+  const Float160 same_eta0 =
       value(vs(alpha, exact("3"), young, poisson, 50)) / normal - k(F2(exact("3"), poisson, 50));
-  CHECK(abs(alpha_part - same_eta0) < Float("1e-42"));
+  CHECK(abs(alpha_part - same_eta0) < Float160("1e-42"));
   CHECK(abs(alpha_part - (value(vs(other, eta, young, poisson, 50)) / normal - k(F2(eta, poisson, 50)))) >
-        Float("0.1"));
+        Float160("0.1"));
 }
 
 TEST_CASE("exact zeros are exact") {

@@ -1,8 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/mpc.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -11,29 +9,27 @@
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 
+#include "support/decimal.hpp"
+
 // Second methods for the reference path, which share nothing with it but the definition of the kernels: the
 // contour turned to the ray arg z = pi/4 with a double-exponential rule, and for larger arguments the residue
 // series in many digits.
 
 using namespace nipref::ref;
+using nipref::test::ComplexDecimal;
+using nipref::test::Decimal;
+using nipref::test::exact;
 
 namespace {
 
-namespace mp = boost::multiprecision;
-template <unsigned digits>
-using Float = mp::number<mp::mpfr_float_backend<digits>, mp::et_off>;
-template <unsigned digits>
-using ComplexFloat = mp::number<mp::mpc_complex_backend<digits>, mp::et_off>;
-using Float60 = Float<60>;
-using Complex60 = ComplexFloat<60>;
-
-Exact exact(const std::string& text) { return Exact::parse(text); }
+using Float60 = Decimal<60>;
+using Complex60 = ComplexDecimal<60>;
 
 template <unsigned digits>
-void check_agrees(const Enclosure& reference, const Float<digits>& other, const char* tolerance) {
-  const Float<digits> value(reference.value_text());
-  const Float<digits> bound(reference.bound_text());
-  CHECK(abs(value - other) <= bound + Float<digits>(tolerance) * abs(other));
+void check_agrees(const Enclosure& reference, const Decimal<digits>& other, const char* tolerance) {
+  const Decimal<digits> value(reference.value_text());
+  const Decimal<digits> bound(reference.bound_text());
+  CHECK(abs(value - other) <= bound + Decimal<digits>(tolerance) * abs(other));
 }
 
 template <class Complex>
@@ -97,17 +93,17 @@ Float60 I6_along_ray(const Float60& a, const Float60& e) {
 
 /// 2 pi sum_n c(z_n) e^{i z_n a} over the roots of the first quadrant.
 template <unsigned digits>
-ComplexFloat<digits> residues(const Float<digits>& a,
-                              ComplexFloat<digits> (*coefficient)(const ComplexFloat<digits>&)) {
-  using Complex = ComplexFloat<digits>;
+ComplexDecimal<digits> residues(const Decimal<digits>& a,
+                                ComplexDecimal<digits> (*coefficient)(const ComplexDecimal<digits>&)) {
+  using Complex = ComplexDecimal<digits>;
   const int terms = 3 + static_cast<int>(std::ceil(digits * 2.31 / (3.14 * a.template convert_to<double>())));
   Complex sum(0);
   for (int n = 1; n <= terms; ++n) {
     const SheetRoot root = sheet_root(n, static_cast<int>(digits) + 10);
-    const Complex z(Float<digits>(root.re.value_text()), Float<digits>(root.im.value_text()));
+    const Complex z(Decimal<digits>(root.re.value_text()), Decimal<digits>(root.im.value_text()));
     sum += coefficient(z) * exp(Complex(0, 1) * z * a);
   }
-  return 2 * boost::math::constants::pi<Float<digits>>() * sum;
+  return 2 * boost::math::constants::pi<Decimal<digits>>() * sum;
 }
 
 template <class Complex>
@@ -175,7 +171,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the residue series confirms 300 digits") {
-  const Float<320> a("40.25");
-  check_agrees(I1(exact("40.25"), 300), Float<320>(-residues<320>(a, I1_residue).imag()), "1e-310");
-  check_agrees(I7(exact("40.25"), 300), Float<320>(-residues<320>(a, I7_residue).imag()), "1e-310");
+  const Decimal<320> a("40.25");
+  check_agrees(I1(exact("40.25"), 300), Decimal<320>(-residues<320>(a, I1_residue).imag()), "1e-310");
+  check_agrees(I7(exact("40.25"), 300), Decimal<320>(-residues<320>(a, I7_residue).imag()), "1e-310");
 }

@@ -6,6 +6,8 @@
 #include <nipref/ref/sheet/internal/nodes.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
+#include "support/all_symbols.hpp"
+
 using namespace nipref::ref;
 
 namespace {
@@ -34,9 +36,6 @@ double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   }
   return worst;
 }
-
-constexpr Symbol all_symbols[] = {Symbol::normal, Symbol::I3,       Symbol::I4,    Symbol::I5,
-                                  Symbol::I7,     Symbol::I6_alpha, Symbol::I6_eta};
 
 bool line_is_used(Symbol symbol, Line line) {
   return bounds(symbol).amplitude[static_cast<std::size_t>(line)] > 0;

@@ -1,32 +1,30 @@
 #include <doctest/doctest.h>
 
-#include <boost/multiprecision/mpc.hpp>
-#include <boost/multiprecision/mpfr.hpp>
 #include <complex>
 #include <numbers>
 
 #include <nipref/ref/sheet/roots.hpp>
 
+#include "support/decimal.hpp"
+
 using namespace nipref::ref;
 
 namespace {
-using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<120>,
-                                            boost::multiprecision::et_off>;
-using Complex = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<120>,
-                                              boost::multiprecision::et_off>;
+using Float120 = nipref::test::Decimal<120>;
+using Complex120 = nipref::test::ComplexDecimal<120>;
 
-Complex root(long n) {
+Complex120 root(long n) {
   const SheetRoot r = sheet_root(n, 100);
-  return {Float(r.re.value_text()), Float(r.im.value_text())};
+  return {Float120(r.re.value_text()), Float120(r.im.value_text())};
 }
 }  // namespace
 
 TEST_CASE("the roots satisfy sinh 2z + 2z = 0 to their bounds") {
   for (const long n : {1L, 2L, 3L, 17L, 1000L, 1000000L}) {
     CAPTURE(n);
-    const Complex z = root(n);
-    const Float slope = abs(4 * cosh(z) * cosh(z));
-    CHECK(abs(sinh(2 * z) + 2 * z) <= slope * Float(sheet_root(n, 100).im.bound_text()) * 3);
+    const Complex120 z = root(n);
+    const Float120 slope = abs(4 * cosh(z) * cosh(z));
+    CHECK(abs(sinh(2 * z) + 2 * z) <= slope * Float120(sheet_root(n, 100).im.bound_text()) * 3);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <nipref/ref/number/interval.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
 
+#include "support/all_symbols.hpp"
+
 // Proves the constants of ref/sheet/internal/symbols.cpp: |G| is enclosed on cells of a mesh in interval arithmetic.
 //
 // With e1 = e^{-z}, e2 = e^{-2z}, Q = 1 - e2^2 + 4 z e2 = 2 e2 S the symbols times e^{r z} are
@@ -152,9 +154,6 @@ double integral_on(Symbol symbol, double y, int power) {
   });
   return sum + std::exp(-35.0);
 }
-
-constexpr Symbol all_symbols[] = {Symbol::normal, Symbol::I3,       Symbol::I4,    Symbol::I5,
-                                  Symbol::I7,     Symbol::I6_alpha, Symbol::I6_eta};
 
 }  // namespace
 

@@ -16,16 +16,6 @@ std::string example(const std::string& name) {
   return "'" + source_directory() + "/data/scenes/" + name + ".toml'";
 }
 
-void check_refused(const std::string& arguments, const std::string& says) {
-  CAPTURE(arguments);
-  const Outcome outcome = run(arguments);
-  CAPTURE(outcome.err);
-  CHECK(outcome.status == 2);
-  CHECK(outcome.out.empty());
-  CHECK(std::ranges::count(outcome.err, '\n') == 1);
-  CHECK(outcome.err.find(says) != std::string::npos);
-}
-
 std::set<std::string> keys_of(const json& object) {
   std::set<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.insert(key);
@@ -79,21 +69,21 @@ TEST_CASE("solve by ref gives its numbers as text, with the digits that are aske
 }
 
 TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") {
-  check_refused("solve", "scene = (missing)");
-  check_refused("solve /nowhere.toml", "/nowhere.toml: scene = /nowhere.toml");
-  check_refused("solve " + example("thick-frictionless") + " two.toml", "argument = two.toml");
-  check_refused("solve " + example("thick-frictionless") + " --path both",
-                "path = both: must be ref or fast");
-  check_refused("solve " + example("thick-frictionless") + " rtol=1e-3", "rtol = 1e-3");
-  check_refused("solve " + example("thick-frictionless") + " path=ref digits=15", "digits = 15");
-  check_refused("solve " + example("thick-full-friction") + " path=ref", "friction.model = full");
+  check_call_refused("solve", "scene = (missing)");
+  check_call_refused("solve /nowhere.toml", "/nowhere.toml: scene = /nowhere.toml");
+  check_call_refused("solve " + example("thick-frictionless") + " two.toml", "argument = two.toml");
+  check_call_refused("solve " + example("thick-frictionless") + " --path both",
+                     "path = both: must be ref or fast");
+  check_call_refused("solve " + example("thick-frictionless") + " rtol=1e-3", "rtol = 1e-3");
+  check_call_refused("solve " + example("thick-frictionless") + " path=ref digits=15", "digits = 15");
+  check_call_refused("solve " + example("thick-full-friction") + " path=ref", "friction.model = full");
 }
 
 TEST_CASE("a bad scene: status 2, one line with file, line, key and value") {
   const ScratchFile scene("title = \"x\"\n[roller]\nradius = 0\n");
-  check_refused("solve " + scene.path(), scene.path() + ": wanted = (missing)");
+  check_call_refused("solve " + scene.path(), scene.path() + ": wanted = (missing)");
   const ScratchFile two_lines("title = \"x\"\nwanted = [\"load\"]\n\n[material]\nmodel = \"ela\\nstic\"\n");
-  check_refused("solve " + two_lines.path(), two_lines.path() + ":5: material.model = ela stic: ");
+  check_call_refused("solve " + two_lines.path(), two_lines.path() + ":5: material.model = ela stic: ");
 }
 
 TEST_CASE("a load whose contact would be longer than the radius is refused at its line") {
@@ -101,5 +91,5 @@ TEST_CASE("a load whose contact would be longer than the radius is refused at it
       "title = \"too much\"\nwanted = [\"load\"]\n[roller]\nradius = 1\n[sheet]\nthickness = 1\n[material]\n"
       "model = \"elastic\"\nyoung = 1\npoisson = 0.3\n[load]\nper_length = 10\n[friction]\nmodel = \"none\"\n"
       "[method]\nkind = \"converged\"\n");
-  check_refused("solve " + scene.path(), scene.path() + ":12: load.per_length = 10: ");
+  check_call_refused("solve " + scene.path(), scene.path() + ":12: load.per_length = 10: ");
 }

@@ -30,11 +30,6 @@ namespace {
 /// nu = 1/3: mu = 1, lambda + 2 mu = 4.
 const data::IsotropicSolid isotropic{1, 1.0 / 3, 1};
 
-const ReplayedCell& cell_of(const Replay& replay, std::size_t row, const std::string& column) {
-  return *std::ranges::find_if(
-      replay.cells, [&](const ReplayedCell& cell) { return cell.row == row && cell.column == column; });
-}
-
 bool says(const ReplayedCell& cell, const std::string& part) {
   return cell.note.find(part) != std::string::npos;
 }

@@ -114,12 +114,7 @@ TEST_CASE("where L is not printed the row is replayed from L/B, which then count
 
 TEST_CASE("the notes of missed cells say what would meet them") {
   const auto note = [](const std::string& id, std::size_t row, const std::string& column) {
-    const verify::Replay& replay = replayed(id);
-    return std::ranges::find_if(replay.cells,
-                                [&](const verify::ReplayedCell& replayed) {
-                                  return replayed.row == row && replayed.column == column;
-                                })
-        ->note;
+    return cell_of(replayed(id), row, column).note;
   };
   const auto says = [](const std::string& text, const std::string& part) {
     CAPTURE(text);

@@ -29,11 +29,6 @@ std::size_t legible(const Replay& replay) {
   }));
 }
 
-const ReplayedCell& cell_of(const Replay& replay, std::size_t row, const std::string& column) {
-  return *std::ranges::find_if(
-      replay.cells, [&](const ReplayedCell& cell) { return cell.row == row && cell.column == column; });
-}
-
 const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5, 20.0}}}}, 1};
 
 }  // namespace

@@ -7,23 +7,25 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/solved_scene.hpp"
+#include "support/thesis_nips.hpp"
+
 using namespace nipref;
 using fast::Estimate;
+using test::quarter_inch_nip;
 
 namespace {
 
-const data::ElasticNip nip = data::seed::nip(0.25);
-constexpr double accuracy = 1e-9;
+constexpr double asked_accuracy = 1e-9;
 
-data::ElasticNipProblem problem_of(data::Friction friction, int elements) {
-  return {.nip = nip,
+data::ElasticNipProblem line_load_problem(data::Friction friction, int elements) {
+  return {.nip = quarter_inch_nip,
           .given = data::GivenLoad{100},
           .friction = friction,
           .creep_ratio = {},
@@ -32,15 +34,7 @@ data::ElasticNipProblem problem_of(data::Friction friction, int elements) {
 }
 
 data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<std::string>& wanted) {
-  return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = problem, .origin = {}};
-}
-
-std::vector<std::string> all_names() {
-  std::vector<std::string> names;
-  for (const data::SceneResult& result : data::scene_results()) {
-    if (result.is_of(data::SceneKind::nip)) names.emplace_back(result.name);
-  }
-  return names;
+  return {.title = "test", .wanted = wanted, .accuracy = asked_accuracy, .system = problem, .origin = {}};
 }
 
 data::ElasticNipProblem converged(data::ElasticNipProblem problem) {
@@ -58,15 +52,15 @@ void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineL
   CHECK(solution["edge_displacement"].value == close(expected.edge_displacement));
   CHECK(solution["peak_pressure"].value == close(expected.peak_pressure));
   CHECK(solution["peak_shear"].value == close(expected.peak_shear));
-  CHECK(solution["creep_ratio"].value == close(fast::creep_ratio(nip, expected, method)));
+  CHECK(solution["creep_ratio"].value == close(fast::creep_ratio(quarter_inch_nip, expected, method)));
   for (std::size_t i = 0; i < solution.positions.size(); ++i) {
     const double y = solution.positions[i];
     CHECK(solution.profile("pressure")[i].value == close(fast::element_pressure(expected, y)));
     CHECK(solution.profile("shear")[i].value == close(fast::element_shear(expected, y)));
     CHECK(solution.profile("normal_displacement")[i].value ==
-          close(fast::normal_displacement(nip, expected, method, y)));
+          close(fast::normal_displacement(quarter_inch_nip, expected, method, y)));
     CHECK(solution.profile("tangential_displacement")[i].value ==
-          close(fast::tangential_displacement(nip, expected, method, y)));
+          close(fast::tangential_displacement(quarter_inch_nip, expected, method, y)));
   }
 }
 
@@ -83,36 +77,37 @@ int first_kernel_beside(const fast::Work& work, const std::vector<int>& allowed)
 }  // namespace
 
 TEST_CASE("each name of a line-load scene is the solver's result of that name") {
-  const fast::LineLoadMethod method(4, 0, fast::Accuracy(accuracy));
-  data::ElasticNipProblem problem = problem_of(data::Friction::none, 4);
-  check_is(verify::solve(scene_of(problem, all_names())), fast::line_loads_for_load(nip, method, 100),
-           method);
+  const fast::LineLoadMethod method(4, 0, fast::Accuracy(asked_accuracy));
+  data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 4);
+  check_is(verify::solve(scene_of(problem, all_names())),
+           fast::line_loads_for_load(quarter_inch_nip, method, 100), method);
   problem.given = data::GivenLength{0.2};
-  check_is(verify::solve(scene_of(problem, all_names())), fast::line_loads_for_length(nip, method, 0.2),
-           method);
+  check_is(verify::solve(scene_of(problem, all_names())),
+           fast::line_loads_for_length(quarter_inch_nip, method, 0.2), method);
 
   problem.friction = data::Friction::full;
   problem.creep_ratio = 1e-4;
   check_is(verify::solve(scene_of(problem, all_names())),
-           fast::gripped_line_loads_for_length(nip, method, 0.2, 1e-4), method);
+           fast::gripped_line_loads_for_length(quarter_inch_nip, method, 0.2, 1e-4), method);
   problem.given = data::GivenLoad{100};
   check_is(verify::solve(scene_of(problem, all_names())),
-           fast::gripped_line_loads_for_load(nip, method, 100, 1e-4), method);
+           fast::gripped_line_loads_for_load(quarter_inch_nip, method, 100, 1e-4), method);
 }
 
 TEST_CASE(
     "without a creep ratio line loads with friction take the thesis's, and carry the load that is given") {
-  const fast::LineLoadMethod method(3, 0, fast::Accuracy(accuracy));
-  const auto solution = verify::solve(scene_of(problem_of(data::Friction::full, 3), all_names()));
+  const fast::LineLoadMethod method(3, 0, fast::Accuracy(asked_accuracy));
+  const auto solution = verify::solve(scene_of(line_load_problem(data::Friction::full, 3), all_names()));
   CHECK(solution["load"].value == doctest::Approx(100).epsilon(1e-9));
-  const auto expected = fast::thesis_line_loads_for_length(nip, method, solution["contact_length"].value);
+  const auto expected =
+      fast::thesis_line_loads_for_length(quarter_inch_nip, method, solution["contact_length"].value);
   REQUIRE(expected.has_value());
   check_is(solution, *expected, method);
 }
 
 TEST_CASE("the error estimate of line loads is their distance to the continuous contact, and at least that") {
   for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
-    const data::ElasticNipProblem problem = problem_of(friction, 3);
+    const data::ElasticNipProblem problem = line_load_problem(friction, 3);
     const auto loads = verify::solve(scene_of(problem, all_names()));
     const auto truth = verify::solve(scene_of(converged(problem), all_names()));
     for (std::size_t r = 0; r < loads.results.size(); ++r) {
@@ -129,8 +124,8 @@ TEST_CASE("the error estimate of line loads is their distance to the continuous 
 
 TEST_CASE("more line loads come closer to the continuous contact") {
   const auto length_error = [](int elements) {
-    return verify::solve(
-               scene_of(problem_of(data::Friction::none, elements), {"contact_length"}))["contact_length"]
+    return verify::solve(scene_of(line_load_problem(data::Friction::none, elements),
+                                  {"contact_length"}))["contact_length"]
         .error;
   };
   CHECK(length_error(40) < length_error(10) / 2);
@@ -139,7 +134,7 @@ TEST_CASE("more line loads come closer to the continuous contact") {
 
 TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and so do their error estimates") {
   const auto work_of = [](data::Friction friction, const std::vector<std::string>& wanted) {
-    const auto solution = verify::solve(scene_of(problem_of(friction, 3), wanted));
+    const auto solution = verify::solve(scene_of(line_load_problem(friction, 3), wanted));
     CHECK(solution.work.kernel_evaluations[0] > 0);
     CHECK(solution.error_work.kernel_evaluations[0] > 0);
     fast::Work both = solution.work;
@@ -155,7 +150,7 @@ TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and s
 }
 
 TEST_CASE("residue terms are counted value by value, and change nothing where the elements are wide") {
-  data::ElasticNipProblem problem = problem_of(data::Friction::none, 3);
+  data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 3);
   problem.given = data::GivenLength{0.3};
   const auto library = verify::solve(scene_of(problem, {"load"}));
   problem.method = data::LineLoads{3, 3, 500};
@@ -168,7 +163,7 @@ TEST_CASE("residue terms are counted value by value, and change nothing where th
 }
 
 TEST_CASE("a displacement wanted at a line load is refused by its position") {
-  data::ElasticNipProblem problem = problem_of(data::Friction::none, 1);
+  data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 1);
   problem.given = data::GivenLength{0.5};
   problem.profile = data::Positions{{0.0, 0.125}};
   CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"normal_displacement"})),
@@ -177,7 +172,7 @@ TEST_CASE("a displacement wanted at a line load is refused by its position") {
 }
 
 TEST_CASE("line loads have the same allowed contacts as the continuous one") {
-  data::ElasticNipProblem problem = problem_of(data::Friction::none, 2);
+  data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 2);
   for (const double load : {1e-200, 1e10}) {
     problem.given = data::GivenLoad{load};
     try {
@@ -190,7 +185,7 @@ TEST_CASE("line loads have the same allowed contacts as the continuous one") {
 }
 
 TEST_CASE("where no creep meets the thesis's conditions, the refusal says so and what would help") {
-  data::ElasticNipProblem problem = problem_of(data::Friction::full, 50);
+  data::ElasticNipProblem problem = line_load_problem(data::Friction::full, 50);
   problem.nip.sheet_thickness = 0.0625;
   REQUIRE_FALSE(fast::thesis_line_loads_for_length(problem.nip, fast::LineLoadMethod(50), 0.1).has_value());
   const std::string why =

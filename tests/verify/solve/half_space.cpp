@@ -9,6 +9,7 @@
 
 #include "support/refused_scene.hpp"
 #include "support/scratch_file.hpp"
+#include "support/solved_scene.hpp"
 
 using namespace nipref;
 
@@ -34,11 +35,6 @@ std::string sliding(const std::string& speed, const std::string& more = "") {
 std::string wanting(const std::string& names) { return "title = \"x\"\nwanted = [" + names + "]\n"; }
 
 const std::string spans = wanting(R"("span_along", "span_across", "normal_force", "peak_pressure")");
-
-verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
-  const ScratchFile file(text);
-  return verify::solve(data::load_scene(file.path()));
-}
 
 void check_same(const std::string& a, const std::string& b, double tolerance) {
   const auto x = solved(a), y = solved(b);

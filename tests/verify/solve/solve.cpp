@@ -7,40 +7,30 @@
 #include <string>
 #include <vector>
 
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/solved_scene.hpp"
+#include "support/thesis_nips.hpp"
+
 using namespace nipref;
 using fast::Estimate;
+using test::quarter_inch_nip;
 
 namespace {
 
-const data::ElasticNip nip = data::seed::nip(0.25);
 const data::Positions inside_and_outside{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}};
 
 data::Scene scene_of(data::Friction friction, const std::vector<std::string>& wanted,
                      double accuracy = 1e-8) {
-  data::ElasticNipProblem problem{.nip = nip,
+  data::ElasticNipProblem problem{.nip = quarter_inch_nip,
                                   .given = data::GivenLoad{100},
                                   .friction = friction,
                                   .creep_ratio = {},
                                   .method = data::ConvergedMethod{},
                                   .profile = inside_and_outside};
   return {.title = "test", .wanted = wanted, .accuracy = accuracy, .system = problem, .origin = {}};
-}
-
-data::ElasticNipProblem& problem_of(data::Scene& scene) {
-  return std::get<data::ElasticNipProblem>(scene.system);
-}
-
-std::vector<std::string> all_names() {
-  std::vector<std::string> names;
-  for (const data::SceneResult& result : data::scene_results()) {
-    if (result.is_of(data::SceneKind::nip)) names.emplace_back(result.name);
-  }
-  return names;
 }
 
 /// Values of the kernels that shear or tangential displacement need.
@@ -68,7 +58,7 @@ const data::Friction frictions[] = {data::Friction::none, data::Friction::full};
 TEST_CASE("each name of a scene is the solver's result of that name") {
   for (const data::Friction friction : frictions) {
     const auto solution = verify::solve(scene_of(friction, all_names()));
-    const auto contact = fast::converged_for_load(nip, friction, 100, 1e-8);
+    const auto contact = fast::converged_for_load(quarter_inch_nip, friction, 100, 1e-8);
     check_same(solution["contact_length"], contact.contact_length());
     check_same(solution["load"], contact.load());
     check_same(solution["indentation"], contact.indentation());

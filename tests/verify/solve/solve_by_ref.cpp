@@ -11,6 +11,8 @@
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
+#include "support/solved_scene.hpp"
+
 using namespace nipref;
 
 namespace {
@@ -24,10 +26,6 @@ data::Scene scene_of(double thickness, const std::vector<std::string>& wanted) {
   return {.title = "test", .wanted = wanted, .accuracy = 1e-11, .system = problem, .origin = {}};
 }
 
-data::ElasticNipProblem& problem_of(data::Scene& scene) {
-  return std::get<data::ElasticNipProblem>(scene.system);
-}
-
 data::Scene line_load_scene() {
   data::Scene scene = scene_of(0.25, {"load", "indentation", "edge_displacement"});
   problem_of(scene).given = data::GivenLength{0.15};
@@ -35,7 +33,7 @@ data::Scene line_load_scene() {
   return scene;
 }
 
-void check_refused(const data::Scene& scene, const std::string& start, int digits = 16) {
+void check_unsolvable(const data::Scene& scene, const std::string& start, int digits = 16) {
   CAPTURE(start);
   try {
     (void)verify::solve_by_ref(scene, digits);
@@ -121,30 +119,31 @@ TEST_CASE("line loads by ref are proven, the converged contact is estimated, and
 
 TEST_CASE("what the reference does not have is refused by its key") {
   data::Scene scene = scene_of(0.25, {"load", "creep_ratio"});
-  check_refused(scene, "wanted[1] = creep_ratio: must be one of what the reference has here: contact_length");
+  check_unsolvable(scene,
+                   "wanted[1] = creep_ratio: must be one of what the reference has here: contact_length");
   scene = scene_of(0.25, {"load"});
   problem_of(scene).friction = data::Friction::full;
-  check_refused(scene, "friction.model = full: must be none");
+  check_unsolvable(scene, "friction.model = full: must be none");
 
   scene = line_load_scene();
   problem_of(scene).given = data::GivenLoad{100};
-  check_refused(scene, "load.per_length = 100: must be a [contact] length");
+  check_unsolvable(scene, "load.per_length = 100: must be a [contact] length");
   scene = line_load_scene();
   problem_of(scene).method = data::LineLoads{5, 5, 100};
-  check_refused(scene, "method.residue_terms = 100: must be 0");
+  check_unsolvable(scene, "method.residue_terms = 100: must be 0");
   scene = line_load_scene();
   problem_of(scene).friction = data::Friction::full;
-  check_refused(scene, "friction.creep_ratio = (missing): must be given");
+  check_unsolvable(scene, "friction.creep_ratio = (missing): must be given");
   scene = line_load_scene();
   scene.wanted = {"peak_pressure"};
-  check_refused(scene, "wanted[0] = peak_pressure: must be one of what the reference has here: load");
+  check_unsolvable(scene, "wanted[0] = peak_pressure: must be one of what the reference has here: load");
 }
 
 TEST_CASE("lengths and digits beyond the reference's solvers are refused by name") {
   data::Scene scene = scene_of(0.005, {"load"});
   problem_of(scene).given = data::GivenLength{0.5};
-  check_refused(scene, "contact.length = 0.5: ");
-  check_refused(scene_of(0.25, {"load"}), "digits = 15: ", 15);
+  check_unsolvable(scene, "contact.length = 0.5: ");
+  check_unsolvable(scene_of(0.25, {"load"}), "digits = 15: ", 15);
   problem_of(scene).given = data::GivenLoad{-1};
-  check_refused(scene, "load.per_length = -1: must be finite and > 0");
+  check_unsolvable(scene, "load.per_length = -1: must be finite and > 0");
 }

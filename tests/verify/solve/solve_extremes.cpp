@@ -24,6 +24,7 @@
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/scratch_file.hpp"
+#include "support/solved_scene.hpp"
 
 using namespace nipref;
 
@@ -41,10 +42,6 @@ std::string with(std::string text, const std::string& key, const std::string& va
   REQUIRE(begin != std::string::npos);
   const std::size_t end = text.find('\n', begin + 1);
   return text.replace(begin, end - begin, "\n" + key + " = " + value);
-}
-
-verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
-  return verify::solve(data::load_scene(ScratchFile(text).path()));
 }
 
 void check_refusal(const std::string& text, const std::string& says) {

@@ -14,6 +14,7 @@
 
 #include "support/refused_scene.hpp"
 #include "support/scratch_file.hpp"
+#include "support/solved_scene.hpp"
 
 using namespace nipref;
 
@@ -25,7 +26,7 @@ bulk = 1.45e5
 shear = 5.4375e4
 relaxation_time = 0.1
 )";
-const std::string converged = "kind = \"converged\"\n";
+const std::string by_convergence = "kind = \"converged\"\n";
 
 std::string scene_text(
     const std::string& material, const std::string& method,
@@ -36,13 +37,8 @@ std::string scene_text(
          method + "[material]\n" + material;
 }
 
-verify::SceneSolution<fast::Estimate> solved(const std::string& text) {
-  const ScratchFile file(text);
-  return verify::solve(data::load_scene(file.path()));
-}
-
-void check_same(const std::string& material, const std::string& other, double tolerance) {
-  const auto a = solved(scene_text(material, converged)), b = solved(scene_text(other, converged));
+void check_same_material(const std::string& material, const std::string& other, double tolerance) {
+  const auto a = solved(scene_text(material, by_convergence)), b = solved(scene_text(other, by_convergence));
   for (const char* name : {"contact_length", "rolling_resistance", "creep_ratio"}) {
     CAPTURE(name);
     CHECK(a[name].value == doctest::Approx(b[name].value).epsilon(tolerance).scale(0));
@@ -64,33 +60,36 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 void check_material_refused(const std::string& material, const std::string& says) {
-  check_refused(scene_text(material, converged), says);
+  check_refused(scene_text(material, by_convergence), says);
 }
 
 }  // namespace
 
 TEST_CASE("one solid in four notations makes one contact") {
   // Viscosity = modulus * relaxation time; theta1 = 1/(2G), theta2 = 3/(6K + 2G) with K = 8G/3.
-  check_same(solid,
-             "model = \"standard-linear-solid\"\nshear_1 = 5.4375e4\nshear_2 = 5.4375e4\nbulk_1 = 1.45e5\n"
-             "bulk_2 = 1.45e5\nshear_viscosity = 5.4375e3\nbulk_viscosity = 1.45e4\n",
-             1e-9);
-  check_same(solid,
-             "model = \"prony\"\ntheta1_instantaneous = 9.195402298850575e-06\ntheta1_amplitudes = "
-             "[9.195402298850575e-05]\ntheta1_rates = [10.0]\ntheta2_instantaneous = 3.0651340996168583e-06\n"
-             "theta2_amplitudes = [3.0651340996168583e-05]\ntheta2_rates = [10.0]\n",
-             1e-9);
+  check_same_material(
+      solid,
+      "model = \"standard-linear-solid\"\nshear_1 = 5.4375e4\nshear_2 = 5.4375e4\nbulk_1 = 1.45e5\n"
+      "bulk_2 = 1.45e5\nshear_viscosity = 5.4375e3\nbulk_viscosity = 1.45e4\n",
+      1e-9);
+  check_same_material(
+      solid,
+      "model = \"prony\"\ntheta1_instantaneous = 9.195402298850575e-06\ntheta1_amplitudes = "
+      "[9.195402298850575e-05]\ntheta1_rates = [10.0]\ntheta2_instantaneous = 3.0651340996168583e-06\n"
+      "theta2_amplitudes = [3.0651340996168583e-05]\ntheta2_rates = [10.0]\n",
+      1e-9);
   // 1/G = (1/G1)(2 + tau p)/(1 + tau p).
-  check_same(solid,
-             "model = \"operators\"\nP = [2.0, 0.1]\nQ = [5.4375e4, 5.4375e3]\nP_dilatation = [2.0, 0.1]\n"
-             "Q_dilatation = [1.45e5, 1.45e4]\n",
-             1e-9);
+  check_same_material(
+      solid,
+      "model = \"operators\"\nP = [2.0, 0.1]\nQ = [5.4375e4, 5.4375e3]\nP_dilatation = [2.0, 0.1]\n"
+      "Q_dilatation = [1.45e5, 1.45e4]\n",
+      1e-9);
 }
 
 TEST_CASE("the thesis's misprint is another material") {
-  const auto right = solved(scene_text(solid, converged));
-  const auto wrong =
-      solved(scene_text("model = \"thesis-misprint\"\nbulk = 1.45e5\nrelaxation_time = 0.1\n", converged));
+  const auto right = solved(scene_text(solid, by_convergence));
+  const auto wrong = solved(
+      scene_text("model = \"thesis-misprint\"\nbulk = 1.45e5\nrelaxation_time = 0.1\n", by_convergence));
   CHECK(wrong["rolling_resistance"].value < 0.99 * right["rolling_resistance"].value);
 }
 
@@ -99,7 +98,7 @@ TEST_CASE("an elastic sheet that rolls is the elastic nip") {
       R"("contact_length", "leading_length", "trailing_length", "indentation", "edge_displacement",
          "trailing_displacement", "rolling_resistance", "creep_ratio", "peak_pressure")";
   const std::string rolled =
-      scene_text("model = \"elastic\"\nyoung = 1.45e5\npoisson = 0.3\n", converged, names);
+      scene_text("model = \"elastic\"\nyoung = 1.45e5\npoisson = 0.3\n", by_convergence, names);
   const auto a = solved(rolled), b = solved(replaced(rolled, "[rolling]\nspeed = 1.0\n", ""));
   REQUIRE(a.results.size() == b.results.size());
   for (std::size_t i = 0; i < a.results.size(); ++i) {
@@ -111,7 +110,7 @@ TEST_CASE("an elastic sheet that rolls is the elastic nip") {
 
 TEST_CASE("evenly spaced points run from the trailing end to the leading end") {
   const auto solution =
-      solved(scene_text(solid, converged, R"("pressure", "leading_length", "trailing_length")") +
+      solved(scene_text(solid, by_convergence, R"("pressure", "leading_length", "trailing_length")") +
              "[profile]\npoints = 5\n");
   REQUIRE(solution.positions.size() == 5);
   CHECK(solution.positions.front() == -solution["trailing_length"].value);
@@ -130,7 +129,7 @@ TEST_CASE("a started motion forgets its start, and says how far it is from the s
   const auto early = resistance(2), late = resistance(60), later = resistance(120);
   CHECK(late.value == doctest::Approx(later.value).epsilon(1e-12).scale(0));
   CHECK(std::fabs(early.value - late.value) > 1e-5 * late.value);
-  const ScratchFile file(scene_text(solid, converged));
+  const ScratchFile file(scene_text(solid, by_convergence));
   const double steady = verify::solve(data::load_scene(file.path())).results[1].numbers.front().value;
   for (const auto& estimate : {early, late})
     CHECK(estimate.error == doctest::Approx(std::fabs(estimate.value - steady)).epsilon(1e-2));
@@ -197,5 +196,5 @@ TEST_CASE("motions and methods that cannot be are refused at their keys") {
                 "method.trailing_elements = (missing): ");
   check_refused(with("per_length = 100", "per_length = -100"), ":12: load.per_length = -100: ");
   check_refused(with("[load]", "[profile]\npoints = 3\nlag = 1\n[load]"), "profile.lag = 1: unknown key");
-  check_refused(scene_text(solid, converged), "rolling = (a table): ", " --path ref");
+  check_refused(scene_text(solid, by_convergence), "rolling = (a table): ", " --path ref");
 }

@@ -54,21 +54,13 @@ TEST_CASE("the solid is known by its name, on the command line and in JSON") {
 }
 
 TEST_CASE("arguments of the moving load are refused in one line each") {
-  const auto refused = [](const std::string& arguments, const std::string& about) {
-    CAPTURE(about);
-    const Outcome outcome = run(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.find(about) != std::string::npos);
-    CHECK(outcome.err.find('\n') == outcome.err.size() - 1);
-  };
-  refused("eval J1 lambda=-1 a=2 b=1 t=1 T=1", "lambda = -1");
-  refused("eval J2 lambda=1 a=2 b=1 t=-1 T=1", "t = -1");
-  refused("eval Un t=-1 T=1", "t = -1");
-  refused("eval Un t=1 T=2 tau=0", "tau = 0");
-  refused("eval Un t=1 T=2 tau=-0.1", "tau = -0.1");
-  refused("eval Un t=1 T=2 speed=0", "speed = 0");
-  refused("eval Un t=1 T=2 half_thickness=0", "half_thickness = 0");
-  refused("eval Un t=1 T=2 material=rubber", "material = rubber");
-  refused("eval Vn t=1 T=2", "t0 = (missing)");
+  check_call_refused("eval J1 lambda=-1 a=2 b=1 t=1 T=1", "lambda = -1");
+  check_call_refused("eval J2 lambda=1 a=2 b=1 t=-1 T=1", "t = -1");
+  check_call_refused("eval Un t=-1 T=1", "t = -1");
+  check_call_refused("eval Un t=1 T=2 tau=0", "tau = 0");
+  check_call_refused("eval Un t=1 T=2 tau=-0.1", "tau = -0.1");
+  check_call_refused("eval Un t=1 T=2 speed=0", "speed = 0");
+  check_call_refused("eval Un t=1 T=2 half_thickness=0", "half_thickness = 0");
+  check_call_refused("eval Un t=1 T=2 material=rubber", "material = rubber");
+  check_call_refused("eval Vn t=1 T=2", "t0 = (missing)");
 }

@@ -1,0 +1,25 @@
+#pragma once
+#include <boost/multiprecision/mpc.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <string>
+
+#include <nipref/ref/number/exact.hpp>
+
+/// Numbers for second routes, which share no arithmetic with the reference path but MPFR's.
+namespace nipref::test {
+
+template <unsigned digits>
+using Decimal = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<digits>,
+                                              boost::multiprecision::et_off>;
+template <unsigned digits>
+using ComplexDecimal = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<digits>,
+                                                     boost::multiprecision::et_off>;
+
+inline ref::Exact exact(const std::string& text) { return ref::Exact::parse(text); }
+
+template <unsigned digits>
+ref::Exact exact(const Decimal<digits>& x) {
+  return exact(x.str(digits, std::ios_base::scientific));
+}
+
+}  // namespace nipref::test

@@ -1,0 +1,29 @@
+#pragma once
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+#include "support/scratch_file.hpp"
+
+/// The scene of this text, solved.
+inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::string& text) {
+  const ScratchFile file(text);
+  return nipref::verify::solve(nipref::data::load_scene(file.path()));
+}
+
+/// All that a scene of a nip can want.
+inline std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const nipref::data::SceneResult& result : nipref::data::scene_results()) {
+    if (result.is_of(nipref::data::SceneKind::nip)) names.emplace_back(result.name);
+  }
+  return names;
+}
+
+inline nipref::data::ElasticNipProblem& problem_of(nipref::data::Scene& scene) {
+  return std::get<nipref::data::ElasticNipProblem>(scene.system);
+}
