@@ -36,7 +36,7 @@ const OptionText rtol_option{
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
 const OptionText form_option{
     "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
-const OptionText points_option{"points", "points for each quantity (default 20000)"};
+const OptionText points_text{"points", "points for each quantity (default 20000)"};
 
 const std::array verbs{
     VerbText{"list", "the quantities that can be computed", "", {}},
@@ -50,12 +50,12 @@ const std::array verbs{
              {solve_path_option, solve_digits_option}},
     VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
     VerbText{
-        "audit", "largest error of fast against ref", "quantity or contacts", {points_option, rtol_option}},
+        "audit", "largest error of fast against ref", "quantity or contacts", {points_text, rtol_option}},
     VerbText{"bench",
              "speed against error, beside other libraries",
              "quantity, elastic-nip, viscoelastic-nip or half-space",
              {}},
-    VerbText{"report", "audit, bench and tables on a page or two", "", {points_option}},
+    VerbText{"report", "audit, bench and tables on a page or two", "", {points_text}},
 };
 
 std::string verb_names() {
