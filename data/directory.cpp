@@ -1,4 +1,8 @@
+#include <dlfcn.h>
+#include <link.h>
+
 #include <cstdlib>
+#include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
@@ -6,20 +10,51 @@
 namespace nipref::data {
 namespace {
 
-bool holds_tables(const std::filesystem::path& folder) {
-  return std::filesystem::is_directory(folder / "tables");
+namespace fs = std::filesystem;
+
+bool holds_tables(const fs::path& folder) {
+  std::error_code none;
+  return fs::is_directory(folder / "tables", none);
 }
 
-std::filesystem::path data_directory() {
+/// The file of the running program; empty if it cannot be known.
+fs::path program() {
+  std::error_code unknown;
+  return fs::read_symlink("/proc/self/exe", unknown);
+}
+
+/// The file of the shared library that holds this code; empty if it is in the program itself.
+fs::path shared_library() {
+  static const char here = 0;
+  Dl_info info;
+  void* map = nullptr;
+  if (dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) == 0 || map == nullptr) return {};
+  return static_cast<const link_map*>(map)->l_name;
+}
+
+/// Where the data may lie, the best place first.
+std::vector<fs::path> places() {
+  std::vector<fs::path> places;
+  if (const fs::path file = program(); !file.empty())
+    places.push_back(file.parent_path() / NIPREF_DATA_FROM_PROGRAM);
+  if (const fs::path file = shared_library(); !file.empty())
+    places.push_back(file.parent_path() / NIPREF_DATA_FROM_LIBRARY);
+  places.emplace_back(NIPREF_DATA_INSTALLED);
+  places.emplace_back(NIPREF_DATA_SOURCE);
+  return places;
+}
+
+fs::path data_directory() {
   if (const char* const chosen = std::getenv("NIPREF_DATA")) {
     if (holds_tables(chosen)) return chosen;
     throw BadInput("NIPREF_DATA", chosen, "must be a folder with a folder 'tables' in it");
   }
-  for (const char* const place : {NIPREF_DATA_DIR, NIPREF_DATA_INSTALL_DIR}) {
-    if (holds_tables(place)) return place;
+  for (const fs::path& place : places()) {
+    if (holds_tables(place)) return fs::canonical(place);
   }
-  throw BadInput("NIPREF_DATA", "(not set)",
-                 "must be the data folder, the tables were not found where they were built or installed");
+  throw BadInput(
+      "NIPREF_DATA", "(not set)",
+      "must be the data folder, no tables were found beside the program or where they were installed");
 }
 
 }  // namespace

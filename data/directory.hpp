@@ -3,9 +3,13 @@
 
 namespace nipref::data {
 
-// Where the data lies: folders of the data folder, which is the first that exists of the environment variable
-// NIPREF_DATA, the source tree this library was built from, and the place of installation; if NIPREF_DATA is
-// set, only it is looked at. BadInput if there is no folder "tables" in any of them.
+// Where the data lies: folders of the data folder, which is the first with a folder "tables" in it of
+// 1. the environment variable NIPREF_DATA: if it is set, no other is looked at;
+// 2. share/nipref beside the running program (its bin/../share/nipref), or beside the shared library that this code
+//    is in: an installed package may be moved;
+// 3. the place of installation that was chosen when this was built;
+// 4. the source tree that it was built from.
+// BadInput naming NIPREF_DATA if there is none.
 
 /// The seeds' tables.
 [[nodiscard]] std::filesystem::path tables_directory();

@@ -4,7 +4,10 @@
 
 namespace nipref::verify {
 
-using Value = nlohmann::ordered_json;
+struct Json::Value : nlohmann::ordered_json {
+  using nlohmann::ordered_json::ordered_json;
+  Value(nlohmann::ordered_json json) : nlohmann::ordered_json(std::move(json)) {}
+};
 
 Json::Json(std::nullptr_t) : value_(std::make_shared<Value>()) {}
 Json::Json(bool value) : value_(std::make_shared<Value>(value)) {}

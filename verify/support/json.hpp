@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,7 +40,8 @@ class Json {
   [[nodiscard]] std::string text() const;
 
  private:
-  std::shared_ptr<const nlohmann::ordered_json> value_;
+  struct Value;
+  std::shared_ptr<const Value> value_;
 };
 
 /// A list with what `to_json` makes of each item.

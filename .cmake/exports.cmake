@@ -1,0 +1,31 @@
+# Writes the version script of libnipref_fast.so: of the symbols of the two archives, the C interface is public, and in
+# nipref::data and nipref::fast what the installed headers name; not their `internal` namespaces, nor other libraries'
+# templates. The linker's own patterns cannot say "but not", so the symbols are listed one by one.
+execute_process(COMMAND ${nm} --extern-only --defined-only --format=posix ${data} ${fast} OUTPUT_VARIABLE symbols
+  COMMAND_ERROR_IS_FATAL ANY)
+string(REGEX MATCHALL "\n(nipref_|_Z(T[VIS])?NK?6nipref4(data|fast))[^ ]+ " symbols "${symbols}")
+list(TRANSFORM symbols STRIP)
+list(SORT symbols)
+list(REMOVE_DUPLICATES symbols)
+
+set(text)
+string(REPLACE "|" ";" headers "${headers}")
+foreach(header IN LISTS headers)
+  file(READ ${header} header)
+  string(APPEND text "${header}")
+endforeach()
+set(named)
+foreach(symbol IN LISTS symbols)
+  if(symbol MATCHES "6nipref4(data|fast)([0-9]+)(.*)")
+    string(SUBSTRING "${CMAKE_MATCH_3}" 0 ${CMAKE_MATCH_2} name)
+    if(NOT DEFINED is_public_${name})
+      string(REGEX MATCH "[^a-zA-Z0-9_]${name}[^a-zA-Z0-9_]" is_public_${name} "${text}")
+    endif()
+    if(name STREQUAL "internal" OR is_public_${name} STREQUAL "")
+      continue()
+    endif()
+  endif()
+  list(APPEND named ${symbol})
+endforeach()
+list(JOIN named ";\n" named)
+file(WRITE ${exports} "{\nglobal:\n${named};\nlocal: *;\n};\n")

@@ -1,0 +1,73 @@
+#include <cstdio>
+#include <exception>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/c.h>
+#include <nipref/fast/sheet/kernels.hpp>
+
+namespace nipref::fast {
+namespace {
+
+thread_local char last_error[512] = "";
+
+int refuse(int code, const std::exception& reason) noexcept {
+  std::snprintf(last_error, sizeof last_error, "%s", reason.what());
+  return code;
+}
+
+/// No exception leaves the library, and nothing is written unless there is a value.
+template <class Kernel>
+int write(double* value, Kernel kernel) noexcept {
+  try {
+    if (value == nullptr) throw data::BadInput("value", "null", "must point to a double");
+    *value = kernel();
+    return 0;
+  } catch (const data::BadInput& error) {
+    return refuse(nipref_bad_input, error);
+  } catch (const std::exception& error) {
+    return refuse(nipref_failed, error);
+  }
+}
+
+}  // namespace
+}  // namespace nipref::fast
+
+using namespace nipref;
+
+int nipref_fast_I1(double alpha, double* value) {
+  return fast::write(value, [=] { return fast::I1(alpha); });
+}
+
+int nipref_fast_I2(double alpha, double* value) {
+  return fast::write(value, [=] { return fast::I2(alpha); });
+}
+
+int nipref_fast_I3(double alpha, double* value) {
+  return fast::write(value, [=] { return fast::I3(alpha); });
+}
+
+int nipref_fast_I4(double eta, double* value) {
+  return fast::write(value, [=] { return fast::I4(eta); });
+}
+
+int nipref_fast_I5(double eta, double* value) {
+  return fast::write(value, [=] { return fast::I5(eta); });
+}
+
+int nipref_fast_I6(double alpha, double eta, double* value) {
+  return fast::write(value, [=] { return fast::I6(alpha, eta); });
+}
+
+int nipref_fast_I7(double eta, double* value) {
+  return fast::write(value, [=] { return fast::I7(eta); });
+}
+
+int nipref_fast_F1(double eta, double poisson, double* value) {
+  return fast::write(value, [=] { return fast::F1(eta, poisson); });
+}
+
+int nipref_fast_F2(double eta, double poisson, double* value) {
+  return fast::write(value, [=] { return fast::F2(eta, poisson); });
+}
+
+const char* nipref_last_error(void) { return fast::last_error; }
