@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include <nipref/data/bad_input.hpp>
@@ -94,6 +95,21 @@ TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
     CHECK(row.max_error_ulp.value() <= 2);
   }
   CHECK(report.ratios.empty());
+}
+
+TEST_CASE("however slow a method is, its errors are found at the same points") {
+  using namespace std::chrono_literals;
+  std::set<double> seen;
+  verify::Quantity quantity = verify::find_quantity("I7");
+  quantity.peers = {{"slow", [&] {
+                       return [&](double alpha) {
+                         std::this_thread::sleep_for(100us);
+                         seen.insert(alpha);
+                         return alpha;
+                       };
+                     }}};
+  verify::bench_double(quantity, {});
+  CHECK(seen.size() >= 6 * 400);  // in each of the six ranges
 }
 
 TEST_CASE("the bench's JSON has the agreed shape") {
