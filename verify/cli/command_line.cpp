@@ -130,7 +130,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   CLI::App app(
       "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) "
       "and fast (double).\n"
-      "Exit status: 0 all well, 1 a check fell short, 2 bad input.",
+      "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written.",
       "nipref");
   app.require_subcommand(1);
   std::map<std::string, Raw> raws;
