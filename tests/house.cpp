@@ -256,3 +256,7 @@ TEST_CASE("the example of the README is the one that is built as a test") {
   const std::string example = read(top / "tests/consumer/main.cpp");
   CHECK(read(top / "README.md").find("```cpp\n" + example + "```") != std::string::npos);
 }
+
+TEST_CASE("the README says what may be done with this: nothing is said by a licence yet") {
+  CHECK(read(top / "README.md").find("No licence has been chosen by the owner yet.") != std::string::npos);
+}

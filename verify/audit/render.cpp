@@ -49,13 +49,16 @@ std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy a
 }
 
 Json audit_json(const std::vector<AuditResult>& results) {
-  return {{"rows", json_list(results, [](const AuditResult& result) {
-             return Json{{"quantity", result.quantity->name},
-                         {"points", result.points},
-                         {"max_error_ulp", result.max_error_ulp},
-                         {"mean_error_ulp", result.mean_error_ulp},
-                         {"worst", worst_json(result)}};
-           })}};
+  return json_list(results, [](const AuditResult& result) {
+    return Json{{"quantity", result.quantity->name},
+                {"points", result.points},
+                {"max_error_ulp", result.max_error_ulp},
+                {"mean_error_ulp", result.mean_error_ulp},
+                {"promise_ulp", result.quantity->promise},
+                {"allowance_used", result.allowance_used},
+                {"kept", result.kept()},
+                {"worst", worst_json(result)}};
+  });
 }
 
 bool all_kept(const std::vector<AuditResult>& results) {

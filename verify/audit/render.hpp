@@ -10,7 +10,7 @@ namespace nipref::verify {
 /// Table for people, one line a quantity.
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy);
 
-/// {"rows": [{quantity, points, max_error_ulp, mean_error_ulp, worst: {argument: hexadecimal text}}]}
+/// The "rows" of an audit.
 Json audit_json(const std::vector<AuditResult>& results);
 
 /// True if every promise was kept.

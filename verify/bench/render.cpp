@@ -31,16 +31,20 @@ std::string ratios_text(const std::vector<BenchRatio>& ratios) {
 Json bench_json(const BenchReport& report) {
   return {{"rows", json_list(report.rows,
                              [](const BenchRow& row) {
-                               return Json{{"quantity", row.quantity},
-                                           {"arguments", row.arguments},
-                                           {"method", row.method},
-                                           {"ns", row.nanoseconds},
-                                           {"max_error_ulp", row.max_error_ulp},
-                                           {"max_relative_error", row.max_relative_error}};
+                               return Json{
+                                   {"quantity", row.quantity},
+                                   {"range", row.arguments},
+                                   {"method", row.method},
+                                   {"max_error_ulp", row.max_error_ulp},
+                                   {"max_relative_error", row.max_relative_error},
+                                   {"times", {{"nanoseconds", row.nanoseconds}, {"ratio", row.ratio}}}};
                              })},
-          {"ratios", json_list(report.ratios, [](const BenchRatio& ratio) {
-             return Json{{"what", ratio.what}, {"measured", ratio.measured}, {"target", ratio.target}};
-           })}};
+          {"times", {{"ratios", json_list(report.ratios, [](const BenchRatio& ratio) {
+                        return Json{{"what", ratio.what},
+                                    {"ratio", ratio.measured},
+                                    {"wanted", ratio.target},
+                                    {"met", ratio.met()}};
+                      })}}}};
 }
 
 }  // namespace nipref::verify

@@ -13,8 +13,7 @@ std::string bench_text(const std::vector<BenchRow>& rows);
 /// The promised ratios with their verdicts.
 std::string ratios_text(const std::vector<BenchRatio>& ratios);
 
-/// {"rows": [{quantity, arguments, method, ns, max_error_ulp, max_relative_error}], "ratios": [{what,
-/// measured, target}]}; null is what was not compared, or is infinite.
+/// What `bench` answers, and what stands for it in a report.
 Json bench_json(const BenchReport& report);
 
 }  // namespace nipref::verify

@@ -1,5 +1,6 @@
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -17,9 +18,7 @@ int audit_verb(const CommandLine& line, std::ostream& out) {
           ? audit_contacts([&](const std::string& what) { progress.show("audit " + what); })
           : std::vector<ContactAudit>{};
   if (line.json) {
-    Json json = audit_json(results);
-    json.set("contacts", contact_audit_json(contact_audits));
-    out << json.text();
+    out << answer_text("audit", audits_json(results, contact_audits, options.accuracy), line.no_times);
   } else {
     if (!results.empty()) out << audit_text(results, options.accuracy);
     if (selected.has("contacts")) out << "\n" << contact_audit_text(contact_audits);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 
@@ -16,6 +17,14 @@ std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantitie
     results.push_back(audit(*quantity, options));
   }
   return results;
+}
+
+Json audits_json(const std::vector<AuditResult>& results, const std::vector<ContactAudit>& contacts,
+                 fast::Accuracy accuracy) {
+  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
+  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
+          {"rows", audit_json(results)},
+          {"contacts", contact_audit_json(contacts)}};
 }
 
 }  // namespace nipref::verify

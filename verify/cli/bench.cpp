@@ -2,6 +2,7 @@
 #include <nipref/verify/bench/internal/half_space.hpp>
 #include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/bench/render.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
@@ -26,7 +27,7 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   if (selected.has("viscoelastic-nip")) append(report, bench_viscoelastic(show));
   if (selected.has("half-space")) append(report, bench_half_space(show));
   if (line.json) {
-    out << bench_json(report).text();
+    out << answer_text("bench", bench_json(report), line.no_times);
   } else {
     out << bench_text(report.rows) << notes << ratios_text(report.ratios);
   }

@@ -74,13 +74,14 @@ const VerbText& find_verb(const std::string& name) {
 void refuse_unknown_verb(int argc, const char* const* argv) {
   if (argc < 2) throw BadInput("verb", "(missing)", "must be one of " + verb_names());
   const std::string first = argv[1];
-  if (first != "-h" && first != "--help") find_verb(first);
+  if (first != "-h" && first != "--help" && first != "--version") find_verb(first);
 }
 
 struct Raw {
   std::vector<std::string> words;
   std::map<std::string, std::string> options;
   bool json = false;
+  bool no_times = false;
   bool list = false;
 };
 
@@ -92,7 +93,8 @@ void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
                     option.meaning + "; also " + option.name + "=...");
   }
   if (verb.lists) sub->add_flag("--list", raw.list, "only list the tables");
-  sub->add_flag("--json", raw.json, "output for machines");
+  sub->add_flag("--json", raw.json, "output for machines, errors too");
+  sub->add_flag("--no-times", raw.no_times, "with --json: leave out what the clock decides");
 }
 
 /// Words with '=' are options of the verb or arguments of the quantity.
@@ -125,14 +127,20 @@ std::optional<std::string> CommandLine::option(const std::string& name) const {
   return found == options.end() ? std::nullopt : std::optional(found->second);
 }
 
+bool asks_for_json(int argc, const char* const* argv) {
+  return std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
+}
+
 CommandLine parse_command_line(int argc, const char* const* argv) {
   refuse_unknown_verb(argc, argv);
   CLI::App app(
       "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) "
       "and fast (double).\n"
-      "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written.",
+      "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written.\n"
+      "An error is one line on standard error; with --json it is an answer on standard output as well.",
       "nipref");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "", "what it was built from and with; --version --json for machines");
   std::map<std::string, Raw> raws;
   for (const VerbText& verb : verbs) declare(app, verb, raws[verb.name]);
 
@@ -143,6 +151,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     const auto chosen = app.get_subcommands();
     line.help = chosen.empty() ? app.help() : chosen.front()->help("nipref");
     return line;
+  } catch (const CLI::CallForVersion&) {
+    line.version = true;
+    line.json = asks_for_json(argc, argv);
+    return line;
   } catch (const CLI::ParseError& error) {
     throw BadInput("command line", fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")), error.what());
   }
@@ -150,7 +162,10 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   line.verb = app.get_subcommands().front()->get_name();
   const Raw& raw = raws[line.verb];
   line.json = raw.json;
+  line.no_times = raw.no_times;
   line.list = raw.list;
+  if (line.no_times && !line.json)
+    throw BadInput("no-times", "(given)", "must be given with --json: there alone times are set apart");
   for (const auto& [name, value] : raw.options) {
     if (app.get_subcommand(line.verb)->count("--" + name) > 0) line.options.emplace(name, value);
   }

@@ -16,12 +16,17 @@ struct CommandLine {
   std::map<std::string, std::string>
       options;  ///< path, digits, rtol, points, given as --name value or as name=value
   bool json = false;
+  bool no_times = false;  ///< only with json
   bool list = false;
   std::optional<std::string> help;  ///< set if help was asked for: the text to print
+  bool version = false;             ///< asked for instead of a verb
 
   /// The option's text, or nothing.
   [[nodiscard]] std::optional<std::string> option(const std::string& name) const;
 };
+
+/// Whether the answer shall be JSON, for command lines too that cannot be taken apart.
+bool asks_for_json(int argc, const char* const* argv);
 
 /// BadInput in one line for an unknown verb, an unknown or repeated option, and whatever else cannot be read.
 CommandLine parse_command_line(int argc, const char* const* argv);

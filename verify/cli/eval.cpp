@@ -9,6 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -139,22 +140,26 @@ std::vector<Answer> answers_to(const Request& request) {
   return answers;
 }
 
+/// Text is what may not fit a double.
+Json number_json(const Answer& answer, const std::string& text) {
+  return answer.path == "ref" ? Json(text) : Json::number(text);
+}
+
 Json answer_json(const Answer& answer) {
-  return {{"path", answer.path},
-          {"value", answer.value},
-          {answer.proven ? "error_bound" : "error_estimate", answer.error},
+  return {{"value", number_json(answer, answer.value)},
+          {"error", answer.error ? number_json(answer, *answer.error) : Json()},
           {"proven", answer.proven},
           {"digits", answer.digits},
-          {"seconds", answer.seconds}};
+          {"times", {{"seconds", answer.seconds}}}};
 }
 
 Json to_json(const Request& request, const std::vector<Answer>& answers) {
   Json arguments = Json::object();
   for (std::size_t i = 0; i < request.arguments.text.size(); ++i)
     arguments.set(request.quantity->arguments[i].name, request.arguments.text[i]);
-  return {{"quantity", request.quantity->name},
-          {"arguments", arguments},
-          {"results", json_list(answers, answer_json)}};
+  Json results = Json::object();
+  for (const Answer& answer : answers) results.set(answer.path, answer_json(answer));
+  return {{"quantity", request.quantity->name}, {"arguments", arguments}, {"results", results}};
 }
 
 void print_text(const Request& request, const std::vector<Answer>& answers, std::ostream& out) {
@@ -179,7 +184,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   const Request request = request_of(line);
   const std::vector<Answer> answers = answers_to(request);
   if (line.json) {
-    out << to_json(request, answers).text();
+    out << answer_text("eval", to_json(request, answers), line.no_times);
   } else {
     print_text(request, answers, out);
   }

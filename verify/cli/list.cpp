@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -18,6 +19,8 @@ Json quantity_json(const Quantity& quantity) {
           {"definition", quantity.definition},
           {"source", quantity.source},
           {"scale", quantity.scale},
+          {"promise_ulp", quantity.promise},
+          {"audit_points", quantity.audit_points},
           {"arguments", json_list(quantity.arguments, argument_json)},
           {"seed_forms", json_list(quantity.seed_forms, form_json)}};
 }
@@ -34,7 +37,7 @@ std::string arguments_text(const Quantity& quantity) {
 
 int list_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
-    out << Json{{"quantities", json_list(catalogue(), quantity_json)}}.text();
+    out << answer_text("list", {{"quantities", json_list(catalogue(), quantity_json)}}, line.no_times);
     return 0;
   }
   for (const Quantity& quantity : catalogue()) {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <nipref_build_info.hpp>
+#include <optional>
 #include <thread>
 
 #include <nipref/fast/sheet/instruction_set.hpp>
@@ -9,36 +11,59 @@
 namespace nipref::verify {
 namespace {
 
-/// What Linux calls the processor; elsewhere "unknown processor".
-std::string processor_name() {
+/// What Linux calls the processor; elsewhere nothing.
+std::optional<std::string> processor_name() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with("model name")) continue;
     const std::size_t colon = line.find(": ");
     if (colon != std::string::npos) return line.substr(colon + 2);
   }
-  return "unknown processor";
+  return std::nullopt;
+}
+
+/// Nothing if the system does not say.
+std::optional<unsigned> cores() {
+  const unsigned count = std::thread::hardware_concurrency();
+  return count == 0 ? std::nullopt : std::optional(count);
+}
+
+Json known(std::string_view text) { return text == "unknown" ? Json() : Json::unless_empty(text); }
+
+std::string libraries_text() {
+  std::string text;
+  for (const auto& [name, version] : build_info::libraries)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, version);
+  return text;
+}
+
+Json libraries_json() {
+  Json libraries = Json::object();
+  for (const auto& [name, version] : build_info::libraries) libraries.set(name, known(version));
+  return libraries;
 }
 
 }  // namespace
 
-std::string build_description() {
-#ifdef __OPTIMIZE__
-  constexpr auto kind = "optimised";
-#else
-  constexpr auto kind = "not optimised: its times mean nothing";
-#endif
-#ifdef __clang__
-  constexpr auto compiler = "Clang";
-#else
-  constexpr auto compiler = "GCC";
-#endif
-  return fmt::format("{} {}, {}", compiler, __VERSION__, kind);
+std::string version_text() {
+  return fmt::format(
+      "nipref {}\ncommit: {}, {}\ncompiler: {}, build type {}\nlibraries: {}\n"
+      "runs on: {}, {} cores; fast runs its code for {}\n",
+      build_info::version, build_info::commit, build_info::commit_date, build_info::compiler,
+      build_info::build_type, libraries_text(), processor_name().value_or("unknown processor"),
+      cores() ? std::to_string(*cores()) : "unknown", fast::instruction_set());
 }
 
-std::string machine_description() {
-  return fmt::format("{}, {} cores; fast runs its code for {}", processor_name(),
-                     std::thread::hardware_concurrency(), fast::instruction_set());
+Json version_json() {
+  return {{"version", build_info::version},
+          {"commit", known(build_info::commit)},
+          {"commit_date", known(build_info::commit_date)},
+          {"compiler", build_info::compiler},
+          {"build_type", known(build_info::build_type)},
+          {"libraries", libraries_json()},
+          {"instruction_set", fast::instruction_set()},
+          {"processor", processor_name()},
+          {"cores", cores()}};
 }
 
 }  // namespace nipref::verify

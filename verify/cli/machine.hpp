@@ -1,12 +1,14 @@
 #pragma once
 #include <string>
 
+#include <nipref/verify/support/json.hpp>
+
 namespace nipref::verify {
 
-/// Compiler and kind of build, in words.
-std::string build_description();
+/// What this program was built from and with, and what it runs on: a few lines for people.
+std::string version_text();
 
-/// Processor, number of cores, and the instruction set that fast has chosen, in words.
-std::string machine_description();
+/// The same as "nipref" in every answer.
+Json version_json();
 
 }  // namespace nipref::verify

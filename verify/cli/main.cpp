@@ -5,6 +5,8 @@
 #include <system_error>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/standard_output.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -22,6 +24,10 @@ int run(const verify::CommandLine& line, std::ostream& out) {
     out << *line.help;
     return 0;
   }
+  if (line.version) {
+    out << (line.json ? verify::version_answer_text() : verify::version_text());
+    return 0;
+  }
   if (line.verb == "list") return verify::list_verb(line, out);
   if (line.verb == "eval") return verify::eval_verb(line, out);
   if (line.verb == "solve") return verify::solve_verb(line, out);
@@ -31,30 +37,36 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   return verify::tables_verb({.ids = line.words, .list = line.list, .json = line.json}, out);
 }
 
-/// Whatever was in the input, the message stays one line. There is nobody to tell if this fails.
-void complain(std::string message) {
+/// Whatever was in the input, the message stays one line, which is given back. There is nobody to tell if this fails.
+std::string complain(std::string message) {
   std::ranges::replace_if(
       message, [](unsigned char letter) { return letter < ' '; }, ' ');
   std::fputs(("nipref: " + message + "\n").c_str(), stderr);
+  return message;
 }
 
 /// What came of a command line: all that goes to standard output. Nothing is printed before a verb has come to its
-/// end, so that bad input leaves standard output empty.
+/// end, so that bad input leaves standard output empty, or with --json to the error alone.
 struct Result {
   int status;
   std::string output = {};
 };
 
-Result result_of(int argc, const char* const* argv) try {
-  std::ostringstream out;
-  const int status = run(verify::parse_command_line(argc, argv), out);
-  return {status, out.str()};
-} catch (const data::BadInput& error) {
-  complain(error.what());
-  return {status_bad_input};
-} catch (const std::exception& error) {
-  complain(std::string("internal error: ") + error.what());
-  return {status_internal};
+Result result_of(int argc, const char* const* argv) {
+  const bool json = verify::asks_for_json(argc, argv);
+  try {
+    std::ostringstream out;
+    const int status = run(verify::parse_command_line(argc, argv), out);
+    return {status, out.str()};
+  } catch (const data::BadInput& error) {
+    const std::string message = complain(error.what());
+    if (!json) return {status_bad_input};
+    return {status_bad_input,
+            verify::error_answer_text(message, error.argument(), error.value(), error.allowed())};
+  } catch (const std::exception& error) {
+    const std::string message = complain(std::string("internal error: ") + error.what());
+    return {status_internal, json ? verify::error_answer_text(message) : ""};
+  }
 }
 
 }  // namespace

@@ -7,9 +7,11 @@
 #include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/render.hpp>
@@ -57,8 +59,8 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
 
 void print_as_text(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
                    std::ostream& out) {
-  out << "nipref report\n\nbuilt with " << build_description() << "\nrun on " << machine_description() << "\n"
-      << "\nAccuracy: fast against ref at the worst arguments found\n\n"
+  out << "nipref report\n\n"
+      << version_text() << "\nAccuracy: fast against ref at the worst arguments found\n\n"
       << audit_text(audits.quantities, {}) << "\nHard cases of the contacts\n\n"
       << contact_audit_text(audits.contacts) << "\nSpeed against error (all ranges: nipref bench)\n\n"
       << bench_text(essential_rows(speed.rows)) << "\n"
@@ -66,18 +68,14 @@ void print_as_text(const BenchReport& speed, const Audits& audits, const std::ve
       << tables_text(tables, true);
 }
 
-void print_as_json(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
-                   std::ostream& out) {
-  const Json json{{"build", build_description()},
-                  {"machine", machine_description()},
-                  {"audit", audit_json(audits.quantities)},
-                  {"contact_audit", contact_audit_json(audits.contacts)},
-                  {"bench", bench_json(speed)},
-                  {"tables", tables_json(tables)}};
-  out << json.text();
-}
-
 }  // namespace
+
+Json report_json(const BenchReport& speed, const std::vector<AuditResult>& quantities,
+                 const std::vector<ContactAudit>& contacts, const std::vector<Replay>& tables) {
+  return {{"audit", audits_json(quantities, contacts, {})},
+          {"bench", bench_json(speed)},
+          {"tables", tables_json(tables)}};
+}
 
 int report_verb(const CommandLine& line, std::ostream& out) {
   const AuditOptions options{points_option(line, 0), {}, {}};
@@ -85,7 +83,12 @@ int report_verb(const CommandLine& line, std::ostream& out) {
       run_bench();  // before the audit, which would build ref's nodes: their cost is measured
   const Audits audits = run_audits(options);
   const std::vector<Replay> tables = replay_and_correct(replayable_tables());
-  (line.json ? print_as_json : print_as_text)(speed, audits, tables, out);
+  if (line.json) {
+    out << answer_text("report", report_json(speed, audits.quantities, audits.contacts, tables),
+                       line.no_times);
+  } else {
+    print_as_text(speed, audits, tables, out);
+  }
   return audits.kept() && !fall_short(tables) ? 0 : 1;
 }
 

@@ -3,6 +3,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/ref/number/enclosure.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/render.hpp>
 
@@ -27,8 +28,8 @@ int digits_of(const CommandLine& line) {
 }
 
 template <class Number>
-void print(const SceneSolution<Number>& solution, bool json, std::ostream& out) {
-  out << (json ? solution_json(solution).text() : solution_text(solution));
+void print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
+  out << (line.json ? answer_text("solve", solution_json(solution), line.no_times) : solution_text(solution));
 }
 
 }  // namespace
@@ -39,9 +40,9 @@ int solve_verb(const CommandLine& line, std::ostream& out) {
   const int digits = digits_of(line);
   const data::Scene scene = data::load_scene(scene_file_of(line));
   if (path == "ref") {
-    print(solve_by_ref(scene, digits), line.json, out);
+    print(solve_by_ref(scene, digits), line, out);
   } else {
-    print(solve(scene), line.json, out);
+    print(solve(scene), line, out);
   }
   return 0;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include <nipref/data/directory.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
@@ -13,7 +14,7 @@ int list_tables(const TablesRequest& request, std::ostream& out) {
   std::vector<data::TableSummary> summaries;
   if (request.ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  out << (request.json ? table_list_json(summaries).text() : table_list_text(summaries));
+  out << (request.json ? answer_text("tables", table_list_json(summaries)) : table_list_text(summaries));
   return 0;
 }
 
@@ -51,7 +52,7 @@ bool fall_short(const std::vector<Replay>& replays) {
 int tables_verb(const TablesRequest& request, std::ostream& out) {
   if (request.list) return list_tables(request, out);
   const auto replays = replay_and_correct(request.ids.empty() ? replayable_tables() : request.ids);
-  out << (request.json ? tables_json(replays).text() : tables_text(replays, false));
+  out << (request.json ? answer_text("tables", tables_json(replays)) : tables_text(replays, false));
   return fall_short(replays) ? 1 : 0;
 }
 

@@ -102,6 +102,11 @@ void append_costs(std::string& text, const Replay& replay) {
   }
 }
 
+/// The number that `scaled` prints.
+Json scaled_json(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
+  return value ? Json::number(scaled(replay, cell, *value)) : Json();
+}
+
 Json costs_json(const Replay& replay) {
   Json costs = Json::object();
   for (const Cost& cost : replay.costs) {
@@ -132,16 +137,16 @@ Json cell_json(const Replay& replay, const ReplayedCell& cell) {
   }
   return {{"row", row},
           {"column", cell.column},
-          {"printed", printed.printed},
+          {"printed", Json::unless_empty(printed.printed)},
           {"read_as", printed.is_readable() ? Json(printed.read_as) : Json()},
-          {"replayed", scaled(replay, cell, cell.value)},
-          {"corrected", scaled(replay, cell, cell.corrected)},
-          {"corrected_with_seed_material", scaled(replay, cell, cell.corrected_with_seed_material)},
-          {"exact", scaled(replay, cell, cell.exact)},
-          {"replayed_range",
-           std::vector<Json>{scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper)}},
+          {"replayed", scaled_json(replay, cell, cell.value)},
+          {"corrected", scaled_json(replay, cell, cell.corrected)},
+          {"corrected_with_seed_material", scaled_json(replay, cell, cell.corrected_with_seed_material)},
+          {"exact", scaled_json(replay, cell, cell.exact)},
+          {"replayed_range", std::vector<Json>{scaled_json(replay, cell, cell.range.lower),
+                                               scaled_json(replay, cell, cell.range.upper)}},
           {"verdict", name(cell.verdict)},
-          {"note", cell.note}};
+          {"note", Json::unless_empty(cell.note)}};
 }
 
 Json errata_json(const data::TableSummary& table) {
@@ -154,6 +159,7 @@ Json errata_json(const data::TableSummary& table) {
 Json table_json(const Replay& replay) {
   const auto to_json = [&](const ReplayedCell& cell) { return cell_json(replay, cell); };
   return {{"id", replay.table.id},
+          {"title", replay.table.title},
           {"method", replay.method},
           {"costs", costs_json(replay)},
           {"cells", json_list(replay.cells, to_json)}};
@@ -211,7 +217,7 @@ std::string table_list_text(const std::vector<data::TableSummary>& summaries) {
 }
 
 Json table_list_json(const std::vector<data::TableSummary>& summaries) {
-  return {{"tables", json_list(summaries, [](const data::TableSummary& table) {
+  return {{"listed", json_list(summaries, [](const data::TableSummary& table) {
              return Json{{"id", table.id},
                          {"title", table.title},
                          {"rows", table.rows},

@@ -12,11 +12,10 @@ namespace nipref::verify {
 /// discretisation is from the truth; `compact` lists only cells that do not match.
 std::string tables_text(const std::vector<Replay>& replays, bool compact);
 
-/// {"tables": [{id, method, discretisation: {L: {mean, largest}, ...}, cells: [...]}], "summary": {cells,
-/// match, misprint, seed_error, unexplained, without_number}}; without_number counts what of the unexplained
-/// is not legible. Deviations are relative.
+/// What `tables` answers, and what stands for it in a report.
 Json tables_json(const std::vector<Replay>& replays);
 
+/// What `tables --list` says and answers.
 std::string table_list_text(const std::vector<data::TableSummary>& summaries);
 Json table_list_json(const std::vector<data::TableSummary>& summaries);
 

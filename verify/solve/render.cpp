@@ -24,20 +24,19 @@ Json values_json(const typename SceneSolution<Number>::Result& result, auto Numb
   return json_list(result.numbers, [&](const Number& number) { return number.*member; });
 }
 
-/// Counts that were not kept are left out, here and below.
+Json counted(auto count) { return count > 0 ? Json(count) : Json(); }
+
+/// Counts that were not kept are null.
 Json work_json(const fast::Work& work) {
-  Json json = Json::object();
-  if (work.kernel_evaluations != fast::Work{}.kernel_evaluations) {
-    Json kernels = Json::object();
-    for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k)
-      kernels.set(fmt::format("I{}", k + 1), work.kernel_evaluations[k]);
-    json.set("kernel_evaluations", kernels);
-  }
-  if (work.terms > 0) json.set("terms", work.terms);
-  if (work.unknowns > 0) json.set("unknowns", work.unknowns);
-  if (work.systems > 0) json.set("systems", work.systems);
-  if (work.line_responses > 0) json.set("line_responses", work.line_responses);
-  return json;
+  Json kernels = Json::object();
+  for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k)
+    kernels.set(fmt::format("I{}", k + 1), work.kernel_evaluations[k]);
+  const bool is_counted = work.kernel_evaluations != fast::Work{}.kernel_evaluations;
+  return {{"kernel_evaluations", is_counted ? kernels : Json()},
+          {"terms", counted(work.terms)},
+          {"unknowns", counted(work.unknowns)},
+          {"systems", counted(work.systems)},
+          {"line_responses", counted(work.line_responses)}};
 }
 
 bool is_empty(const fast::Work& work) { return work.unknowns == 0; }
@@ -96,23 +95,21 @@ std::string solution_text(const SceneSolution<Number>& solution) {
 
 template <class Number>
 Json solution_json(const SceneSolution<Number>& solution) {
-  Json results = Json::object(), errors = Json::object(), proven = Json::object();
-  bool all_proven = true;
+  Json results = Json::object();
   for (const auto& result : solution.results) {
-    results.set(result.what->name, values_json(result, &Number::value));
-    errors.set(result.what->name, values_json(result, &Number::error));
-    proven.set(result.what->name, is_proven(result.numbers.front()));
-    all_proven = all_proven && is_proven(result.numbers.front());
+    results.set(result.what->name, {{"value", values_json(result, &Number::value)},
+                                    {"error", values_json(result, &Number::error)},
+                                    {"proven", is_proven(result.numbers.front())},
+                                    {"unit", result.what->unit}});
   }
-  Json json{{"title", solution.title},
-            {"results", results},
-            {all_proven ? "error_bound" : "error_estimate", errors}};
-  if (std::is_same_v<Number, LongEstimate>) json.set("proven", proven);
-  if (!solution.positions.empty()) json.set("positions", json_list(solution.positions, std::identity()));
-  json.set("work", work_json(solution.work));
-  if (!is_empty(solution.error_work)) json.set("error_work", work_json(solution.error_work));
-  json.set("seconds", solution.seconds);
-  return json;
+  const auto& positions = solution.positions;
+  return {{"title", solution.title},
+          {"path", std::is_same_v<Number, LongEstimate> ? "ref" : "fast"},
+          {"results", results},
+          {"positions", positions.empty() ? Json() : json_list(positions, std::identity())},
+          {"work", work_json(solution.work)},
+          {"error_work", is_empty(solution.error_work) ? Json() : work_json(solution.error_work)},
+          {"times", {{"seconds", solution.seconds}}}};
 }
 
 template std::string solution_text(const SceneSolution<fast::Estimate>&);

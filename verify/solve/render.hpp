@@ -11,11 +11,7 @@ namespace nipref::verify {
 template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution);
 
-/// {"title", "results": {name: number, or list of numbers for a profile}, "error_estimate": {the same keys},
-/// "positions": of the profiles, if any is wanted, "work": {"kernel_evaluations": {"I1": ..., "I7": ...},
-/// "terms", "unknowns", "systems"}, "error_work": the same, if there was any, "seconds"}. The reference's
-/// numbers are strings; "proven": {the same keys} tells which of its errors are; where all are, they stand
-/// under "error_bound" instead.
+/// What `solve` answers. The reference's numbers are text.
 template <class Number>
 Json solution_json(const SceneSolution<Number>& solution);
 

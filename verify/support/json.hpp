@@ -13,7 +13,8 @@ namespace nipref::verify {
 
 /// What a verb answers to machines: null, a truth value, a number, text, a list, or an object whose keys keep
 /// their order. What is not known is null: an empty optional, and a number that is infinite or none. A wall
-/// around nlohmann-json: a file that includes all of that takes four times as long to compile.
+/// around nlohmann-json: a file that includes all of that takes four times as long to compile. What the verbs'
+/// answers look like is written down in data/schema.
 class Json {
  public:
   using Member = std::pair<std::string_view, Json>;
@@ -33,10 +34,21 @@ class Json {
 
   static Json object() { return std::initializer_list<Member>{}; }
 
+  /// The double that a decimal text means; of "inf" and "nan" null.
+  static Json number(const std::string& text);
+  /// Null if there is none.
+  static Json unless_empty(std::string_view text) { return text.empty() ? Json() : Json(text); }
+
   /// Sets a member of an object.
   void set(std::string_view key, const Json& value);
 
-  /// Indented by two, with a line break at the end.
+  /// Sets all members of another object, in their order.
+  void append(const Json& members);
+
+  /// Itself, but at no depth with a member of that name.
+  [[nodiscard]] Json without(std::string_view key) const;
+
+  /// Indented by two, with a line break at the end; what is no UTF-8 is replaced.
   [[nodiscard]] std::string text() const;
 
  private:

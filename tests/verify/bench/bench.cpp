@@ -118,7 +118,8 @@ TEST_CASE("the bench's JSON has the agreed shape") {
   const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).text());
   REQUIRE(json["rows"].size() == 1);
   const auto expected = nlohmann::ordered_json::parse(
-      R"({"quantity":"I1","arguments":"alpha in [1e-6,1e-3]","method":"fast full","ns":12.5,"max_error_ulp":0.5,"max_relative_error":1e-16})");
+      R"({"quantity":"I1","range":"alpha in [1e-6,1e-3]","method":"fast full","max_error_ulp":0.5,"max_relative_error":1e-16,
+          "times":{"nanoseconds":12.5,"ratio":1.0}})");
   CHECK(json["rows"][0] == expected);
 }
 

@@ -24,25 +24,20 @@ std::set<std::string> keys_of(const json& object) {
 
 }  // namespace
 
-TEST_CASE("solve as JSON has the agreed shape: results, their errors, the work") {
+TEST_CASE("solve as JSON: what is wanted with its errors, the work") {
   const Outcome outcome = run("solve --json " + example("intermediate-frictionless"));
   CHECK(outcome.status == 0);
   CHECK(outcome.err.empty());
   const json answer = json::parse(outcome.out);
-  CHECK(keys_of(answer) ==
-        std::set<std::string>{"title", "results", "error_estimate", "positions", "work", "seconds"});
   CHECK(keys_of(answer.at("results")) ==
         std::set<std::string>{"contact_length", "indentation", "edge_displacement", "peak_pressure",
                               "creep_ratio", "pressure", "normal_displacement", "tangential_displacement"});
-  CHECK(keys_of(answer.at("results")) == keys_of(answer.at("error_estimate")));
-  CHECK(answer["results"]["contact_length"].is_number());
-  CHECK(answer["results"]["pressure"].size() == answer["positions"].size());
-  CHECK(answer["error_estimate"]["pressure"].size() == answer["positions"].size());
-  CHECK(keys_of(answer["work"]) ==
-        std::set<std::string>{"kernel_evaluations", "terms", "unknowns", "systems"});
-  CHECK(keys_of(answer["work"]["kernel_evaluations"]) ==
-        std::set<std::string>{"I1", "I2", "I3", "I4", "I5", "I6", "I7"});
-  CHECK(answer["seconds"].is_number());
+  CHECK(answer["results"]["contact_length"].at("value").is_number());
+  CHECK(answer["results"]["contact_length"].at("unit") == "length");
+  CHECK(answer["results"]["pressure"].at("value").size() == answer["positions"].size());
+  CHECK(answer["results"]["pressure"].at("error").size() == answer["positions"].size());
+  CHECK(answer["work"].at("kernel_evaluations").at("I1") > 0);
+  CHECK(answer["work"].at("line_responses").is_null());
 }
 
 TEST_CASE("solve for people names every result with its unit, and the work") {
@@ -57,15 +52,15 @@ TEST_CASE("solve by ref gives its numbers as text, with the digits that are aske
   const Outcome outcome = run("solve --json --path ref --digits 40 " + example("thick-frictionless"));
   CHECK(outcome.status == 0);
   const json answer = json::parse(outcome.out);
-  for (const auto& [name, value] : answer.at("results").items()) {
-    CHECK(value.get<std::string>().size() > 40);
-    CHECK(std::stod(answer.at("error_estimate").at(name).get<std::string>()) <=
-          1e-40 * std::stod(value.get<std::string>()));
-    CHECK(answer.at("proven").at(name) == false);
+  for (const json& result : answer.at("results")) {
+    const auto value = result.at("value").get<std::string>();
+    CHECK(value.size() > 40);
+    CHECK(std::stod(result.at("error").get<std::string>()) <= 1e-40 * std::stod(value));
+    CHECK(result.at("proven") == false);
   }
   const json fast = json::parse(run("solve --json " + example("thick-frictionless")).out);
-  CHECK(std::stod(answer["results"]["contact_length"].get<std::string>()) ==
-        doctest::Approx(fast["results"]["contact_length"].get<double>()).epsilon(1e-12));
+  CHECK(std::stod(answer["results"]["contact_length"]["value"].get<std::string>()) ==
+        doctest::Approx(fast["results"]["contact_length"]["value"].get<double>()).epsilon(1e-12));
 }
 
 TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") {

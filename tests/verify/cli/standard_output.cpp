@@ -59,6 +59,14 @@ TEST_CASE("what cannot be written is an error with its reason, status 4") {
   }
 }
 
+TEST_CASE("an error that cannot be answered either is told on standard error") {
+  const Outcome outcome = run("eval I9 --json >/dev/full");
+  CHECK(outcome.status == 4);
+  CHECK(std::ranges::count(outcome.err, '\n') == 2);
+  CHECK(outcome.err.find("quantity = I9") != std::string::npos);
+  CHECK(outcome.err.find("No space left on device") != std::string::npos);
+}
+
 TEST_CASE("a closed standard error takes nothing from the answer or the status") {
   const Outcome good = run("eval I1 alpha=0.73 2>&-; exit $?");
   CHECK(good.status == 0);

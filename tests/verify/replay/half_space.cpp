@@ -169,8 +169,8 @@ TEST_CASE("tables verb: the five tables with their numbers") {
   CHECK(first["row"]["gamma"] == "0.1");
   CHECK(first["printed"] == "0.5333");
   CHECK(first["read_as"] == "0.5333");
-  CHECK(first["replayed"] == "0.533295");
-  CHECK(first["corrected"] == "0.996368");
+  CHECK(first["replayed"] == 0.533295);
+  CHECK(first["corrected"] == 0.996368);
   CHECK(first["verdict"] == "seed-error");
   CHECK(first.contains("exact"));
   CHECK(json["tables"][2]["costs"]["formula"]["c=0.05"]["mean"].get<double>() == Approx(0.466).epsilon(0.01));

@@ -168,6 +168,7 @@ Json contact_audit_json(const std::vector<ContactAudit>& audits) {
                 {"oscillation", audit.oscillation},
                 {"error", audit.error},
                 {"allowed", audit.allowed},
+                {"allowance_used", audit.error ? Json(*audit.error / audit.allowed) : Json()},
                 {"kernel_error", audit.kernel_error},
                 {"discretisation_error", audit.discretisation_error},
                 {"kept", audit.kept()}};

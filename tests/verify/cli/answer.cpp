@@ -1,0 +1,219 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/report.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+
+#include "support/json_schema.hpp"
+#include "support/paths.hpp"
+#include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
+
+namespace {
+
+using namespace nipref;
+using nlohmann::json;
+
+const JsonSchema& answer_schema() {
+  static const JsonSchema schema(
+      json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
+  return schema;
+}
+
+/// An answer, and which of the schema's definitions is about it.
+struct Call {
+  std::string arguments;
+  std::string definition;
+};
+
+std::vector<Call> quick_calls(const std::string& with_profile) {
+  const auto scene = [](const char* name) { return "'" + data::example_scene(name).string() + "'"; };
+  return {{"list", "list"},
+          {"eval I1 alpha=0.73", "eval"},
+          {"eval ti.coupling speed=0.2", "eval"},
+          {"eval I4 eta=0x1p-1 --path ref", "eval"},
+          {"eval rolling.span_ratio poisson=0.3 speed=0.6 form=printed", "eval"},
+          {"solve " + scene("intermediate-frictionless"), "solve_by_fast"},
+          {"solve " + scene("thick-full-friction"), "solve_by_fast"},
+          {"solve " + scene("thick-frictionless-line-loads"), "solve_by_fast"},
+          {"solve " + scene("viscoelastic-short-memory"), "solve_by_fast"},
+          {"solve " + scene("half-space-rolling-sphere"), "solve_by_fast"},
+          {"solve --path ref --digits 20 " + scene("thick-frictionless"), "solve_by_ref"},
+          {"solve --path ref --digits 20 " + with_profile, "solve_by_ref"},
+          {"audit I3 root.re ti.span_ratio points=100", "audit"},
+          {"audit I3 points=100 rtol=1e-6", "audit"},
+          {"bench I7", "bench"},
+          {"tables thesis-VII thesis-XI brock2013-1", "tables"},
+          {"tables --list", "tables_list"},
+          {"--version", "version"}};
+}
+
+/// Whether `is_so` of a name and its value, at any depth.
+bool anywhere(const json& value, const auto& is_so) {
+  if (!value.is_structured()) return false;
+  for (const auto& [name, item] : value.items()) {
+    if (is_so(name, item) || anywhere(item, is_so)) return true;
+  }
+  return false;
+}
+
+bool holds_empty_text(const json& answer) {
+  return anywhere(answer, [](const std::string&, const json& item) { return item == ""; });
+}
+
+bool holds_times(const json& answer) {
+  return anywhere(answer, [](const std::string& name, const json&) { return name == "times"; });
+}
+
+std::vector<verify::Replay> replayed_and_corrected() {
+  std::vector<verify::Replay> replays;
+  for (const char* id : {"thesis-VII", "brock2012-1"}) {
+    replays.push_back(verify::replay_table(id));
+    verify::correct(replays.back());
+  }
+  return replays;
+}
+
+}  // namespace
+
+TEST_CASE("every verb's answer is as the schema has it") {
+  const ScratchFile with_profile(
+      "title = \"by ref\"\nwanted = [\"load\", \"pressure\"]\n[roller]\nradius = 6\n[sheet]\nthickness = 1\n"
+      "[material]\nmodel = \"elastic\"\nyoung = 1.45e5\npoisson = 0.3\n[contact]\nlength = 0.1\n"
+      "[friction]\nmodel = \"none\"\n[method]\nkind = \"converged\"\n[profile]\npoints = 3\n");
+  for (const Call& call : quick_calls(with_profile.path())) {
+    CAPTURE(call.arguments);
+    const Outcome outcome = run(call.arguments + " --json");
+    CAPTURE(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const json answer = json::parse(outcome.out);
+    CHECK(answer_schema().misfit(answer, call.definition) == "");
+    CHECK(answer_schema().misfit(answer) == "");
+    CHECK_FALSE(holds_empty_text(answer));
+  }
+}
+
+TEST_CASE("a report's answer is as the schema has it, its parts as the verbs would answer") {
+  const verify::AuditResult kept{&verify::find_quantity("I1"), 10, 0.5, 0.1, 0.25, {0.73}};
+  verify::AuditResult broken = kept;
+  broken.max_error_ulp = broken.mean_error_ulp = broken.allowance_used =
+      std::numeric_limits<double>::infinity();
+  const verify::ContactAudit contact{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8};
+  const verify::BenchReport speed{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1},
+                                   {"half-space", "all", "contour", 9, {}, {}, {}}},
+                                  {{"what", 2, 3}}};
+  const verify::Json report = verify::report_json(speed, {kept, broken}, {contact}, replayed_and_corrected());
+  const json answer = json::parse(verify::answer_text("report", report));
+  CHECK(answer_schema().misfit(answer, "report") == "");
+  CHECK_FALSE(holds_empty_text(answer));
+  for (const std::string part : {"audit", "bench", "tables"}) {
+    json as_verb = answer.at(part);
+    for (const char* head : {"schema", "nipref"}) as_verb[head] = answer.at(head);
+    as_verb["verb"] = part;
+    CAPTURE(part);
+    CHECK(answer_schema().misfit(as_verb, part) == "");
+  }
+  const json& rows = answer["audit"]["rows"];
+  CHECK(rows[0]["kept"] == true);
+  CHECK(rows[0]["allowance_used"] == 0.25);
+  CHECK(rows[0]["promise_ulp"] == verify::find_quantity("I1").promise);
+  CHECK(rows[1]["kept"] == false);
+  for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
+    CHECK(rows[1].at(infinite).is_null());
+  CHECK(answer["bench"]["times"]["ratios"][0] ==
+        json{{"what", "what"}, {"ratio", 2.0}, {"wanted", 3.0}, {"met", false}});
+  const json timeless = json::parse(verify::answer_text("report", report, true));
+  CHECK(answer_schema().misfit(timeless, "report") == "");
+  CHECK_FALSE(holds_times(timeless));
+}
+
+TEST_CASE("without times an answer is the same each time") {
+  for (const char* arguments :
+       {"eval I1 alpha=0.73", "audit I3 points=100", "bench I7", "tables thesis-VII --list"}) {
+    CAPTURE(arguments);
+    const Outcome first = run(std::string(arguments) + " --json --no-times");
+    CHECK(first.status == 0);
+    CHECK_FALSE(holds_times(json::parse(first.out)));
+    CHECK(run(std::string(arguments) + " --json --no-times").out == first.out);
+  }
+  CHECK(holds_times(json::parse(run("eval I1 alpha=0.73 --json").out)));
+  const Outcome refused = run("eval I1 alpha=0.73 --no-times");
+  CHECK(refused.status == 2);
+  CHECK(refused.err.find("no-times") != std::string::npos);
+}
+
+TEST_CASE("with --json an error is an answer too, and its line and status are as ever") {
+  struct Refused {
+    const char* arguments;
+    json argument, value;
+  };
+  const Refused calls[] = {{"eval I9 alpha=1", "quantity", "I9"},
+                           {"eval I1 alpha=0", "alpha", "0"},
+                           {"frobnicate", "verb", "frobnicate"},
+                           {"audit I1 points=0", "points", "0"},
+                           {"tables thesis-C", "table", "thesis-C"},
+                           {"solve /nowhere.toml", "/nowhere.toml: scene", "/nowhere.toml"}};
+  for (const Refused& call : calls) {
+    CAPTURE(call.arguments);
+    const Outcome plain = run(call.arguments), outcome = run(std::string(call.arguments) + " --json");
+    CHECK(plain.out.empty());
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err == plain.err);
+    const json answer = json::parse(outcome.out);
+    CHECK(answer_schema().misfit(answer, "error") == "");
+    CHECK(answer["error"]["argument"] == call.argument);
+    CHECK(answer["error"]["value"] == call.value);
+    CHECK("nipref: " + answer["error"]["message"].get<std::string>() + "\n" == outcome.err);
+  }
+}
+
+TEST_CASE("an error about bytes that are no text is an answer all the same") {
+  const Outcome outcome = run("eval I1 alpha=\xff --json");
+  CHECK(outcome.status == 2);
+  CHECK(answer_schema().misfit(json::parse(outcome.out), "error") == "");
+}
+
+TEST_CASE("--version names version, commit, compiler, libraries and instruction set, as every answer does") {
+  const Outcome text = run("--version");
+  CHECK(text.status == 0);
+  const json program = json::parse(run("--version --json").out).at("nipref");
+  CHECK(program == json::parse(run("list --json").out).at("nipref"));
+  for (const char* name : {"version", "compiler", "instruction_set"})
+    CHECK(text.out.find(program.at(name).get<std::string>()) != std::string::npos);
+  for (const char* name : {"commit", "commit_date"}) {
+    if (program.at(name).is_string())
+      CHECK(text.out.find(program[name].get<std::string>()) != std::string::npos);
+  }
+  for (const char* library : {"Boost", "GMP", "MPFR", "fmt"})
+    CHECK(text.out.find(std::string(library) + " " +
+                        program.at("libraries").at(library).get<std::string>()) != std::string::npos);
+}
+
+TEST_CASE("the schema is what it is checked by: a name more, less or of another kind does not fit") {
+  const json good = json::parse(run("eval I1 alpha=0.73 --json").out);
+  const auto misfit_after = [&](const auto& change) {
+    json bad = good;
+    change(bad);
+    return answer_schema().misfit(bad, "eval");
+  };
+  CHECK(misfit_after([](json&) {}) == "");
+  CHECK(misfit_after([](json& bad) { bad["more"] = 1; }) == "answer.more is not expected");
+  CHECK(misfit_after([](json& bad) { bad["schema"] = 2; }) == "answer.schema is not 1");
+  CHECK(misfit_after([](json& bad) { bad.erase("arguments"); }) == "answer has no arguments");
+  CHECK(misfit_after([](json& bad) { bad["results"]["ref"]["value"] = 0.2; }) ==
+        "answer.results.ref.value is no \"string\"");
+  CHECK(misfit_after([](json& bad) { bad["results"]["fast"]["value"] = "0.2"; }) ==
+        "answer.results.fast.value is no [\"number\",\"null\"]");
+  CHECK(answer_schema().misfit(json::object()).starts_with("answer fits none"));
+  CHECK_THROWS_AS(JsonSchema(json::parse(R"({"properties":{"x":{"minimum":0}}})")), std::invalid_argument);
+  CHECK_THROWS_AS(JsonSchema(json::parse(R"({"anyOf":[{"items":{"oneOf":[]}}]})")), std::invalid_argument);
+}
