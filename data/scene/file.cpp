@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
@@ -128,16 +130,33 @@ decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& or
   return read_elastic_nip(file, origin);
 }
 
+/// The title speaks of the file alone.
+void tell_overrides(Scene& scene, const SceneOverrides& overrides) {
+  for (const auto& [key, value] : overrides) {
+    if (key != "title") scene.title += ", with " + key + " = " + value;
+  }
+}
+
+std::string closest_example(const std::string& name, const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code none_there;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none_there))
+    names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return did_you_mean(name, {names.begin(), names.end()}, 3);
+}
+
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file) {
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
   SceneOrigin origin(file.string());
-  const TomlTable top = TomlTable::read(file, origin);
+  const TomlTable top = TomlTable::read(file, origin, overrides);
   Scene scene{.title = top.text("title"),
               .wanted = top.texts("wanted"),
               .system = read_system(top, origin),
               .origin = {}};
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
+  tell_overrides(scene, overrides);
   scene.origin = std::move(origin);
   scene.check();
   return scene;
@@ -147,7 +166,8 @@ std::filesystem::path example_scene(const std::string& name) {
   const auto folder = scenes_directory();
   const auto file = folder / (name + ".toml");
   if (!std::filesystem::is_regular_file(file)) {
-    throw BadInput("scene", name, "must be one of the files in " + folder.string());
+    throw BadInput("scene", name,
+                   closest_example(name, folder) + "must be one of the files in " + folder.string());
   }
   return file;
 }

@@ -1,10 +1,15 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <nipref/data/scene/scene.hpp>
 
 namespace nipref::data {
+
+/// Keys with their values, as they are given on a command line: {"load.per_length", "200"}.
+using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 
 /// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
 /// same numbers exactly.
@@ -29,10 +34,15 @@ namespace nipref::data {
 ///
 /// Throws BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that cannot be read or is no TOML, for an
 /// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
-[[nodiscard]] Scene load_scene(const std::filesystem::path& file);
+///
+/// `overrides` stand for what the file has at these keys, or add to it: "TABLE.KEY" or "KEY", with a number,
+/// a text (quotes may be left out) or a list as TOML writes it. The title then ends in ", with KEY = VALUE".
+/// They are checked like the file; BadInput "KEY = VALUE: ALLOWED" names them as given. Refused too: a key
+/// given twice, no key, a table.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
 /// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().
-/// BadInput if there is none of that name.
+/// BadInput if there is none of that name, with the one whose name is nearest.
 [[nodiscard]] std::filesystem::path example_scene(const std::string& name);
 
 }  // namespace nipref::data

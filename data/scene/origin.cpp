@@ -7,6 +7,7 @@ namespace nipref::data {
 std::string SceneOrigin::locate(std::string_view key) const {
   if (file_.empty()) return std::string(key);
   for (std::string_view part = key; !part.empty();) {
+    if (given_.contains(part)) return std::string(key);
     const auto found = lines_.find(part);
     if (found != lines_.end()) return fmt::format("{}:{}: {}", file_, found->second, key);
     const std::size_t cut = part.find_last_of(".[");
@@ -16,11 +17,12 @@ std::string SceneOrigin::locate(std::string_view key) const {
 }
 
 void SceneOrigin::refuse(std::string_view key, std::string_view value, std::string_view allowed) const {
-  throw BadInput(locate(key), value, allowed);
+  const auto given = given_.find(key);
+  throw BadInput(locate(key), given == given_.end() ? value : given->second, allowed);
 }
 
 void SceneOrigin::refuse(std::string_view key, double value, std::string_view allowed) const {
-  throw BadInput(locate(key), value, allowed);
+  refuse(key, fmt::format("{}", value), allowed);
 }
 
 void SceneOrigin::refuse_as(std::string_view key, const BadInput& error) const {

@@ -10,17 +10,24 @@ namespace nipref::data {
 
 /// Where the keys of a scene stand in the file that it was read from, so that a refusal can name the place
 /// however late it comes. Empty for a scene made in C++. Keys are written "roller.radius", elements of a list
-/// "wanted[1]" (counted from 0).
+/// "wanted[1]" (counted from 0). Keys that were given beside the file are named, and their values shown, as
+/// they were given there.
 class SceneOrigin {
  public:
   SceneOrigin() = default;
   explicit SceneOrigin(std::string file) : file_(std::move(file)) {}
 
-  /// Lines count from 1.
-  void note(std::string key, std::size_t line) { lines_.insert_or_assign(std::move(key), line); }
+  /// Lines count from 1; 0, of what is not in the file, is not noted.
+  void note(std::string key, std::size_t line) {
+    if (line > 0) lines_.insert_or_assign(std::move(key), line);
+  }
+  /// This key was given beside the file, as this text, and stands for whatever the file has there.
+  void note_given(std::string key, std::string value) {
+    given_.insert_or_assign(std::move(key), std::move(value));
+  }
 
   /// "FILE:LINE: KEY"; the line is that of the innermost noted part of the key, "FILE: KEY" if none is, "KEY"
-  /// without a file.
+  /// without a file, and if that part was given beside it.
   [[nodiscard]] std::string locate(std::string_view key) const;
 
   /// Throws BadInput with locate(key) as its argument.
@@ -33,6 +40,7 @@ class SceneOrigin {
  private:
   std::string file_;
   std::map<std::string, std::size_t, std::less<>> lines_;
+  std::map<std::string, std::string, std::less<>> given_;
 };
 
 }  // namespace nipref::data

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
+#include <nipref/data/closest_name.hpp>
 #include <nipref/data/magnitude.hpp>
-#include <nipref/data/scene/internal/closest_name.hpp>
 #include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>

@@ -1,7 +1,12 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
 #include <nipref/data/table/index.hpp>
 
 namespace nipref::data {
@@ -42,6 +47,18 @@ std::pair<int, std::string> order(const std::string& id) {
   return {number > 0 ? number : 1000, id};
 }
 
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  for (char& letter : capitals) letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+  return capitals;
+}
+
+bool may_mean(const std::string& name, const std::string& id) {
+  const std::string wanted = in_capitals(name), last = in_capitals(id.substr(id.rfind('-') + 1));
+  const int number = roman_number(last);
+  return wanted == in_capitals(id) || wanted == last || (number > 0 && wanted == std::to_string(number));
+}
+
 void count_key(const Table& table, std::size_t column, TableSummary& summary) {
   for (const auto& row : table.rows) {
     if (row[column].erratum) ++summary.key_errata;
@@ -77,6 +94,17 @@ Table load_table_by_id(const std::string& id, const std::filesystem::path& direc
   if (std::find(ids.begin(), ids.end(), id) == ids.end())
     throw BadInput("table", id, "must be an id that 'tables --list' shows");
   return load_table(directory / (id + ".csv"));
+}
+
+std::string find_table_id(const std::string& name, const std::filesystem::path& directory) {
+  const auto ids = table_ids(directory);
+  std::vector<std::string> meant;
+  std::ranges::copy_if(ids, std::back_inserter(meant), [&](const auto& id) { return may_mean(name, id); });
+  if (meant.size() == 1) return meant.front();
+  if (!meant.empty()) throw BadInput("table", name, fmt::format("must be one of {}", fmt::join(meant, ", ")));
+  throw BadInput(
+      "table", name,
+      did_you_mean(name, {ids.begin(), ids.end()}, 3) + "must be an id that 'tables --list' shows");
 }
 
 TableSummary summarize(const Table& table) {

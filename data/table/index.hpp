@@ -17,6 +17,12 @@ namespace nipref::data {
 [[nodiscard]] Table load_table_by_id(const std::string& id,
                                      const std::filesystem::path& directory = tables_directory());
 
+/// The id of the table that is meant by `name`: an id, or what stands behind its hyphen, in letters of either
+/// case; a number of the thesis's tables may be Arabic: "VII", "vii", "7". BadInput if that is none, or if it
+/// is several, like "3", with those.
+[[nodiscard]] std::string find_table_id(const std::string& name,
+                                        const std::filesystem::path& directory = tables_directory());
+
 /// What a table holds, counted. Key columns count among neither columns nor cells.
 struct TableSummary {
   std::string id;

@@ -10,10 +10,11 @@
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <utility>
 
-#include <nipref/data/scene/internal/closest_name.hpp>
+#include <nipref/data/closest_name.hpp>
 
 namespace nipref::data {
 
@@ -72,15 +73,71 @@ std::string line_of(const std::string& text, std::size_t number) {
   return line;
 }
 
+using Override = std::pair<std::string, std::string>;
+
+/// What stands for `text` in a scene, held in a list of one. What is no TOML value is a text without its
+/// quotes: shells take them away.
+toml::array value_of(const std::string& text) {
+  toml::array held;
+  try {
+    const toml::table parsed = toml::parse("value = " + text);
+    if (parsed.size() == 1)
+      held.push_back(*parsed.get("value"));  // a copy has no lines, which would be wrong ones
+  } catch (const toml::parse_error&) {
+    // a text
+  }
+  if (held.empty()) held.push_back(text);
+  return held;
+}
+
+/// The table in which the key's last part is, made where the file has none, and that part.
+std::pair<toml::table*, std::string> place_of(toml::table& file, const Override& given) {
+  const auto& [key, value] = given;
+  toml::table* table = &file;
+  std::size_t start = 0;
+  for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', start)) {
+    const std::string part = key.substr(start, dot - start);
+    table = table->insert(part, toml::table{}).first->second.as_table();
+    if (table == nullptr || part.empty()) {
+      throw BadInput(key, value, "must be TABLE.KEY or KEY of the scene: '" + part + "' is no table");
+    }
+    start = dot + 1;
+  }
+  return {table, key.substr(start)};
+}
+
+void override_one(toml::table& file, const Override& given) {
+  const auto [table, key] = place_of(file, given);
+  const toml::array held = value_of(given.second);
+  if (key.empty() || held.get(0)->is_table() || (table->contains(key) && table->get(key)->is_table())) {
+    throw BadInput(given.first, given.second,
+                   "must be TABLE.KEY=VALUE or KEY=VALUE: a number, a text or a list at a time");
+  }
+  table->erase(key);  // with its line
+  table->insert(key, *held.get(0));
+}
+
+void override_all(toml::table& file, const std::vector<Override>& overrides, SceneOrigin& origin) {
+  std::set<std::string> seen;
+  for (const Override& given : overrides) {
+    if (!seen.insert(given.first).second)
+      throw BadInput(given.first, given.second, "given twice: must be given once");
+    override_one(file, given);
+    origin.note_given(given.first, given.second);
+  }
+}
+
 }  // namespace
 
 TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
     : contents_(std::move(contents)), name_(std::move(name)), origin_(&origin) {}
 
-TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin) {
+TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin,
+                          const std::vector<Override>& overrides) {
   const std::string text = contents_of(file, origin);
   try {
-    auto parsed = std::make_shared<const toml::table>(toml::parse(text));
+    auto parsed = std::make_shared<toml::table>(toml::parse(text));
+    override_all(*parsed, overrides, origin);
     auto contents = std::make_shared<const Contents>(Contents{parsed, parsed.get()});
     return {std::move(contents), "", origin};
   } catch (const toml::parse_error& error) {

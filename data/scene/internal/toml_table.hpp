@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/scene/origin.hpp>
@@ -14,8 +15,10 @@ namespace nipref::data {
 /// (BadInput) names and which must live as long as this does.
 class TomlTable {
  public:
-  /// The whole file. Refuses one that cannot be read or is no TOML (keys given twice included).
-  static TomlTable read(const std::filesystem::path& file, SceneOrigin& origin);
+  /// The whole file, with `overrides` (key, value) in the place of what it has there. Refuses a file that
+  /// cannot be read or is no TOML (keys given twice included), and what load_scene says of overrides.
+  static TomlTable read(const std::filesystem::path& file, SceneOrigin& origin,
+                        const std::vector<std::pair<std::string, std::string>>& overrides);
 
   /// Refuses all keys but these.
   void allow(std::initializer_list<std::string_view> known) const;

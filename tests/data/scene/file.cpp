@@ -187,6 +187,70 @@ TEST_CASE("every refusal is one line with file, line, key, value and what is all
   }
 }
 
+namespace {
+
+/// What is said of the good scene with these overrides.
+std::string said_of(const data::SceneOverrides& overrides, const std::string& text = good) {
+  const ScratchFile file(text);
+  try {
+    return data::load_scene(file.path(), overrides).title;
+  } catch (const data::BadInput& error) {
+    const std::string message = error.what();
+    return message.starts_with(file.path()) ? "FILE" + message.substr(file.path().size()) : message;
+  }
+}
+
+const data::ElasticNipProblem& elastic(const data::Scene& scene) {
+  return std::get<data::ElasticNipProblem>(scene.system);
+}
+
+}  // namespace
+
+TEST_CASE("overrides stand for what the file has, or add to it, and the title says so") {
+  const ScratchFile file(good);
+  const data::Scene scene = data::load_scene(file.path(), {{"load.per_length", "2e2"},
+                                                           {"accuracy", "1e-6"},
+                                                           {"wanted", "[\"load\", \"pressure\"]"},
+                                                           {"profile.points", "5"},
+                                                           {"friction.model", "full"},
+                                                           {"material.model", "\"elastic\""}});
+  CHECK(std::get<data::GivenLoad>(elastic(scene).given).per_length == 200);
+  CHECK(elastic(scene).friction == data::Friction::full);
+  CHECK(scene.accuracy == 1e-6);
+  CHECK(scene.wanted == std::vector<std::string>{"load", "pressure"});
+  CHECK(
+      scene.title ==
+      "a nip, with load.per_length = 2e2, with accuracy = 1e-6, with wanted = [\"load\", \"pressure\"], with "
+      "profile.points = 5, with friction.model = full, with material.model = \"elastic\"");
+  const data::Scene added = data::load_scene(file.path(), {{"method.residue_terms", "7"}, {"title", "mine"}});
+  CHECK(std::get<data::LineLoads>(elastic(added).method).residue_terms == 7);
+  CHECK(added.title == "mine, with method.residue_terms = 7");
+}
+
+TEST_CASE("bad overrides are refused as they were given, and what is wrong in the file at its line") {
+  CHECK(said_of({{"load.per_length", "-5e0"}}) == "load.per_length = -5e0: must be finite and > 0");
+  CHECK(said_of({{"load.per_length", "much"}}) == "load.per_length = much: must be a number");
+  CHECK(said_of({{"load.per_length", "1\nx=2"}}) == "load.per_length = 1\nx=2: must be a number");
+  CHECK(said_of({{"method.leading_elements", "3.5"}}) ==
+        "method.leading_elements = 3.5: must be a whole number");
+  CHECK(said_of({{"load.per_lenght", "0x10"}})
+            .starts_with("load.per_lenght = 0x10: unknown key: did you mean per_length?"));
+  CHECK(said_of({{"lod.per_length", "5"}})
+            .starts_with("FILE: lod = (a table): unknown key: did you mean load?"));
+  CHECK(said_of({{"wanted", "[\"load\", \"laod\"]"}}).starts_with("wanted[1] = laod: did you mean load?"));
+  for (const char* key : {"load", "", "load.", "load.x.y.", "profile"})
+    CHECK(said_of({{key, "5"}}).starts_with(std::string(key) + " = 5: "));
+  CHECK(said_of({{"load", "{per_length = 5}"}})
+            .starts_with("load = {per_length = 5}: must be TABLE.KEY=VALUE"));
+  CHECK(said_of({{"title.x", "5"}}) ==
+        "title.x = 5: must be TABLE.KEY or KEY of the scene: 'title' is no table");
+  CHECK(said_of({{".x", "5"}}).starts_with(".x = 5: must be TABLE.KEY"));
+  CHECK(said_of({{"accuracy", "1e-6"}, {"accuracy", "1e-7"}}) ==
+        "accuracy = 1e-7: given twice: must be given once");
+  CHECK(said_of({{"accuracy", "1e-6"}}, replaced(good, "radius = 6", "radius = 0"))
+            .starts_with("FILE:5: roller.radius = 0: "));
+}
+
 TEST_CASE("files that cannot be read") {
   for (const std::string& path :
        {std::string("/nowhere/scene.toml"), std::filesystem::temp_directory_path().string()}) {

@@ -27,6 +27,22 @@ TEST_CASE("all tables of the seeds are there, in the order of the seeds") {
   CHECK(ids[28] == "brock2013-3");
 }
 
+TEST_CASE("a table is found by what stands behind its hyphen, or by its Arabic number") {
+  for (const char* name : {"thesis-VII", "VII", "vii", "7", "Thesis-vii"})
+    CHECK(find_table_id(name) == "thesis-VII");
+  CHECK(find_table_id("III") == "thesis-III");
+  CHECK(find_table_id("brock2013-3") == "brock2013-3");
+  const auto refused = [](const char* name, const char* says) {
+    CHECK_THROWS_WITH_AS((void)find_table_id(name), says, BadInput);
+  };
+  refused("3", "table = 3: must be one of thesis-III, brock2013-3");
+  refused("1", "table = 1: must be one of brock2012-1, brock2013-1");
+  refused("thesis-VIX",
+          "table = thesis-VIX: did you mean thesis-VI, thesis-VII or thesis-IX? must be an id that 'tables "
+          "--list' shows");
+  refused("", "table = : must be an id that 'tables --list' shows");
+}
+
 TEST_CASE("no row of the thesis and no cell of the Brock tables is missing") {
   std::size_t thesis_rows = 0;
   std::map<std::string, std::size_t> brock_cells;
