@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include <nipref/verify/audit/audit.hpp>
@@ -8,6 +9,7 @@
 #include <nipref/verify/audit/internal/zeros.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -87,6 +89,7 @@ struct Climb {
 Climb climb(const Quantity& quantity, const Judge& judge, Climb best, std::size_t steps, std::size_t start) {
   Random random(fmt::format("search {} {}", quantity.name, start));
   for (std::size_t step = 0; step < steps; ++step) {
+    stop_if_interrupted();
     Point next = perturbed(quantity, best.point, random);
     const Finding finding = judge(next);
     if (worse(finding, best.finding)) best = {std::move(next), finding};
@@ -103,9 +106,15 @@ double mean_ulps(const std::vector<Finding>& findings) {
 
 }  // namespace
 
+std::size_t AuditOptions::points_of(const Quantity& quantity) const {
+  if (points > 0) return points;
+  return static_cast<std::size_t>(
+      std::max(1.0, std::round(density * static_cast<double>(quantity.audit_points))));
+}
+
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
   const Judge judge(quantity, options.accuracy);
-  const std::size_t wanted = options.points == 0 ? quantity.audit_points : options.points;
+  const std::size_t wanted = options.points_of(quantity);
   const std::vector<Point> points = candidates(quantity, wanted);
   std::vector<Finding> findings(points.size());
   parallel_for(

@@ -34,16 +34,25 @@ std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
                                                      : fmt::format("{:g} ulp", result.quantity->promise);
 }
 
+std::string verdict_text(const AuditResult& result) {
+  if (!result.kept()) return "BROKEN";
+  return result.few_points() ? "kept, few" : "kept";
+}
+
 }  // namespace
 
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
-  std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:7} {}\n", "quantity", "points",
+  std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:9} {}\n", "quantity", "points",
                                  "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
   for (const AuditResult& result : results) {
-    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:7}{}\n", result.quantity->name,
+    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
                         result.points, result.max_error_ulp, result.mean_error_ulp,
-                        promise_text(result, accuracy), 100 * result.allowance_used,
-                        result.kept() ? "kept" : "BROKEN", worst_text(result));
+                        promise_text(result, accuracy), 100 * result.allowance_used, verdict_text(result),
+                        worst_text(result));
+  }
+  if (std::ranges::any_of(results, &AuditResult::few_points)) {
+    text += fmt::format("few: fewer than {} points, which say little; --density or --points looks at more\n",
+                        enough_points);
   }
   return text;
 }
@@ -57,6 +66,7 @@ Json audit_json(const std::vector<AuditResult>& results) {
                 {"promise_ulp", result.quantity->promise},
                 {"allowance_used", result.allowance_used},
                 {"kept", result.kept()},
+                {"few_points", result.few_points()},
                 {"worst", worst_json(result)}};
   });
 }

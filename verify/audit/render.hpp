@@ -7,7 +7,7 @@
 
 namespace nipref::verify {
 
-/// Table for people, one line a quantity.
+/// Table for people, one line a quantity; the verdict is "kept, few" where few points found it kept.
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy);
 
 /// The "rows" of an audit.

@@ -55,6 +55,12 @@ std::vector<BenchRatio> form_ratios(const std::vector<BenchRow>& rows) {
 
 }  // namespace
 
+bool all_met(const BenchReport& report, bool strict) {
+  return std::ranges::all_of(report.ratios, [strict](const BenchRatio& ratio) {
+    return ratio.met() || !(strict || ratio.of_errors);
+  });
+}
+
 void append(BenchReport& report, const BenchReport& more) {
   std::ranges::copy(more.rows, std::back_inserter(report.rows));
   std::ranges::copy(more.ratios, std::back_inserter(report.ratios));

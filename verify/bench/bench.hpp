@@ -27,6 +27,7 @@ struct BenchRatio {
   std::string what;
   double measured;
   double target;
+  bool of_errors = false;  ///< else of times, which depend on the machine and on what else it does
   [[nodiscard]] bool met() const { return measured >= target; }
 };
 
@@ -35,8 +36,13 @@ struct BenchReport {
   std::vector<BenchRatio> ratios;
 };
 
+/// True if the promised ratios are met: all if `strict`, otherwise those of errors.
+bool all_met(const BenchReport& report, bool strict);
+
 /// Adds rows and ratios of another report.
 void append(BenchReport& report, const BenchReport& more);
+
+// What is interrupted (support/internal/interrupt.hpp) gives what it has finished.
 
 /// Receives what is being timed; may be empty.
 using BenchProgress = std::function<void(const std::string&)>;

@@ -8,6 +8,7 @@
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
@@ -116,7 +117,8 @@ std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress
   std::vector<BenchRow> first_calls;
   if (quantity.multiprecision_peers.empty()) return rows;
   for (const int digits : peer_digits()) {
-    if (progress) progress(fmt::format("{} {} digits", quantity.name, digits));
+    if (interrupted()) break;
+    if (progress) progress(fmt::format("{} digits", digits));
     Rows found = bench_at(quantity, digits);
     std::ranges::move(found.steady, std::back_inserter(rows));
     first_calls.push_back(std::move(found.first_call));

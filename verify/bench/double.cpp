@@ -6,6 +6,7 @@
 
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -193,7 +194,8 @@ std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress) {
   std::vector<BenchRow> rows;
   for (const Range& range : ranges(quantity)) {
-    if (progress) progress(fmt::format("{} {}", quantity.name, range.name));
+    if (interrupted()) break;
+    if (progress) progress(range.name);
     std::vector<BenchRow> more = bench_range(quantity, range);
     rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }

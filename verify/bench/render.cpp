@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
 
@@ -25,6 +27,8 @@ std::string ratios_text(const std::vector<BenchRatio>& ratios) {
     text += fmt::format("{:46} {:>8.1f} times, asked for {:>5g}: {}\n", ratio.what, ratio.measured,
                         ratio.target, ratio.met() ? "met" : "MISSED");
   }
+  if (!std::ranges::all_of(ratios, &BenchRatio::met))
+    text += "A missed ratio of times fails the run with --strict only: times depend on the machine.\n";
   return text;
 }
 

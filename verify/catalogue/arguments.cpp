@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 
 namespace nipref::verify {
@@ -20,7 +21,8 @@ void refuse_unknown(const Quantity& quantity, const Assignments& assignments) {
   for (const auto& [name, value] : assignments) {
     if (std::ranges::find(known, name) == known.end()) {
       throw BadInput(name, value,
-                     fmt::format("unknown argument: {} takes {}", quantity.name, fmt::join(known, ", ")));
+                     fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
+                                 quantity.name, fmt::join(known, ", ")));
     }
   }
 }

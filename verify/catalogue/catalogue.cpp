@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
@@ -28,16 +29,23 @@ const std::vector<Quantity>& catalogue() {
   return all;
 }
 
-std::string quantity_names() {
-  std::vector<std::string_view> names;
+void refuse_quantity(std::string_view name, const std::vector<std::string_view>& groups) {
+  std::vector<std::string_view> names = groups;
   for (const Quantity& quantity : catalogue()) names.push_back(quantity.name);
-  return fmt::format("{}", fmt::join(names, ", "));
+  throw data::BadInput(
+      "quantity", name,
+      fmt::format("{}must be one that 'nipref list' shows{}{}", data::did_you_mean(name, names, 3),
+                  groups.empty() ? "" : ", or one of ", fmt::join(groups, ", ")));
+}
+
+const Quantity* known_quantity(std::string_view name) {
+  const auto found = std::ranges::find(catalogue(), name, &Quantity::name);
+  return found == catalogue().end() ? nullptr : &*found;
 }
 
 const Quantity& find_quantity(std::string_view name) {
-  const auto& all = catalogue();
-  const auto found = std::ranges::find(all, name, &Quantity::name);
-  if (found == all.end()) throw data::BadInput("quantity", name, "must be one of " + quantity_names());
+  const Quantity* const found = known_quantity(name);
+  if (found == nullptr) refuse_quantity(name);
   return *found;
 }
 

@@ -11,10 +11,14 @@ namespace nipref::verify {
 /// nowhere else.
 const std::vector<Quantity>& catalogue();
 
-/// Their names, with commas between them.
-std::string quantity_names();
+/// Throws BadInput that "quantity" is `name`, with the few nearest names of the catalogue and of `groups`,
+/// what else could be named there.
+[[noreturn]] void refuse_quantity(std::string_view name, const std::vector<std::string_view>& groups = {});
 
-/// The entry of that name; BadInput naming "quantity" and all known names if there is none.
+/// The entry of that name, or nullptr.
+const Quantity* known_quantity(std::string_view name);
+
+/// The entry of that name; BadInput as refuse_quantity has it if there is none.
 const Quantity& find_quantity(std::string_view name);
 
 /// The entries of those names, or the whole catalogue if no name is given. BadInput as above.

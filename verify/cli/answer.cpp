@@ -1,5 +1,6 @@
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -14,6 +15,7 @@ std::string answer_text(std::string_view verb, const Json& members, bool no_time
   Json answer = answer_head();
   answer.set("verb", verb);
   answer.append(members);
+  if (interrupted()) answer.set("interrupted", true);
   return (no_times ? answer.without("times") : answer).text();
 }
 

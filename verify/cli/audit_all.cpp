@@ -1,20 +1,53 @@
-#include <fmt/format.h>
-
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
-#include <nipref/verify/support/internal/progress.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
+namespace {
 
-std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantities, AuditOptions options) {
-  Progress progress;
+constexpr double quick = 0.1;
+constexpr double thorough = 10;
+
+double density_option(const CommandLine& line) {
+  constexpr double least = 1e-6, most = 1000;
+  if (line.has("quick")) return quick;
+  if (line.has("thorough")) return thorough;
+  const auto text = line.option("density");
+  if (!text) return 1;
+  const double density = parse_real("density", *text);
+  if (density < least || density > most)
+    throw data::BadInput("density", *text, "must be a number from 1e-6 to 1000");
+  return density;
+}
+
+}  // namespace
+
+AuditOptions audit_options(const CommandLine& line) {
+  std::string first;
+  for (const char* const name : {"points", "density", "quick", "thorough"}) {
+    if (!line.option(name) && !line.has(name)) continue;
+    if (!first.empty())
+      throw data::BadInput(name, line.option(name).value_or("(given)"), "must be left out beside " + first);
+    first = name;
+  }
+  return {points_option(line), accuracy_option(line), {}, density_option(line)};
+}
+
+std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantities, AuditOptions options,
+                                   Progress& progress) {
   std::vector<AuditResult> results;
   for (const Quantity* quantity : quantities) {
-    options.progress = [&](std::size_t done) {
-      progress.show(fmt::format("audit {}: {} of about {} points", quantity->name, done,
-                                options.points == 0 ? quantity->audit_points : options.points));
-    };
-    results.push_back(audit(*quantity, options));
+    if (interrupted()) break;
+    progress.next(quantity->name);
+    const auto expected = static_cast<double>(options.points_of(*quantity));
+    options.progress = [&](std::size_t done) { progress.at(static_cast<double>(done) / expected); };
+    try {
+      results.push_back(audit(*quantity, options));
+    } catch (const Interrupted&) {
+      break;
+    }
   }
   return results;
 }

@@ -1,11 +1,8 @@
-#include <nipref/verify/bench/internal/elastic_nip.hpp>
-#include <nipref/verify/bench/internal/half_space.hpp>
-#include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/bench_all.hpp>
+#include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -19,19 +16,16 @@ constexpr auto notes =
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = selection(line, {"elastic-nip", "viscoelastic-nip", "half-space"});
-  Progress progress;
-  const BenchProgress show = [&](const std::string& what) { progress.show("bench " + what); };
-  BenchReport report = bench(selected.quantities, show);
-  if (selected.has("elastic-nip")) append(report, bench_contacts(show));
-  if (selected.has("viscoelastic-nip")) append(report, bench_viscoelastic(show));
-  if (selected.has("half-space")) append(report, bench_half_space(show));
+  const Selection selected = selection(line, bench_groups());
+  stop_gently_on_interrupt();
+  Progress progress(standard_error(line.has("quiet")));
+  const BenchReport report = bench_all(selected, progress);
   if (line.json) {
     out << answer_text("bench", bench_json(report), line.no_times);
   } else {
-    out << bench_text(report.rows) << notes << ratios_text(report.ratios);
+    out << bench_text(report.rows) << notes << ratios_text(report.ratios) << interruption_text();
   }
-  return 0;
+  return all_met(report, line.has("strict")) ? 0 : 1;
 }
 
 }  // namespace nipref::verify

@@ -3,101 +3,79 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/verb_table.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using data::BadInput;
 
-struct OptionText {
-  std::string name;
-  std::string meaning;
-};
+constexpr auto statuses =
+    "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written, "
+    "130 interrupted.\n"
+    "An error is one line on standard error; with --json it is an answer on standard output as well.";
 
-struct VerbText {
-  std::string name;
-  std::string meaning;
-  std::string words;  ///< what the words that are no name=value pairs name; empty: there are none
-  std::vector<OptionText> options;
-  bool lists = false;
-};
-
-const OptionText path_option{"path", "ref, fast or both (default both)"};
-const OptionText digits_option{"digits", "decimal digits of ref's result, 16 to 1000 (default 50)"};
-const OptionText solve_path_option{"path", "ref or fast (default fast)"};
-const OptionText solve_digits_option{
-    "digits", "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30)"};
-const OptionText rtol_option{
-    "rtol",
-    "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
-const OptionText form_option{
-    "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
-const OptionText points_text{"points", "points for each quantity (default 20000)"};
-
-const std::array verbs{
-    VerbText{"list", "the quantities that can be computed", "", {}},
-    VerbText{"eval",
-             "one quantity at one argument: eval I1 alpha=0.73",
-             "quantity name=value",
-             {path_option, digits_option, rtol_option, form_option}},
-    VerbText{"solve",
-             "what a scene wants of its contact: solve SCENE.toml",
-             "scene",
-             {solve_path_option, solve_digits_option}},
-    VerbText{"tables", "the seeds' tables, replayed", "table", {}, true},
-    VerbText{
-        "audit", "largest error of fast against ref", "quantity or contacts", {points_text, rtol_option}},
-    VerbText{"bench",
-             "speed against error, beside other libraries",
-             "quantity, elastic-nip, viscoelastic-nip or half-space",
-             {}},
-    VerbText{"report", "audit, bench and tables on a page or two", "", {points_text}},
-};
-
-std::string verb_names() {
-  std::vector<std::string_view> names;
-  for (const VerbText& verb : verbs) names.push_back(verb.name);
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-const VerbText& find_verb(const std::string& name) {
-  const auto found = std::ranges::find(verbs, name, &VerbText::name);
-  if (found == verbs.end()) throw BadInput("verb", name, "must be one of " + verb_names());
-  return *found;
+/// `nipref help eval` and `nipref I1 alpha=0.73` mean `nipref eval --help` and `nipref eval I1 alpha=0.73`.
+std::vector<std::string> as_meant(std::vector<std::string> words) {
+  if (words.empty()) return words;
+  if (words.front() == "help") {
+    words.erase(words.begin());
+    words.insert(words.empty() ? words.end() : words.begin() + 1, "--help");
+  }
+  if (known_quantity(words.front()) != nullptr) words.insert(words.begin(), "eval");
+  return words;
 }
 
 /// The first word decides; a call for help is left to CLI11.
-void refuse_unknown_verb(int argc, const char* const* argv) {
-  if (argc < 2) throw BadInput("verb", "(missing)", "must be one of " + verb_names());
-  const std::string first = argv[1];
-  if (first != "-h" && first != "--help" && first != "--version") find_verb(first);
+void refuse_what_is_unknown(const std::vector<std::string>& words) {
+  const std::string first = words.empty() ? "(missing)" : words.front();
+  if (first == "-h" || first == "--help" || first == "--version") return;
+  const VerbText& verb = find_verb(first);
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    if (word.starts_with("--"))
+      refuse_unknown_option(verb, word.substr(0, equals),
+                            equals == std::string::npos ? "(given)" : word.substr(equals + 1));
+  }
 }
 
 struct Raw {
   std::vector<std::string> words;
   std::map<std::string, std::string> options;
-  bool json = false;
-  bool no_times = false;
-  bool list = false;
+  std::map<std::string, bool> flags;
 };
+
+std::string footer_of(const VerbText& verb) {
+  return fmt::format("\nExamples:\n  {}\n\n{}", fmt::join(verb.examples, "\n  "), statuses);
+}
 
 void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
   CLI::App* sub = app.add_subcommand(verb.name, verb.meaning);
-  sub->add_option("words", raw.words, verb.words.empty() ? "name=value" : verb.words)->option_text("...");
+  sub->add_option(verb.words.empty() ? "name=value" : verb.words, raw.words, verb.meaning_of_words)
+      ->option_text("...");
   for (const OptionText& option : verb.options) {
     sub->add_option("--" + option.name, raw.options[option.name],
                     option.meaning + "; also " + option.name + "=...");
   }
-  if (verb.lists) sub->add_flag("--list", raw.list, "only list the tables");
-  sub->add_flag("--json", raw.json, "output for machines, errors too");
-  sub->add_flag("--no-times", raw.no_times, "with --json: leave out what the clock decides");
+  for (const OptionText& flag : verb.flags)
+    sub->add_flag("--" + flag.name, raw.flags[flag.name], flag.meaning);
+  sub->footer(footer_of(verb));
 }
 
-/// Words with '=' are options of the verb or arguments of the quantity.
+[[noreturn]] void refuse_assignment(const VerbText& verb, const std::string& name, const std::string& value) {
+  std::vector<std::string_view> known;
+  for (const OptionText& option : verb.options) known.push_back(option.name);
+  throw BadInput(name, value,
+                 fmt::format("unknown argument: {}{} takes none of that name",
+                             data::did_you_mean(name, known), verb.name));
+}
+
+/// Words with '=' are options of the verb, arguments of the quantity or keys of the scene.
 void sort_words(const VerbText& verb, const Raw& raw, CommandLine& line) {
   for (const std::string& word : raw.words) {
     const std::size_t equals = word.find('=');
@@ -110,9 +88,7 @@ void sort_words(const VerbText& verb, const Raw& raw, CommandLine& line) {
     const std::string name = word.substr(0, equals);
     const std::string value = word.substr(equals + 1);
     if (std::ranges::find(verb.options, name, &OptionText::name) == verb.options.end()) {
-      if (verb.name != "eval") {
-        throw BadInput(name, value, "unknown argument: " + verb.name + " takes none of that name");
-      }
+      if (!verb.takes_assignments) refuse_assignment(verb, name, value);
       line.assignments.emplace_back(name, value);
     } else if (!line.options.emplace(name, value).second) {
       throw BadInput(name, value, "given twice: must be given once");
@@ -127,26 +103,29 @@ std::optional<std::string> CommandLine::option(const std::string& name) const {
   return found == options.end() ? std::nullopt : std::optional(found->second);
 }
 
+bool CommandLine::has(const std::string& flag) const { return flags.contains(flag); }
+
 bool asks_for_json(int argc, const char* const* argv) {
   return std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
 }
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-  refuse_unknown_verb(argc, argv);
+  std::vector<std::string> words = as_meant({argv + std::min(argc, 1), argv + argc});
+  refuse_what_is_unknown(words);
   CLI::App app(
       "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) "
-      "and fast (double).\n"
-      "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written.\n"
-      "An error is one line on standard error; with --json it is an answer on standard output as well.",
+      "and fast (double).\n'nipref help VERB' says what a verb takes.",
       "nipref");
   app.require_subcommand(1);
   app.set_version_flag("--version", "", "what it was built from and with; --version --json for machines");
+  app.footer(std::string("\nExamples:\n  nipref I1 alpha=0.73\n  nipref solve thick-full-friction\n\n") +
+             statuses);
   std::map<std::string, Raw> raws;
-  for (const VerbText& verb : verbs) declare(app, verb, raws[verb.name]);
+  for (const VerbText& verb : verbs()) declare(app, verb, raws[verb.name]);
 
   CommandLine line;
   try {
-    app.parse(argc, argv);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // from the back, as CLI11 has it
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
     line.help = chosen.empty() ? app.help() : chosen.front()->help("nipref");
@@ -156,14 +135,16 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     line.json = asks_for_json(argc, argv);
     return line;
   } catch (const CLI::ParseError& error) {
-    throw BadInput("command line", fmt::format("{}", fmt::join(argv + 1, argv + argc, " ")), error.what());
+    throw BadInput("command line", fmt::format("{}", fmt::join(words, " ")), error.what());
   }
 
   line.verb = app.get_subcommands().front()->get_name();
   const Raw& raw = raws[line.verb];
-  line.json = raw.json;
-  line.no_times = raw.no_times;
-  line.list = raw.list;
+  for (const auto& [name, given] : raw.flags) {
+    if (given) line.flags.insert(name);
+  }
+  line.json = line.has("json");
+  line.no_times = line.has("no-times");
   if (line.no_times && !line.json)
     throw BadInput("no-times", "(given)", "must be given with --json: there alone times are set apart");
   for (const auto& [name, value] : raw.options) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
@@ -31,6 +32,11 @@ struct Answer {
   bool proven;                       ///< that error, as a bound
   int digits;                        ///< ref: as asked for; fast: as promised
   double seconds;
+};
+
+/// What errors are measured against at the arguments, and its unit in the last place; none where doubles end.
+struct Scale {
+  std::optional<double> size, ulp;
 };
 
 /// What was asked for, checked as far as it can be without evaluating anything.
@@ -79,10 +85,18 @@ const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
   throw BadInput("form", form, fmt::format("must be {} of {}", fmt::join(known, " or "), quantity.name));
 }
 
+void refuse_options_without_effect(const CommandLine& line, const std::string& path, const SeedForm* form) {
+  const std::string chosen = form != nullptr ? "form=" + form->name : "path=" + path;
+  const std::string why = "has no effect with " + chosen + ": must be left out";
+  if (form != nullptr || path == "ref") refuse_option(line, "rtol", why);
+  if (form != nullptr || path == "fast") refuse_option(line, "digits", why);
+}
+
 Request request_of(const CommandLine& line) {
   const Quantity& quantity = quantity_of(line);
   const std::string path = path_of(line);
   const SeedForm* form = form_of(line, quantity);
+  refuse_options_without_effect(line, path, form);
   return {&quantity,
           parse_arguments(quantity, line.assignments),
           form,
@@ -145,6 +159,15 @@ Json number_json(const Answer& answer, const std::string& text) {
   return answer.path == "ref" ? Json(text) : Json::number(text);
 }
 
+/// With the first answer: their values differ by less than what the scale is for.
+Scale scale_of(const Request& request, const Answer& answer) try {
+  const double size = std::max(std::fabs(std::strtod(answer.value.c_str(), nullptr)),
+                               request.quantity->envelope(request.arguments.nearest(*request.quantity)));
+  return {size, ulp_of(size)};
+} catch (const BadInput&) {
+  return {};
+}
+
 Json answer_json(const Answer& answer) {
   return {{"value", number_json(answer, answer.value)},
           {"error", answer.error ? number_json(answer, *answer.error) : Json()},
@@ -157,9 +180,14 @@ Json to_json(const Request& request, const std::vector<Answer>& answers) {
   Json arguments = Json::object();
   for (std::size_t i = 0; i < request.arguments.text.size(); ++i)
     arguments.set(request.quantity->arguments[i].name, request.arguments.text[i]);
+  const Scale scale = scale_of(request, answers.front());
   Json results = Json::object();
   for (const Answer& answer : answers) results.set(answer.path, answer_json(answer));
-  return {{"quantity", request.quantity->name}, {"arguments", arguments}, {"results", results}};
+  return {{"quantity", request.quantity->name},
+          {"arguments", arguments},
+          {"scale", scale.size},
+          {"ulp_of_scale", scale.ulp},
+          {"results", results}};
 }
 
 void print_text(const Request& request, const std::vector<Answer>& answers, std::ostream& out) {
@@ -173,6 +201,10 @@ void print_text(const Request& request, const std::vector<Answer>& answers, std:
     if (answer.error)
       out << fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
   }
+  const Scale scale = scale_of(request, answers.front());
+  if (scale.size)
+    out << fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
+                       request.quantity->scale, *scale.ulp);
   if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
   if (request.by_fast)
     out << "fast takes each argument rounded to the nearest double; its error is for that argument.\n";

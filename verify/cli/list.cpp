@@ -2,6 +2,7 @@
 
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -33,19 +34,44 @@ std::string arguments_text(const Quantity& quantity) {
   return text.substr(1);
 }
 
+/// Two lines of the list.
+std::string brief_text(const Quantity& quantity) {
+  std::string text = fmt::format("{:8} {:31} {}\n{:40} {}; scale: {}; audit: {} points\n", quantity.name,
+                                 arguments_text(quantity), quantity.definition, "", quantity.source,
+                                 quantity.scale, quantity.audit_points);
+  for (const SeedForm& form : quantity.seed_forms)
+    text += fmt::format("{:40} form={}: {}\n", "", form.name, form.differs);
+  return text;
+}
+
+std::string full_text(const Quantity& quantity) {
+  std::string text = fmt::format(
+      "{} = {}\n  source: {}\n  errors are measured against: {}\n  fast promises, at full accuracy: {:g} ulp of "
+      "that\n  audit: {} points unless told otherwise\n",
+      quantity.name, quantity.definition, quantity.source, quantity.scale, quantity.promise,
+      quantity.audit_points);
+  for (const Argument& argument : quantity.arguments) {
+    text +=
+        fmt::format("  {} {}: {}\n", argument.name,
+                    argument.default_text ? "= " + *argument.default_text + " if not given" : "must be given",
+                    domain(argument));
+  }
+  for (const SeedForm& form : quantity.seed_forms)
+    text += fmt::format("  form={}: {}\n", form.name, form.differs);
+  return text;
+}
+
 }  // namespace
 
 int list_verb(const CommandLine& line, std::ostream& out) {
+  const auto selected = selection(line, {}).quantities;
   if (line.json) {
-    out << answer_text("list", {{"quantities", json_list(catalogue(), quantity_json)}}, line.no_times);
+    const auto of_selected = json_list(selected, [](const Quantity* one) { return quantity_json(*one); });
+    out << answer_text("list", {{"quantities", of_selected}}, line.no_times);
     return 0;
   }
-  for (const Quantity& quantity : catalogue()) {
-    out << fmt::format("{:8} {:31} {}\n{:40} {}; scale: {}\n", quantity.name, arguments_text(quantity),
-                       quantity.definition, "", quantity.source, quantity.scale);
-    for (const SeedForm& form : quantity.seed_forms)
-      out << fmt::format("{:40} form={}: {}\n", "", form.name, form.differs);
-  }
+  for (const Quantity* quantity : selected)
+    out << (line.words.empty() ? brief_text(*quantity) : full_text(*quantity));
   out << "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: half "
          "thickness of the sheet\n";
   return 0;

@@ -10,6 +10,7 @@
 #include <nipref/verify/cli/standard_output.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace {
 
@@ -18,6 +19,7 @@ using namespace nipref;
 constexpr int status_bad_input = 2;
 constexpr int status_internal = 3;
 constexpr int status_not_written = 4;
+constexpr int status_interrupted = 130;
 
 int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.help) {
@@ -34,7 +36,8 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "audit") return verify::audit_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);
-  return verify::tables_verb({.ids = line.words, .list = line.list, .json = line.json}, out);
+  return verify::tables_verb(
+      {.ids = line.words, .list = line.has("list"), .json = line.json, .quiet = line.has("quiet")}, out);
 }
 
 /// Whatever was in the input, the message stays one line, which is given back. There is nobody to tell if this fails.
@@ -75,7 +78,7 @@ int main(int argc, char** argv) try {
   verify::occupy_standard_descriptors();
   const Result result = result_of(argc, argv);
   if (!result.output.empty()) verify::write_to_standard_output(result.output);
-  return result.status;
+  return verify::interrupted() ? status_interrupted : result.status;
 } catch (const std::system_error& error) {
   complain(error.what());
   return status_not_written;

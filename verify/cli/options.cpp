@@ -1,6 +1,5 @@
-#include <fmt/ranges.h>
-
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -16,36 +15,36 @@ fast::Accuracy accuracy_option(const CommandLine& line) {
   return text ? fast::Accuracy(parse_real("rtol", *text)) : fast::Accuracy();
 }
 
-std::size_t points_option(const CommandLine& line, std::size_t otherwise) {
-  constexpr long most = 100'000'000;
+std::size_t points_option(const CommandLine& line) {
+  constexpr double most = 1e8;
   const auto text = line.option("points");
-  if (!text) return otherwise;
-  const long points = parse_integer("points", *text);
-  if (points < 1 || points > most)
+  if (!text) return 0;
+  const double points = parse_real("points", *text);
+  if (points < 1 || points > most || points != std::floor(points))
     throw BadInput("points", *text, "must be a whole number from 1 to 100000000");
   return static_cast<std::size_t>(points);
 }
 
+void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
+  if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
+}
+
 bool Selection::has(std::string_view group) const { return std::ranges::find(groups, group) != groups.end(); }
 
-Selection selection(const CommandLine& line, std::initializer_list<std::string_view> groups) {
+Selection selection(const CommandLine& line, const std::vector<std::string_view>& groups) {
   if (line.words.empty()) return {select_quantities({}), groups};
   Selection selected;
-  std::vector<std::string> names;
   for (const std::string& word : line.words) {
-    const auto* group = std::ranges::find(groups, word);
-    if (group == groups.end()) {
-      names.push_back(word);
-    } else {
+    const auto group = std::ranges::find(groups, word);
+    const Quantity* const quantity = known_quantity(word);
+    if (quantity == nullptr && group == groups.end()) refuse_quantity(word, groups);
+    if (quantity != nullptr) {
+      if (std::ranges::find(selected.quantities, quantity) == selected.quantities.end())
+        selected.quantities.push_back(quantity);
+    } else if (!selected.has(*group)) {
       selected.groups.push_back(*group);
     }
   }
-  for (const std::string& name : names) {
-    if (std::ranges::find(catalogue(), name, &Quantity::name) == catalogue().end())
-      throw BadInput("quantity", name,
-                     fmt::format("must be one of {}, {}", quantity_names(), fmt::join(groups, ", ")));
-  }
-  if (!names.empty()) selected.quantities = select_quantities(names);
   return selected;
 }
 

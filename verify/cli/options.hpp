@@ -1,6 +1,5 @@
 #pragma once
 #include <cstddef>
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -14,10 +13,14 @@ namespace nipref::verify {
 // if it is wrong.
 
 fast::Accuracy accuracy_option(const CommandLine& line);
-std::size_t points_option(const CommandLine& line, std::size_t otherwise);
+/// 0 if it is not there; "1e4" is a whole number too.
+std::size_t points_option(const CommandLine& line);
 
-/// What the words name: quantities of the catalogue, and groups that are not in it; all of it if there are
-/// none.
+/// BadInput, saying `why`, if this option or flag is there.
+void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);
+
+/// What the words name, each once: quantities of the catalogue, and groups that are not in it; all of it if
+/// there are none.
 struct Selection {
   std::vector<const Quantity*> quantities;
   std::vector<std::string_view> groups;
@@ -25,6 +28,6 @@ struct Selection {
   [[nodiscard]] bool has(std::string_view group) const;
 };
 /// BadInput for words that are neither a quantity nor one of `groups`.
-Selection selection(const CommandLine& line, std::initializer_list<std::string_view> groups);
+Selection selection(const CommandLine& line, const std::vector<std::string_view>& groups);
 
 }  // namespace nipref::verify

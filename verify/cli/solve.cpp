@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/render.hpp>
 
@@ -14,10 +16,15 @@ using data::BadInput;
 
 constexpr long default_digits = 30;
 
-std::string scene_file_of(const CommandLine& line) {
-  if (line.words.empty()) throw BadInput("scene", "(missing)", "must be the name of a TOML file");
-  if (line.words.size() > 1) throw BadInput("argument", line.words[1], "unexpected: solve takes one scene");
-  return line.words.front();
+/// A file, or the name of an example where there is no such file.
+std::filesystem::path scene_file_of(const CommandLine& line) {
+  if (line.words.empty())
+    throw BadInput("scene", "(missing)", "must be the name of a TOML file or of an example");
+  if (line.words.size() > 1)
+    throw BadInput("argument", line.words[1], "unexpected: solve takes one scene and key=value pairs");
+  const std::filesystem::path word = line.words.front();
+  const bool is_file = std::filesystem::exists(word) || word.has_parent_path() || word.has_extension();
+  return is_file ? word : data::example_scene(word.string());
 }
 
 int digits_of(const CommandLine& line) {
@@ -37,8 +44,10 @@ void print(const SceneSolution<Number>& solution, const CommandLine& line, std::
 int solve_verb(const CommandLine& line, std::ostream& out) {
   const std::string path = line.option("path").value_or("fast");
   if (path != "ref" && path != "fast") throw BadInput("path", path, "must be ref or fast");
+  if (path == "fast")
+    refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
   const int digits = digits_of(line);
-  const data::Scene scene = data::load_scene(scene_file_of(line));
+  const data::Scene scene = data::load_scene(scene_file_of(line), line.assignments);
   if (path == "ref") {
     print(solve_by_ref(scene, digits), line, out);
   } else {

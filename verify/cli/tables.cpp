@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <utility>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
@@ -10,11 +12,21 @@
 namespace nipref::verify {
 namespace {
 
-int list_tables(const TablesRequest& request, std::ostream& out) {
+/// Each once, in the order in which they are named.
+std::vector<std::string> ids_of(const TablesRequest& request) {
+  std::vector<std::string> ids;
+  for (const std::string& name : request.ids) {
+    const std::string id = data::find_table_id(name);
+    if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
+  }
+  return ids;
+}
+
+int list_tables(const std::vector<std::string>& ids, bool json, std::ostream& out) {
   std::vector<data::TableSummary> summaries;
-  if (request.ids.empty()) summaries = data::summarize_tables();
-  for (const std::string& id : request.ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  out << (request.json ? answer_text("tables", table_list_json(summaries)) : table_list_text(summaries));
+  if (ids.empty()) summaries = data::summarize_tables();
+  for (const std::string& id : ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
+  out << (json ? answer_text("tables", table_list_json(summaries)) : table_list_text(summaries));
   return 0;
 }
 
@@ -32,11 +44,19 @@ bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay
 
 }  // namespace
 
-std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids) {
+std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress) {
+  progress.begin("tables", ids.size());
   std::vector<Replay> replays;
   for (const std::string& id : ids) {
-    replays.push_back(replay_table(id));
-    correct(replays.back());
+    if (interrupted()) break;
+    progress.next(id);
+    try {
+      Replay replay = replay_table(id);
+      correct(replay);
+      replays.push_back(std::move(replay));
+    } catch (const Interrupted&) {
+      break;
+    }
   }
   return replays;
 }
@@ -50,9 +70,16 @@ bool fall_short(const std::vector<Replay>& replays) {
 }
 
 int tables_verb(const TablesRequest& request, std::ostream& out) {
-  if (request.list) return list_tables(request, out);
-  const auto replays = replay_and_correct(request.ids.empty() ? replayable_tables() : request.ids);
-  out << (request.json ? answer_text("tables", tables_json(replays)) : tables_text(replays, false));
+  const std::vector<std::string> ids = ids_of(request);
+  if (request.list) return list_tables(ids, request.json, out);
+  stop_gently_on_interrupt();
+  Progress progress(standard_error(request.quiet));
+  const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
+  if (request.json) {
+    out << answer_text("tables", tables_json(replays));
+  } else {
+    out << tables_text(replays, false) << interruption_text();
+  }
   return fall_short(replays) ? 1 : 0;
 }
 

@@ -4,18 +4,22 @@
 #include <vector>
 
 #include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
 
 /// What `nipref tables` was asked for.
 struct TablesRequest {
-  std::vector<std::string> ids;  ///< empty: all tables that can be replayed
-  bool list;                     ///< only say which tables there are and what they hold
+  std::vector<std::string>
+      ids;    ///< or what data::find_table_id takes for one; empty: all tables that can be replayed
+  bool list;  ///< only say which tables there are and what they hold
   bool json;
+  bool quiet = false;  ///< no progress is told
 };
 
-/// The tables of these ids, replayed and corrected. BadInput for unknown ids.
-std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids);
+/// The tables of these ids, replayed and corrected; those that are finished, if the process is interrupted.
+/// BadInput for unknown ids.
+std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress);
 
 /// True if a cell is unexplained that neither its own row contradicts nor known_misses.csv lists.
 bool fall_short(const std::vector<Replay>& replays);

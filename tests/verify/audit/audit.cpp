@@ -46,6 +46,24 @@ TEST_CASE("the audit passes the sound kernel") {
   REQUIRE(found.worst.size() == 1);
 }
 
+TEST_CASE(
+    "a density scales a quantity's own number of points, one is the least, and a number of points is absolute") {
+  Quantity quantity = verify::find_quantity("I3");
+  quantity.audit_points = 6;
+  const auto points = [&](std::size_t absolute, double density) {
+    return verify::AuditOptions{absolute, {}, {}, density}.points_of(quantity);
+  };
+  CHECK(points(0, 1) == 6);
+  CHECK(points(0, 0.5) == 3);
+  CHECK(points(0, 1e-6) == 1);
+  CHECK(points(0, 10) == 60);
+  CHECK(points(5, 10) == 5);
+  const AuditResult least = verify::audit(quantity, {0, {}, {}, 1e-6});
+  CHECK(least.points == 1);
+  CHECK(least.few_points());
+  CHECK(least.worst.size() == 1);
+}
+
 TEST_CASE("the audit is the same every time") {
   const Quantity& quantity = verify::find_quantity("I7");
   const AuditResult first = audit_few(quantity);

@@ -132,3 +132,14 @@ TEST_CASE("what the bench did not compare is a dash and null") {
   CHECK(verify::bench_text(report.rows).find("        250           -          -         -\n") !=
         std::string::npos);
 }
+
+TEST_CASE("a missed ratio of times fails a run only where it is strict, one of errors always") {
+  const verify::BenchRatio kept{"time", 2, 1}, slow{"time", 1, 2}, coarse{"error", 1, 2, true};
+  for (const bool strict : {false, true}) {
+    CHECK(verify::all_met({{}, {kept}}, strict));
+    CHECK(verify::all_met({{}, {kept, slow}}, strict) == !strict);
+    CHECK_FALSE(verify::all_met({{}, {kept, coarse}}, strict));
+  }
+  CHECK(verify::ratios_text({kept}).find("--strict") == std::string::npos);
+  CHECK(verify::ratios_text({kept, slow}).find("with --strict only") != std::string::npos);
+}

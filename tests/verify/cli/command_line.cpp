@@ -55,14 +55,36 @@ constexpr BadCall bad_calls[] = {
     {"eval F1 eta=1 poisson=0.6", "poisson", "0.6"},
     {"eval un alpha=1 poisson=0.3 young=-1", "young", "-1"},
     {"audit I9", "quantity", "I9"},
-    {"audit contact", "quantity = contact:", ", contacts"},
+    {"audit contact", "quantity = contact: did you mean contacts?", "or one of contacts"},
     {"audit I1 points=0", "points", "0"},
     {"audit I1 alpha=3", "alpha", "3"},
     {"bench I9", "quantity", "I9"},
-    {"bench contact", "quantity = contact:", ", elastic-nip, viscoelastic-nip, half-space"},
+    {"bench contact", "quantity = contact:", "or one of elastic-nip, viscoelastic-nip, half-space"},
     {"bench rolling", "quantity = rolling:", "viscoelastic-nip"},
-    {"list I1", "argument", "I1"},
+    {"list I9", "quantity", "I9"},
     {"list alpha=1", "alpha", "1"},
+    {"evla I1 alpha=1", "verb = evla: did you mean eval?", "list, eval, solve"},
+    {"I11 alpha=1", "verb = I11: did you mean I1", "list, eval, solve"},
+    {"help adit", "verb = adit", "did you mean audit?"},
+    {"eval halfspace.complaince poisson=0.3", "quantity", "did you mean halfspace.compliance"},
+    {"eval I1 alhpa=1", "alhpa = 1: unknown argument", "did you mean alpha?"},
+    {"eval I1 alpha=1 --digts 30", "--digts", "did you mean --digits? eval takes"},
+    {"audit I1 pionts=30", "pionts = 30", "did you mean points?"},
+    {"eval I1 alpha=1 --path ref --rtol 1e-3", "rtol = 1e-3: has no effect", "path=ref"},
+    {"eval I1 alpha=1 path=fast digits=20", "digits = 20: has no effect", "path=fast"},
+    {"eval rolling.span_ratio poisson=0.3 speed=0.1 form=table rtol=1e-3", "rtol = 1e-3: has no effect",
+     "form=table"},
+    {"solve thick-full-friction digits=40", "digits = 40: has no effect", "path=fast"},
+    {"audit contacts --quick", "quick", "has no effect on contacts"},
+    {"audit contacts rtol=1e-3", "rtol = 1e-3", "has no effect on contacts"},
+    {"audit --points 200", "points = 200: must be left out without names", "--density"},
+    {"report --points 200", "--points", "report takes --help, --density"},
+    {"audit I1 points=1.5", "points = 1.5", "whole number"},
+    {"audit I1 --density 0", "density = 0", "1e-6 to 1000"},
+    {"audit I1 --density 1e9", "density = 1e9", "1e-6 to 1000"},
+    {"audit I1 --quick --density 2", "quick", "must be left out beside density"},
+    {"audit I1 --quick --thorough", "thorough", "must be left out beside quick"},
+    {"audit I1 --quick points=3", "quick", "must be left out beside points"},
     {"report points=none", "points", "none"},
     {"--frobnicate", "verb", "--frobnicate"},
 };
@@ -169,6 +191,7 @@ TEST_CASE("audit as JSON says what was promised, and the worst argument exactly"
   const json answer = json::parse(outcome.out);
   REQUIRE(answer.at("rows").size() == 1);
   const json& row = answer["rows"][0];
+  CHECK(row.at("few_points") == false);
   CHECK(row.at("quantity") == "I3");
   CHECK(row.at("kept") == true);
   CHECK(row.at("max_error_ulp").get<double>() <= row.at("promise_ulp").get<double>());

@@ -13,6 +13,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
 
 namespace nipref::verify {
@@ -135,7 +136,8 @@ std::vector<ContactAudit> audit_contacts(const std::function<void(const std::str
   for (const Friction friction : {Friction::none, Friction::full}) {
     for (const double poisson : poissons) {
       for (const double ratio : ratios) {
-        progress(fmt::format("contacts: L/B = {:g}, poisson = {:.3g}", ratio, poisson));
+        if (interrupted()) return audits;
+        progress(fmt::format("L/B = {:g}, poisson = {:.3g}", ratio, poisson));
         for (const int m : elements) audits.push_back(audit_line_loads(friction, ratio, poisson, m));
         audits.push_back(audit_converged(friction, ratio, poisson));
       }

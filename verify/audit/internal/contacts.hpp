@@ -32,7 +32,8 @@ struct ContactAudit {
   }
 };
 
-/// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side.
+/// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side; those that are finished
+/// if the process is interrupted.
 std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress);
 
 std::string contact_audit_text(const std::vector<ContactAudit>& audits);

@@ -111,7 +111,7 @@ double bench_contour(BenchReport& report, const fast::SurfaceResponse& in_plane)
 
 BenchReport bench_half_space(const BenchProgress& progress) {
   BenchReport report;
-  progress("half-space, lines");
+  progress("lines");
   const Point normal = line_point(0, 0), in_plane = line_point(1, 0);
   const fast::TransverselyIsotropicHalfSpace normal_surface(transverse_at(normal, 3), axis_at(normal, 3),
                                                             direction_of_degrees(theta_deg), speed);
@@ -128,7 +128,7 @@ BenchReport bench_half_space(const BenchProgress& progress) {
       [](double psi) { return line_point(0, psi); });
   const double one_K = bench_line(report, "axis in plane", in_plane_response, transverse,
                                   [](double psi) { return line_point(1, psi); });
-  progress("half-space, contacts");
+  progress("contacts");
   const double contour = bench_contour(report, in_plane_response);
   report.ratios.push_back({"200 ns over fast K with the axis in the plane", 200 / one_K, 1});
   report.ratios.push_back({"1 ms over a sliding contact's force and 1000 directions", 1e6 / contour, 1});

@@ -20,6 +20,7 @@
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
@@ -187,12 +188,14 @@ BenchReport bench_replay() {
 
 BenchReport bench_viscoelastic(const BenchProgress& progress) {
   BenchReport report;
-  progress("Un");
-  append(report, bench_Un());
-  progress("viscoelastic nip");
-  append(report, bench_nip());
-  progress("replay of Tables XI-XXVI");
-  append(report, bench_replay());
+  const auto add = [&](const char* what, BenchReport (*part)()) {
+    if (interrupted()) return;
+    progress(what);
+    append(report, part());
+  };
+  add("Un", bench_Un);
+  add("contacts", bench_nip);
+  add("replay of Tables XI-XXVI", bench_replay);
   return report;
 }
 

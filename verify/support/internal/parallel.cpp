@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -26,7 +27,10 @@ class SharedLoop {
     const std::size_t first = next_.fetch_add(run_length_);
     if (first >= count_) return false;
     try {
-      for (std::size_t i = first; i < std::min(first + run_length_, count_); ++i) work_(i);
+      for (std::size_t i = first; i < std::min(first + run_length_, count_); ++i) {
+        stop_if_interrupted();
+        work_(i);
+      }
     } catch (...) {
       const std::scoped_lock lock(mutex_);
       if (!failure_) failure_ = std::current_exception();

@@ -6,7 +6,7 @@ namespace nipref::verify {
 
 /// Calls work(i) once for each i in [0, count), from as many threads as the machine has cores, in no
 /// particular order; `progress` (may be empty) is called from the calling thread only. The first exception
-/// thrown by work ends the loop and is thrown again here.
+/// thrown by work ends the loop and is thrown again here; so does Interrupted, unless all is done by then.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work,
                   const std::function<void(std::size_t done)>& progress);
 

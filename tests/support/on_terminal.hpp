@@ -1,0 +1,87 @@
+#pragma once
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "support/paths.hpp"
+#include "support/scratch_file.hpp"
+
+/// The program with a terminal of its own for its standard error, so that what it tells can be waited for.
+class OnTerminal {
+ public:
+  OnTerminal(std::vector<std::string> arguments, const char* term, unsigned short columns)
+      : terminal_(posix_openpt(O_RDWR | O_NOCTTY)) {
+    REQUIRE(terminal_ >= 0);
+    REQUIRE(grantpt(terminal_) == 0);
+    REQUIRE(unlockpt(terminal_) == 0);
+    const winsize size{24, columns, 0, 0};
+    REQUIRE(ioctl(terminal_, TIOCSWINSZ, &size) == 0);
+    arguments.insert(arguments.begin(), program());
+    std::vector<char*> words;
+    for (std::string& argument : arguments) words.push_back(argument.data());
+    words.push_back(nullptr);
+    const std::string name = ptsname(terminal_);
+    child_ = fork();
+    if (child_ != 0) return;
+    dup2(open(output_.path().c_str(), O_WRONLY), STDOUT_FILENO);
+    dup2(open(name.c_str(), O_RDWR | O_NOCTTY), STDERR_FILENO);
+    setenv("TERM", term, 1);
+    std::signal(SIGINT, SIG_DFL);
+    execv(words[0], words.data());
+    _exit(127);
+  }
+  OnTerminal(const OnTerminal&) = delete;
+  OnTerminal& operator=(const OnTerminal&) = delete;
+  ~OnTerminal() {
+    if (running_) {
+      kill(child_, SIGKILL);
+      waitpid(child_, nullptr, 0);
+    }
+    close(terminal_);
+  }
+
+  /// Reads until `text` was told; false if the program ends before that.
+  bool wait_for(const std::string& text) {
+    while (told_.find(text) == std::string::npos) {
+      if (!read_more()) return false;
+    }
+    return true;
+  }
+
+  void interrupt() const { kill(child_, SIGINT); }
+
+  /// Exit status of the program, when it has ended; negative: the signal that ended it.
+  int status() {
+    while (read_more()) {
+    }
+    int status = 0;
+    waitpid(child_, &status, 0);
+    running_ = false;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  }
+
+  [[nodiscard]] std::string output() const { return output_.text(); }
+  [[nodiscard]] const std::string& told() const { return told_; }
+
+ private:
+  bool read_more() {
+    std::array<char, 4096> buffer{};
+    const ssize_t count = read(terminal_, buffer.data(), buffer.size());
+    if (count > 0) told_.append(buffer.data(), static_cast<std::size_t>(count));
+    return count > 0;
+  }
+
+  ScratchFile output_;
+  int terminal_;
+  pid_t child_ = -1;
+  bool running_ = true;
+  std::string told_;
+};

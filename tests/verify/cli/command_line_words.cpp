@@ -1,0 +1,151 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <nipref/verify/catalogue/catalogue.hpp>
+
+#include "support/run_nipref.hpp"
+
+// What is meant is done, and help says what there is.
+
+namespace {
+
+using nlohmann::json;
+
+json answer_to(const std::string& arguments) {
+  CAPTURE(arguments);
+  const Outcome outcome = run(arguments + " --json");
+  CHECK(outcome.status == 0);
+  return json::parse(outcome.out);
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a quantity's name in the place of a verb means eval") {
+  CHECK(answer_to("I1 alpha=0.73").at("arguments") == json{{"alpha", "0.73"}});
+}
+
+TEST_CASE("help VERB is VERB --help, and help alone is --help") {
+  for (const std::string verb : {"list", "eval", "solve", "tables", "audit", "bench", "report"}) {
+    CAPTURE(verb);
+    const Outcome help = run("help " + verb);
+    CHECK(help.status == 0);
+    CHECK(help.out == run(verb + " --help").out);
+    CHECK(says(help.out, "Usage: nipref " + verb));
+  }
+  CHECK(run("help").out == run("--help").out);
+}
+
+TEST_CASE("each verb's help has what its names are, two examples and the exit statuses") {
+  for (const std::string verb : {"list", "eval", "solve", "tables", "audit", "bench", "report"}) {
+    CAPTURE(verb);
+    const std::string help = run("help " + verb).out;
+    const std::size_t examples = help.find("Examples:\n");
+    REQUIRE(examples != std::string::npos);
+    const std::string one = "\n  nipref " + verb;
+    const std::size_t first = help.find(one, examples);
+    REQUIRE(first != std::string::npos);
+    CHECK(help.find(one, first + one.size()) != std::string::npos);
+    for (const char* status : {"0 all well", "1 a check", "2 bad input", "4 output", "130 interrupted"})
+      CHECK(says(help, status));
+    if (verb != "report") CHECK(says(help, "Positionals:"));
+  }
+}
+
+TEST_CASE("an unknown quantity does not print all names") {
+  const std::string message = run("eval I9").err;
+  CHECK(says(message, "quantity = I9: did you mean I1, I2 or I3?"));
+  CHECK(says(message, "nipref list"));
+  CHECK_FALSE(says(message, "ti.span_ratio"));
+  CHECK_FALSE(says(run("eval xyzzyxyzzy").err, "did you mean"));
+}
+
+TEST_CASE("list tells all about one quantity, and each quantity's own number of audit points") {
+  const Outcome one = run("list I1");
+  CHECK(one.status == 0);
+  CHECK(says(one.out, "audit: 20000 points"));
+  CHECK(says(one.out, "alpha must be given: a finite nonzero number"));
+  CHECK_FALSE(says(one.out, "I2 ="));
+  CHECK(says(run("list vs").out, "young ="));
+  const json two = answer_to("list I1 ti.span_ratio I1").at("quantities");
+  REQUIRE(two.size() == 2);
+  CHECK(two[0].at("name") == "I1");
+  CHECK(two[0].at("audit_points") == 20000);
+  CHECK(two[1].at("audit_points") == nipref::verify::find_quantity("ti.span_ratio").audit_points);
+  CHECK(says(run("list").out, "audit: 6 points"));
+}
+
+TEST_CASE("the help of audit names the least and the largest number of points of the catalogue") {
+  const auto [least, most] =
+      std::ranges::minmax(nipref::verify::catalogue(), {}, &nipref::verify::Quantity::audit_points);
+  CHECK(
+      says(run("help audit").out, fmt::format("{} to {}, see list", least.audit_points, most.audit_points)));
+}
+
+TEST_CASE("eval tells the scale of its errors, and the unit in the last place of that") {
+  const json answer = answer_to("eval I1 alpha=0.73");
+  const double scale = answer.at("scale"), ulp = answer.at("ulp_of_scale");
+  CHECK(scale >= answer["results"]["fast"]["value"].get<double>());
+  CHECK(ulp == std::nextafter(scale, 1e300) - scale);
+  const Outcome text = run("eval I1 alpha=0.73 --path ref");
+  CHECK(says(text.out, fmt::format("{}", scale)));
+  CHECK(says(text.out, "one ulp of it is"));
+  // Only ref goes where doubles end.
+  CHECK(answer_to("eval I1 alpha=1e-400 path=ref").at("scale").is_null());
+}
+
+TEST_CASE("tables are found by their numerals, each once, and what could be several is refused with these") {
+  const json tables = answer_to("tables --list VII thesis-vii 7 brock2012-1").at("listed");
+  REQUIRE(tables.size() == 2);
+  CHECK(tables[0].at("id") == "thesis-VII");
+  CHECK(tables[1].at("id") == "brock2012-1");
+  CHECK(run("tables 3").err == "nipref: table = 3: must be one of thesis-III, brock2013-3\n");
+  CHECK(says(run("tables brock2012").err, "did you mean brock2012-1 or brock2012-2?"));
+}
+
+TEST_CASE("an example's name is a scene, unless a file has that name") {
+  CHECK(answer_to("solve thick-full-friction").at("results").contains("creep_ratio"));
+  const Outcome near = run("solve thick-full-fricton");
+  CHECK(near.status == 2);
+  CHECK(says(near.err, "scene = thick-full-fricton: did you mean thick-full-friction"));
+}
+
+TEST_CASE("key=value pairs stand for what a scene has, and its title says so") {
+  const auto solved = [](const std::string& with) { return answer_to("solve thick-full-friction " + with); };
+  const json plain = solved(""), same = solved("load.per_length=100"), more = solved("load.per_length=200");
+  const auto length = [](const json& answer) { return answer.at("results").at("contact_length"); };
+  CHECK(length(same) == length(plain));
+  CHECK(length(more) > length(plain));
+  CHECK(says(more.at("title"), ", with load.per_length = 200"));
+  CHECK(says(run("solve thick-full-friction load.per_length=200").out, ", with load.per_length = 200"));
+  CHECK(run("solve thick-full-friction load.per_length=-5e0").err ==
+        "nipref: load.per_length = -5e0: must be finite and > 0\n");
+}
+
+TEST_CASE("a quantity that is named twice is audited once, and points may be written as 1e2") {
+  const json rows = answer_to("audit I3 I3 --points 1e2").at("rows");
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].at("points") > 50);
+  CHECK(rows[0].at("points") <= 110);
+}
+
+TEST_CASE("a density scales each quantity's own number of points, and few points are marked") {
+  const auto points = [](const std::string& options) {
+    const json row = answer_to("audit I3 " + options).at("rows").at(0);
+    CHECK(row.at("few_points") == (row.at("points") < 100));
+    return row.at("points").get<double>();
+  };
+  CHECK(points("--quick") == points("--points 2000"));
+  CHECK(points("--density 0.01") == points("--points 200"));
+  CHECK(points("density=1e-6") == 1);
+  const std::string few = run("audit I3 --points 50").out;
+  CHECK(says(few, "kept, few"));
+  CHECK(says(few, "fewer than 100 points"));
+  CHECK_FALSE(says(run("audit I3 --points 500").out, "few"));
+}

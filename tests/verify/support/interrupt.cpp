@@ -1,0 +1,113 @@
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+#include "support/on_terminal.hpp"
+
+using namespace nipref;
+
+namespace {
+
+constexpr int status_interrupted = 130;
+
+/// What is answered by a run that is interrupted once it tells `when`.
+std::string answer_interrupted(std::vector<std::string> arguments, const std::string& when) {
+  OnTerminal run(std::move(arguments), "xterm", 100);
+  CHECK(run.wait_for(when));
+  run.interrupt();
+  CHECK(run.status() == status_interrupted);
+  return run.output();
+}
+
+nlohmann::json json_interrupted(const std::vector<std::string>& arguments, const std::string& when) {
+  auto answer = nlohmann::json::parse(answer_interrupted(arguments, when));
+  CHECK(answer.at("interrupted") == true);
+  return answer;
+}
+
+/// How a process of its own ends that does this.
+int end_of(void (*work)()) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGINT, SIG_DFL);
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C: an audit answers with the rows that are finished, and 130") {
+  const auto answer = json_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6", "--json"}, "audit 1/6");
+  REQUIRE(answer.at("rows").size() >= 1);
+  CHECK(answer["rows"].size() < 6);
+  CHECK(answer["rows"][0].at("quantity") == "I3");
+}
+
+TEST_CASE("Ctrl-C: so do bench and tables") {
+  const auto bench = json_interrupted({"bench", "I3", "I1", "F1", "--json"}, "bench 1/3");
+  REQUIRE(bench.at("rows").size() >= 1);
+  CHECK(bench["rows"][0].at("quantity") == "I3");
+  CHECK(bench["rows"].back().at("quantity") != "F1");
+  const auto tables = json_interrupted({"tables", "--json"}, "tables 1/");
+  REQUIRE(tables.at("tables").size() >= 1);
+  CHECK(tables["tables"].size() < 20);
+}
+
+TEST_CASE("Ctrl-C: the text says that it is not all") {
+  const std::string text = answer_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6"}, "audit 1/6");
+  CHECK(text.find("\nI3 ") != std::string::npos);
+  CHECK(text.find("\nI6 ") == std::string::npos);
+  CHECK(text.find("\ninterrupted: ") != std::string::npos);
+}
+
+TEST_CASE("an interrupted loop throws and leaves the rest undone, and the second interrupt kills") {
+  CHECK(end_of([] {
+          verify::stop_gently_on_interrupt();
+          std::raise(SIGINT);
+          int done = 0;
+          try {
+            verify::parallel_for(100, [&](std::size_t) { ++done; }, {});
+          } catch (const verify::Interrupted&) {
+            _exit(done == 0 ? 7 : 8);
+          }
+        }) == 7);
+  CHECK(end_of([] {
+          verify::stop_gently_on_interrupt();
+          std::raise(SIGINT);
+          std::raise(SIGINT);
+        }) == -SIGINT);
+}
+
+TEST_CASE("an interrupt that was ignored before is ignored") {
+  CHECK(end_of([] {
+          std::signal(SIGINT, SIG_IGN);
+          verify::stop_gently_on_interrupt();
+          std::raise(SIGINT);
+          if (verify::interrupted()) _exit(9);
+        }) == 0);
+}
+
+TEST_CASE("progress overwrites its line on a terminal, not on a dumb one, and not if it shall be quiet") {
+  const auto told = [](const char* term, std::vector<std::string> arguments) {
+    OnTerminal run(std::move(arguments), term, 40);
+    CHECK(run.status() == 0);
+    return run.told();
+  };
+  const std::string wipe = "\r\x1b[K";
+  CHECK(told("xterm", {"audit", "I3"}).find(wipe + "audit 0/1 ") != std::string::npos);
+  CHECK(told("dumb", {"audit", "I3"}).find('\r') == std::string::npos);
+  CHECK(told("xterm", {"audit", "I3", "--quiet"}).empty());
+}

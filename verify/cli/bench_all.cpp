@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include <nipref/verify/bench/internal/elastic_nip.hpp>
+#include <nipref/verify/bench/internal/half_space.hpp>
+#include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/cli/bench_all.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+
+namespace nipref::verify {
+
+std::vector<std::string_view> bench_groups() { return {"elastic-nip", "viscoelastic-nip", "half-space"}; }
+
+BenchReport bench_all(const Selection& selected, Progress& progress) {
+  const auto timed_alone = std::ranges::count_if(selected.quantities, &Quantity::timed_alone);
+  progress.begin("bench", static_cast<std::size_t>(timed_alone) + selected.groups.size());
+  const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
+  BenchReport report;
+  for (const Quantity* quantity : selected.quantities) {
+    if (!quantity->timed_alone || interrupted()) continue;
+    progress.next(quantity->name);
+    append(report, bench({quantity}, show));
+  }
+  const auto add = [&](const char* group, BenchReport (*bench_group)(const BenchProgress&)) {
+    if (!selected.has(group) || interrupted()) return;
+    progress.next(group);
+    append(report, bench_group(show));
+  };
+  add("elastic-nip", bench_contacts);
+  add("viscoelastic-nip", bench_viscoelastic);
+  add("half-space", bench_half_space);
+  return report;
+}
+
+}  // namespace nipref::verify

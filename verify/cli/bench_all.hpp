@@ -1,0 +1,17 @@
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
+
+namespace nipref::verify {
+
+/// What is timed besides quantities.
+std::vector<std::string_view> bench_groups();
+
+/// Times what is selected, of quantities and bench_groups(). What is finished, if the process is interrupted.
+BenchReport bench_all(const Selection& selected, Progress& progress);
+
+}  // namespace nipref::verify

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/verb_table.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+const OptionText path_option{"path",
+                             "ref, fast or both (default both); digits are asked of ref, rtol of fast"};
+const OptionText digits_option{"digits", "decimal digits of ref's result, 16 to 1000 (default 50)"};
+const OptionText solve_path_option{"path", "ref or fast (default fast)"};
+const OptionText solve_digits_option{
+    "digits",
+    "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30); with path=ref only"};
+const OptionText rtol_option{
+    "rtol",
+    "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
+const OptionText form_option{
+    "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
+const OptionText points_option{
+    "points",
+    "points for each of the named quantities, 1 to 1e8 (default: each its own, 6 to 20000, see list)"};
+const OptionText density_option{
+    "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
+
+const OptionText quick_flag{"quick", "the same as --density 0.1"};
+const OptionText thorough_flag{"thorough", "the same as --density 10"};
+const OptionText quiet_flag{"quiet", "tell no progress"};
+const OptionText list_flag{"list", "only list the tables"};
+const OptionText strict_flag{"strict",
+                             "a promised ratio of times that is missed gives status 1 (default: only said)"};
+const OptionText json_flag{"json", "output for machines, errors too"};
+const OptionText no_times_flag{"no-times", "with --json: leave out what the clock decides"};
+
+const std::array all_verbs{
+    VerbText{"list",
+             "The quantities that can be computed, or all about those that are named.",
+             "quantity",
+             "names of quantities (default: all, in brief)",
+             {},
+             {json_flag, no_times_flag},
+             {"nipref list", "nipref list I1 vs"}},
+    VerbText{
+        "eval",
+        "One quantity at one argument, by both paths, with their errors. 'eval' may be left out.",
+        "quantity",
+        "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
+        "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees",
+        {path_option, digits_option, rtol_option, form_option},
+        {json_flag, no_times_flag},
+        {"nipref eval I1 alpha=0.73", "nipref eval vs alpha=0.5 eta=2 young=1.45e5 poisson=0.3 --digits 100"},
+        true},
+    VerbText{
+        "solve",
+        "What a scene wants of its contact.",
+        "scene",
+        "a TOML file in any consistent units, or the name of an example in data/scenes; key=value pairs stand for "
+        "what it has there",
+        {solve_path_option, solve_digits_option},
+        {json_flag, no_times_flag},
+        {"nipref solve thick-full-friction",
+         "nipref solve scene.toml load.per_length=200 material.poisson=0.3"},
+        true},
+    VerbText{"tables",
+             "The seeds' tables, replayed cell by cell and corrected.",
+             "table",
+             "ids or, where it is clear, what is behind their hyphens: thesis-VII, VII (default: all)",
+             {},
+             {list_flag, quiet_flag, json_flag, no_times_flag},
+             {"nipref tables --list", "nipref tables VII brock2013-1"}},
+    VerbText{"audit",
+             "Largest error of fast against ref, by a search for the worst argument.",
+             "quantity",
+             "names of quantities, or contacts for hard cases of whole contacts (default: all of it)",
+             {points_option, density_option, rtol_option},
+             {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
+             {"nipref audit I1 I6 --points 1e6", "nipref audit --quick"}},
+    VerbText{
+        "bench",
+        "Speed against error, beside other libraries.",
+        "quantity",
+        "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
+        "it)",
+        {},
+        {strict_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref bench I1", "nipref bench elastic-nip --strict"}},
+    VerbText{"report",
+             "Audit, bench and tables on a page or two.",
+             "",
+             "",
+             {density_option},
+             {quick_flag, thorough_flag, strict_flag, quiet_flag, json_flag, no_times_flag},
+             {"nipref report --quick", "nipref report --json >report.json"}},
+};
+
+std::vector<std::string_view> names_of(std::span<const VerbText> verbs) {
+  std::vector<std::string_view> names;
+  for (const VerbText& verb : verbs) names.push_back(verb.name);
+  return names;
+}
+
+}  // namespace
+
+std::span<const VerbText> verbs() { return all_verbs; }
+
+const VerbText& find_verb(const std::string& name) {
+  const auto found = std::ranges::find(all_verbs, name, &VerbText::name);
+  if (found != all_verbs.end()) return *found;
+  const auto known = names_of(all_verbs);
+  auto near = known;
+  for (const Quantity& quantity : catalogue()) near.push_back(quantity.name);
+  throw BadInput(
+      "verb", name,
+      fmt::format("{}must be one of {}", data::did_you_mean(name, near, 3), fmt::join(known, ", ")));
+}
+
+void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value) {
+  std::vector<std::string> known{"--help"};
+  for (const auto* const group : {&verb.options, &verb.flags}) {
+    for (const OptionText& option : *group) known.push_back("--" + option.name);
+  }
+  if (std::ranges::find(known, name) != known.end()) return;
+  throw BadInput(
+      name, value,
+      fmt::format("unknown option: {}{} takes {}", data::did_you_mean(name, {known.begin(), known.end()}),
+                  verb.name, fmt::join(known, ", ")));
+}
+
+}  // namespace nipref::verify
