@@ -26,7 +26,7 @@ const OptionText rtol_option{
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
 const OptionText form_option{
     "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
-const OptionText points_option{
+const OptionText points_text{
     "points",
     "points for each of the named quantities, 1 to 1e8 (default: each its own, 6 to 20000, see list)"};
 const OptionText density_option{
@@ -81,7 +81,7 @@ const std::array all_verbs{
              "Largest error of fast against ref, by a search for the worst argument.",
              "quantity",
              "names of quantities, or contacts for hard cases of whole contacts (default: all of it)",
-             {points_option, density_option, rtol_option},
+             {points_text, density_option, rtol_option},
              {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref audit I1 I6 --points 1e6", "nipref audit --quick"}},
     VerbText{
