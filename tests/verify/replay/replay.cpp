@@ -10,7 +10,6 @@
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/internal/known_misses.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/replay/replay.hpp>
@@ -126,27 +125,6 @@ TEST_CASE("the notes of missed cells say what would meet them") {
   says(note("thesis-X", 7, "creep"), "it would take L = 48.54");
   says(note("thesis-III", 5, "q_max"), "or creep = -20.826");
   says(note("thesis-III", 5, "q_max"), "no other number of elements");
-}
-
-TEST_CASE("the known misses are misses, all of them, and the only ones in the viscoelastic tables") {
-  const auto misses = data::load_known_misses(data::tables_directory() / "known_misses.csv");
-  std::size_t known = 0;
-  for (const std::string& id : verify::replayable_tables()) {
-    const verify::Replay& replay = replayed(id);
-    for (const verify::ReplayedCell& replayed : replay.cells) {
-      CAPTURE(id);
-      CAPTURE(replayed.row);
-      CAPTURE(replayed.column);
-      const bool missed = replayed.verdict == Verdict::unexplained &&
-                          replay.table.cell(replayed.row, replayed.column).is_readable();
-      if (verify::find_viscoelastic_table(id) != nullptr)
-        CHECK(verify::is_known_miss(misses, replay, replayed) == missed);
-      if (!verify::is_known_miss(misses, replay, replayed)) continue;
-      CHECK(replayed.verdict == Verdict::unexplained);
-      ++known;
-    }
-  }
-  CHECK(known == misses.size());
 }
 
 TEST_CASE("corrected: the continuous contact at the stated load, which thick sheets are a sixth short of") {

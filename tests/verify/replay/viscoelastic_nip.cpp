@@ -7,10 +7,12 @@
 #include <string_view>
 
 #include <nipref/data/table/index.hpp>
+#include <nipref/data/table/known_misses.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/replay/internal/known_misses.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 
@@ -33,84 +35,104 @@ const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{1e-4, 10.0}}}, {3e-6, {{6e-5,
 
 }  // namespace
 
-TEST_CASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
-  for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
-    CAPTURE(id);
-    const Replay& replay = replayed(id);
-    const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
-    CHECK(static_cast<double>(met) >= 0.9 * static_cast<double>(legible(replay)));
-    CHECK(static_cast<double>(met + replay.count(Verdict::seed_error)) >=
-          0.94 * static_cast<double>(legible(replay)));
-    for (const ReplayedCell& cell : replay.cells) {
-      if (cell.verdict != Verdict::match) CHECK_FALSE(cell.note.empty());
+TEST_CASE(
+    "Tables XI to XXVI, replayed once: 92 in 100 legible cells are met, and the known misses are misses, all of them "
+    "and the only ones") {
+  SUBCASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as many as its print allows") {
+    struct Bound {
+      std::string_view id;
+      double met;  // of its legible cells
+    };
+    std::size_t all_met = 0, all_legible = 0;
+    for (const Bound& bound : {Bound{"thesis-XI", 0.94},
+                               {"thesis-XII", 0.92},
+                               {"thesis-XIII", 0.89},
+                               {"thesis-XIV", 0.92},
+                               {"thesis-XV", 0.94},
+                               {"thesis-XVI", 0.95},
+                               {"thesis-XVII", 0.94},
+                               {"thesis-XVIII", 0.92},
+                               {"thesis-XIX", 0.94},
+                               {"thesis-XX", 0.95},
+                               {"thesis-XXI", 0.93},
+                               {"thesis-XXII", 0.91},
+                               {"thesis-XXIII", 0.90},
+                               {"thesis-XXIV", 0.91},
+                               {"thesis-XXV", 0.84},
+                               {"thesis-XXVI", 0.88}}) {
+      CAPTURE(bound.id);
+      const Replay& replay = replayed(std::string(bound.id));
+      const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
+      CHECK(static_cast<double>(met) >= bound.met * static_cast<double>(legible(replay)));
+      all_met += met;
+      all_legible += legible(replay);
+    }
+    CHECK(static_cast<double>(all_met) >= 0.92 * static_cast<double>(all_legible));
+  }
+  SUBCASE("the viscoelastic tables are met from their printed lengths, one for each thickness") {
+    for (const char* id : {"thesis-XIV", "thesis-XV", "thesis-XXII", "thesis-XXIV"}) {
+      CAPTURE(id);
+      const Replay& replay = replayed(id);
+      const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
+      CHECK(static_cast<double>(met) >= 0.9 * static_cast<double>(legible(replay)));
+      CHECK(static_cast<double>(met + replay.count(Verdict::seed_error)) >=
+            0.94 * static_cast<double>(legible(replay)));
+      for (const ReplayedCell& cell : replay.cells) {
+        if (cell.verdict != Verdict::match) CHECK_FALSE(cell.note.empty());
+      }
     }
   }
-}
-
-TEST_CASE("the notes' rows come out to their printed digits") {
-  const Replay& replay = replayed("thesis-XV");
-  CHECK(cell_of(replay, 5, "d0").value == doctest::Approx(575.042e-6).scale(0).epsilon(1e-5));
-  CHECK(cell_of(replay, 5, "muR").value == doctest::Approx(702.36e-6).scale(0).epsilon(1e-5));
-  CHECK(cell_of(replay, 5, "d0").verdict == Verdict::match);
-  // m2 = 4 of m1 = 5 follows from the printed lengths.
-  CHECK(cell_of(replay, 4, "L1").value / cell_of(replay, 4, "L2").value ==
-        doctest::Approx(1.25).epsilon(1e-9));
-}
-
-TEST_CASE("a row without a legible length is replayed from d2, one with a doubtful L1 from L2") {
-  const Replay& replay = replayed("thesis-XII");
-  for (std::size_t row = 5; row < 10; ++row) {
-    CAPTURE(row);
-    CHECK(replay.table.cell(row, "L1").is_readable() == false);
-    CHECK(cell_of(replay, row, "d2").verdict == Verdict::input);
-    CHECK(cell_of(replay, row, "d2").value ==
-          doctest::Approx(replay.table.cell(row, "d2").number->value).scale(0).epsilon(1e-9));
-    CHECK(cell_of(replay, row, "d2/B").verdict == Verdict::misprint);
+  SUBCASE("the notes' rows come out to their printed digits") {
+    const Replay& replay = replayed("thesis-XV");
+    CHECK(cell_of(replay, 5, "d0").value == doctest::Approx(575.042e-6).scale(0).epsilon(1e-5));
+    CHECK(cell_of(replay, 5, "muR").value == doctest::Approx(702.36e-6).scale(0).epsilon(1e-5));
+    CHECK(cell_of(replay, 5, "d0").verdict == Verdict::match);
+    // m2 = 4 of m1 = 5 follows from the printed lengths.
+    CHECK(cell_of(replay, 4, "L1").value / cell_of(replay, 4, "L2").value ==
+          doctest::Approx(1.25).epsilon(1e-9));
   }
-  CHECK(cell_of(replay, 9, "muR").verdict == Verdict::match);
-  CHECK(replay.table.cell(4, "L1").is_doubtful());
-  CHECK(cell_of(replay, 4, "L1").value == doctest::Approx(77.402e-3).scale(0).epsilon(1e-9));
-  CHECK(cell_of(replay, 4, "d2").verdict == Verdict::match);
-}
-
-TEST_CASE("Tables XI to XXVI: 92 in 100 legible cells are met, of each table as many as its print allows") {
-  struct Bound {
-    std::string_view id;
-    double met;  // of its legible cells
-  };
-  std::size_t all_met = 0, all_legible = 0;
-  for (const Bound& bound : {Bound{"thesis-XI", 0.94},
-                             {"thesis-XII", 0.92},
-                             {"thesis-XIII", 0.89},
-                             {"thesis-XIV", 0.92},
-                             {"thesis-XV", 0.94},
-                             {"thesis-XVI", 0.95},
-                             {"thesis-XVII", 0.94},
-                             {"thesis-XVIII", 0.92},
-                             {"thesis-XIX", 0.94},
-                             {"thesis-XX", 0.95},
-                             {"thesis-XXI", 0.93},
-                             {"thesis-XXII", 0.91},
-                             {"thesis-XXIII", 0.90},
-                             {"thesis-XXIV", 0.91},
-                             {"thesis-XXV", 0.84},
-                             {"thesis-XXVI", 0.88}}) {
-    CAPTURE(bound.id);
-    const Replay& replay = replayed(std::string(bound.id));
-    const std::size_t met = replay.count(Verdict::match) + replay.count(Verdict::misprint);
-    CHECK(static_cast<double>(met) >= bound.met * static_cast<double>(legible(replay)));
-    all_met += met;
-    all_legible += legible(replay);
+  SUBCASE("a row without a legible length is replayed from d2, one with a doubtful L1 from L2") {
+    const Replay& replay = replayed("thesis-XII");
+    for (std::size_t row = 5; row < 10; ++row) {
+      CAPTURE(row);
+      CHECK(replay.table.cell(row, "L1").is_readable() == false);
+      CHECK(cell_of(replay, row, "d2").verdict == Verdict::input);
+      CHECK(cell_of(replay, row, "d2").value ==
+            doctest::Approx(replay.table.cell(row, "d2").number->value).scale(0).epsilon(1e-9));
+      CHECK(cell_of(replay, row, "d2/B").verdict == Verdict::misprint);
+    }
+    CHECK(cell_of(replay, 9, "muR").verdict == Verdict::match);
+    CHECK(replay.table.cell(4, "L1").is_doubtful());
+    CHECK(cell_of(replay, 4, "L1").value == doctest::Approx(77.402e-3).scale(0).epsilon(1e-9));
+    CHECK(cell_of(replay, 4, "d2").verdict == Verdict::match);
   }
-  CHECK(static_cast<double>(all_met) >= 0.92 * static_cast<double>(all_legible));
-}
-
-TEST_CASE("the creep of short relaxation times lacks what underflowed") {
-  const Replay& replay = replayed("thesis-XXIV");
-  const ReplayedCell& short_time = cell_of(replay, 8, "creep");
-  CHECK(short_time.verdict == Verdict::seed_error);
-  CHECK(short_time.note.find("underflows") != std::string::npos);
-  CHECK(cell_of(replay, 0, "creep").verdict == Verdict::match);
+  SUBCASE("the creep of short relaxation times lacks what underflowed") {
+    const Replay& replay = replayed("thesis-XXIV");
+    const ReplayedCell& short_time = cell_of(replay, 8, "creep");
+    CHECK(short_time.verdict == Verdict::seed_error);
+    CHECK(short_time.note.find("underflows") != std::string::npos);
+    CHECK(cell_of(replay, 0, "creep").verdict == Verdict::match);
+  }
+  SUBCASE("the known misses are misses, all of them, and the only ones in the viscoelastic tables") {
+    const auto misses = data::load_known_misses(data::tables_directory() / "known_misses.csv");
+    std::size_t known = 0;
+    for (const std::string& id : verify::replayable_tables()) {
+      const verify::Replay& replay = replayed(id);
+      for (const verify::ReplayedCell& replayed : replay.cells) {
+        CAPTURE(id);
+        CAPTURE(replayed.row);
+        CAPTURE(replayed.column);
+        const bool missed = replayed.verdict == Verdict::unexplained &&
+                            replay.table.cell(replayed.row, replayed.column).is_readable();
+        if (verify::find_viscoelastic_table(id) != nullptr)
+          CHECK(verify::is_known_miss(misses, replay, replayed) == missed);
+        if (!verify::is_known_miss(misses, replay, replayed)) continue;
+        CHECK(replayed.verdict == Verdict::unexplained);
+        ++known;
+      }
+    }
+    CHECK(known == misses.size());
+  }
 }
 
 TEST_CASE("corrected rolling tables: what truncation, mesh and exponent cost") {
