@@ -2,6 +2,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -138,8 +140,19 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
 data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) {
   return material_of(x[at + 2], x[at + 3], x[at + 4]);
 }
-fast::MovingLoad load_at(Arguments x, std::size_t at, Accuracy accuracy) {
-  return {material_at(x, at), x[at], x[at + 1], accuracy};
+/// The one that was asked for last is kept: a search along one argument asks for the same sheet again and again, and
+/// whether a material is passive takes longer to find than a displacement.
+const fast::MovingLoad& load_at(Arguments x, std::size_t at, Accuracy accuracy) {
+  struct Last {
+    std::vector<double> sheet;
+    fast::MovingLoad load;
+  };
+  thread_local std::optional<Last> last;
+  std::vector<double> sheet(x.begin() + static_cast<std::ptrdiff_t>(at), x.end());
+  sheet.push_back(accuracy.rtol());
+  if (!last || last->sheet != sheet)
+    last.emplace(Last{std::move(sheet), {material_at(x, at), x[at], x[at + 1], accuracy}});
+  return last->load;
 }
 ref::ExactMaterial exact_of_material_at(Arguments x, std::size_t at) {
   return ref::exact_material(material_at(x, at));
