@@ -165,7 +165,7 @@ double dissipation(const ViscoelasticPressure& contact, const ViscoelasticCompli
   std::vector<double> y, weight;
   const auto& gauss = boost::math::quadrature::gauss<double, 60>{};
   for (const auto& panel : contact.layout().panels()) {
-    constexpr int parts = 12;
+    constexpr int parts = 6;
     for (int part = 0; part < parts; ++part) {
       for (std::size_t i = 0; i < gauss.abscissa().size(); ++i) {
         for (const double side : {-1, 1}) {
@@ -192,7 +192,7 @@ double dissipation(const ViscoelasticPressure& contact, const ViscoelasticCompli
   // far beyond the rate, the mean over a period falls like x^-4.
   const double rate = std::abs(material.normal.front().rate);
   const double half_period = std::numbers::pi / (2 * contact.half_length());
-  const double end = 1000 * half_period;
+  const double end = std::max(500 * half_period, 40 * rate);
   const auto over = [&](double from, double step) {
     return boost::math::quadrature::gauss<double, 7>::integrate(integrand, from, from + step);
   };

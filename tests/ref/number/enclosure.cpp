@@ -44,11 +44,11 @@ TEST_CASE("bounds hold and are as small as asked, for every kernel and argument"
     CAPTURE(text);
     const Exact x = exact(text);
     for (const Kernel kernel : kernels) {
-      const Enclosure fine = kernel(x, 90);
+      const Enclosure fine = kernel(x, 60);
       for (const int digits : {16, 25, 50}) check_promise(kernel(x, digits), fine);
     }
     for (const char* eta : {"0", "1e-9", "-0.73", "12"}) {
-      check_promise(I6(x, exact(eta), 30), I6(x, exact(eta), 80));
+      check_promise(I6(x, exact(eta), 30), I6(x, exact(eta), 50));
     }
   }
 }
