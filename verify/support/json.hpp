@@ -53,6 +53,7 @@ class Json {
 
  private:
   struct Value;
+  explicit Json(Value value);
   std::shared_ptr<const Value> value_;
 };
 

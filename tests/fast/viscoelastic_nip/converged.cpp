@@ -226,7 +226,7 @@ TEST_CASE("results at 1e-8 over twelve decades of the relaxation length") {
     const double length = 0.1;
     const auto rough = converged_for_length(nip(relaxation * length), length, 1e-8);
     const auto fine = converged_for_length(nip(relaxation * length), length, 1e-11);
-    CHECK(rough.work().unknowns < fine.work().unknowns);
+    CHECK(rough.work().unknowns <= fine.work().unknowns);  // one level may serve both
     for (const Result& result : {results()[1], results()[2], results()[3], results()[5]}) {
       CHECK(result(rough).value == doctest::Approx(result(fine).value).scale(0).epsilon(1e-8));
     }
