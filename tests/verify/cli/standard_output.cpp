@@ -33,17 +33,16 @@ Ending list_to_nobody(void (*on_broken_pipe)(int)) {
   const ScratchFile errors;
   int ends[2];
   REQUIRE(pipe(ends) == 0);
+  close(ends[0]);  // before there is anybody who could write
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    close(ends[0]);
     dup2(ends[1], STDOUT_FILENO);
     if (freopen(errors.path().c_str(), "w", stderr) == nullptr) _exit(99);
     signal(SIGPIPE, on_broken_pipe);
     execl(program().c_str(), "nipref", "list", nullptr);
     _exit(99);
   }
-  close(ends[0]);
   close(ends[1]);
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
