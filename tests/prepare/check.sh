@@ -14,6 +14,7 @@ stand_in apt-cache 'printf "libboost1.%s-dev\n" 74 83 81 88'
 stand_in g++ 'echo "#define BOOST_VERSION $BOOST"'
 stand_in apt-get 'echo "apt-get $*" >>"$ROOM/asked"
 case " $* " in
+*" update "*) [ "${OFFLINE:-no}" = no ] ;;
 *--simulate*) for name in "$@"; do [[ $name != lib* ]] || printf "Inst %s (1)\nInst %s-needs (1)\n" "$name" "$name"; done ;;
 *" install "*) [ "$APT_INSTALLS" = yes ] ;;
 *download*) touch package.deb ;;
@@ -54,6 +55,9 @@ check "no root and no tools" "$said" "Please install these packages first: cmake
 on_machine USER_ID=0 INSTALLED="$all" BOOST=107400 APT_INSTALLS=yes
 check "an old Boost stays" "$asked" "*download libboost1.81-dev*dpkg -x*"
 never "an old Boost stays" "$asked" "* install *"
+on_machine USER_ID=1000 INSTALLED="cmake g++ make" BOOST=108300 APT_INSTALLS=yes OFFLINE=yes
+check "no network" "$said" "*What is missing cannot be downloaded; please install it: *libgsl-dev* failed"
+never "no network" "$asked" "*dpkg*"
 for machine in 0:yes 0:no 1000:no; do
   on_machine USER_ID=${machine%:*} INSTALLED="" BOOST=107400 APT_INSTALLS="${machine#*:}"
   never "nothing is removed" "$(grep ' install ' <<<"$asked" | grep -v -e --no-remove -e --simulate)" "*install*"

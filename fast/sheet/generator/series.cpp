@@ -1,4 +1,3 @@
-
 #include <nipref/fast/sheet/generator/series.hpp>
 
 namespace nipref::fast::generator {
