@@ -14,6 +14,7 @@
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -122,11 +123,7 @@ Answer answer_of_fast(const Request& request) {
   const double rtol = request.accuracy.rtol();
   const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
   const double promised = std::max(quantity.promise * ulp_of(scale), tolerated);
-  return {"fast",
-          fmt::format("{}", value),
-          fmt::format("{:.1e}", promised),
-          false,
-          static_cast<int>(-std::log10(rtol)),
+  return {"fast", fmt::format("{}", value), upward_text(promised), false, static_cast<int>(-std::log10(rtol)),
           seconds};
 }
 

@@ -5,12 +5,13 @@
 #include <iterator>
 
 #include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
 
 namespace nipref::verify {
 namespace {
 
 std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
-std::string error_text(const fast::Estimate& number) { return fmt::format("{:.1e}", number.error); }
+std::string error_text(const fast::Estimate& number) { return upward_text(number.error); }
 std::string value_text(const LongEstimate& number) { return number.value; }
 std::string error_text(const LongEstimate& number) { return number.error; }
 bool is_proven(const fast::Estimate&) { return false; }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
 
 #include "support/run_nipref.hpp"
 
@@ -183,6 +184,16 @@ TEST_CASE("fast's estimated error follows rtol") {
   CHECK(error("") < 1e-15);
   CHECK(error("rtol=1e-3") > 1e-5);
   CHECK(error("rtol=1e-3") <= 1e-3);
+}
+
+TEST_CASE("an error in two digits is never less than the error") {
+  CHECK(verify::upward_text(0) == "0.0e+00");
+  CHECK(verify::upward_text(1e-3) == "1.0e-03");
+  CHECK(verify::upward_text(1.01e-3) == "1.1e-03");
+  CHECK(verify::upward_text(1.99e-3) == "2.0e-03");
+  CHECK(verify::upward_text(9.949e-3) == "1.0e-02");
+  const json answer = json::parse(run("eval I1 alpha=0.73 path=fast rtol=1.23456e-5 --json").out);
+  CHECK(answer["results"]["fast"]["error"].get<double>() >= 1.23456e-5 * answer["scale"].get<double>());
 }
 
 TEST_CASE("audit as JSON says what was promised, and the worst argument exactly") {
