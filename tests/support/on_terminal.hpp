@@ -14,6 +14,13 @@
 #include "support/paths.hpp"
 #include "support/scratch_file.hpp"
 
+/// Bare chroots have no pseudo-terminals; a test that needs one is skipped then, and says so.
+inline bool has_terminals() {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  if (terminal < 0) MESSAGE("skipped: no pseudo-terminal can be opened here");
+  return close(terminal) == 0;
+}
+
 /// The program with a terminal of its own for its standard error, so that what it tells can be waited for.
 class OnTerminal {
  public:

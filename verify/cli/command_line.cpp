@@ -56,8 +56,9 @@ std::string footer_of(const VerbText& verb) {
 
 void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
   CLI::App* sub = app.add_subcommand(verb.name, verb.meaning);
-  sub->add_option(verb.words.empty() ? "name=value" : verb.words, raw.words, verb.meaning_of_words)
-      ->option_text("...");
+  // A name with '=' in it is none to CLI11 from 2.4 on.
+  sub->add_option(verb.words.empty() ? "option" : verb.words, raw.words, verb.meaning_of_words)
+      ->option_text(verb.words.empty() ? "name=value ..." : "...");
   for (const OptionText& option : verb.options) {
     sub->add_option("--" + option.name, raw.options[option.name],
                     option.meaning + "; also " + option.name + "=...");

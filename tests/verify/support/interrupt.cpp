@@ -50,6 +50,7 @@ int end_of(void (*work)()) {
 }  // namespace
 
 TEST_CASE("Ctrl-C: an audit answers with the rows that are finished, and 130") {
+  if (!has_terminals()) return;
   const auto answer = json_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6", "--json"}, "audit 1/6");
   REQUIRE(answer.at("rows").size() >= 1);
   CHECK(answer["rows"].size() < 6);
@@ -57,6 +58,7 @@ TEST_CASE("Ctrl-C: an audit answers with the rows that are finished, and 130") {
 }
 
 TEST_CASE("Ctrl-C: so do bench and tables") {
+  if (!has_terminals()) return;
   const auto bench = json_interrupted({"bench", "I3", "I1", "F1", "--json"}, "bench 1/3");
   REQUIRE(bench.at("rows").size() >= 1);
   CHECK(bench["rows"][0].at("quantity") == "I3");
@@ -67,6 +69,7 @@ TEST_CASE("Ctrl-C: so do bench and tables") {
 }
 
 TEST_CASE("Ctrl-C: the text says that it is not all") {
+  if (!has_terminals()) return;
   const std::string text = answer_interrupted({"audit", "I3", "I1", "I2", "I4", "I5", "I6"}, "audit 1/6");
   CHECK(text.find("\nI3 ") != std::string::npos);
   CHECK(text.find("\nI6 ") == std::string::npos);
@@ -101,6 +104,7 @@ TEST_CASE("an interrupt that was ignored before is ignored") {
 }
 
 TEST_CASE("progress overwrites its line on a terminal, not on a dumb one, and not if it shall be quiet") {
+  if (!has_terminals()) return;
   const auto told = [](const char* term, std::vector<std::string> arguments) {
     OnTerminal run(std::move(arguments), term, 40);
     CHECK(run.status() == 0);
