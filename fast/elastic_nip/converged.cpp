@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
@@ -22,25 +23,46 @@ double checked_position(double y) {
 }  // namespace
 
 struct ConvergedElasticNip::Implementation {
-  Implementation(const data::ElasticNip& nip, data::Friction friction, ElasticNipLadder solved)
+  Implementation(const data::ElasticNip& nip, data::Friction friction, ElasticNipLadder solved,
+                 std::optional<double> length)
       : units(units_of(nip)),
         surface{friction, nip.material.theta2() / nip.material.normal_compliance(), solved.tolerance()},
-        ladder(std::move(solved)) {}
+        ladder(std::move(solved)),
+        given_length(length) {}
 
   ContactUnits units;
   SurfaceDisplacements surface;
   ElasticNipLadder ladder;
+  std::optional<double> given_length;  ///< unit of length
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length; }
+  [[nodiscard]] Estimate half_length_estimate() const {
+    return ladder.estimate([](const HalfContact& contact) { return contact.half_length; });
+  }
+  /// Distance of y >= 0 from the contact's end; without loss where that is given.
+  [[nodiscard]] double from_end(const HalfContact& contact, double y) const {
+    if (given_length) return (*given_length / 2 - y) / units.length;
+    return contact.half_length - y / units.length;
+  }
   [[nodiscard]] Estimate traction_at(double y, double Traction::*component, double scale) const {
-    const double position = checked_position(y) / units.length;
-    const Estimate estimate = ladder.estimate(
-        [&](const HalfContact& contact) {
-          const double e = contact.half_length - position;
-          return e > 0 ? contact.traction(e).*component : 0;
-        },
-        position < half_length() ? scale : 0);
+    const double position = checked_position(y);
+    const auto traction = [&](const HalfContact& contact, double moved) {
+      const double e = std::min(from_end(contact, position) + moved, contact.half_length);
+      return e > 0 ? contact.traction(e).*component : 0;
+    };
+    const bool inside = from_end(ladder.last(), position) > 0;
+    Estimate estimate =
+        ladder.estimate([&](const HalfContact& contact) { return traction(contact, 0); }, inside ? scale : 0);
+    // Near the end it matters how well the length is known.
+    const double unsure = given_length ? 0 : half_length_estimate().error;
+    for (const double moved : {-unsure, unsure})
+      estimate.error += std::fabs(traction(ladder.last(), moved) - traction(ladder.last(), 0));
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
+  }
+  /// Twice the ladder's: it finds levels alike by chance more often where the place of the maximum moves.
+  [[nodiscard]] Estimate peak(double (*largest)(const HalfContact&)) const {
+    const Estimate estimate = ladder.estimate(largest);
+    return times(units.pressure, {estimate.value, 2 * estimate.error});
   }
 };
 
@@ -50,25 +72,24 @@ ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = defau
 ConvergedElasticNip::~ConvergedElasticNip() = default;
 
 Estimate ConvergedElasticNip::contact_length() const {
-  const auto& [units, surface, ladder] = *implementation_;
-  return times(2 * units.length,
-               ladder.estimate([](const HalfContact& contact) { return contact.half_length; }));
+  const auto& [units, surface, ladder, given_length] = *implementation_;
+  return times(2 * units.length, implementation_->half_length_estimate());
 }
 
 Estimate ConvergedElasticNip::load() const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   return times(units.load, ladder.estimate([](const HalfContact& contact) { return contact.load; }));
 }
 
 Estimate ConvergedElasticNip::indentation() const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   return times(units.displacement, ladder.estimate([](const HalfContact& contact) {
     return contact.edge_displacement + contact.half_length * contact.half_length;
   }));
 }
 
 Estimate ConvergedElasticNip::edge_displacement() const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   const double parabola = std::pow(implementation_->half_length(), 2);
   return times(
       units.displacement,
@@ -76,7 +97,7 @@ Estimate ConvergedElasticNip::edge_displacement() const {
 }
 
 Estimate ConvergedElasticNip::creep_ratio() const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   const double size = implementation_->half_length();
   if (surface.friction == data::Friction::full) {
     return times(units.creep,
@@ -87,7 +108,7 @@ Estimate ConvergedElasticNip::creep_ratio() const {
     const double end = contact.half_length;
     return fast::tangential_displacement(contact, end, surface, kernels) / end;
   };
-  return times(units.creep, ladder.estimate(stretch, size));
+  return times(units.creep, ladder.estimate_of_integral(stretch, size));
 }
 
 Estimate ConvergedElasticNip::pressure(double y) const {
@@ -104,37 +125,34 @@ Estimate ConvergedElasticNip::shear(double y) const {
   return implementation_->traction_at(y, &Traction::shear, scale);
 }
 
-Estimate ConvergedElasticNip::peak_pressure() const {
-  const auto& [units, surface, ladder] = *implementation_;
-  return times(units.pressure, ladder.estimate(fast::peak_pressure));
-}
+Estimate ConvergedElasticNip::peak_pressure() const { return implementation_->peak(fast::peak_pressure); }
 
 Estimate ConvergedElasticNip::peak_shear() const {
-  const auto& [units, surface, ladder] = *implementation_;
-  if (surface.friction == data::Friction::none) return {0, 0};
-  return times(units.pressure, ladder.estimate(fast::peak_shear));
+  if (implementation_->surface.friction == data::Friction::none) return {0, 0};
+  return implementation_->peak(fast::peak_shear);
 }
 
 Estimate ConvergedElasticNip::normal_displacement(double y) const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   const double position = checked_position(y) / units.length;
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
     return fast::normal_displacement(contact, position, surface, kernels);
   };
   return times(units.displacement,
-               ladder.estimate(displacement, std::pow(implementation_->half_length(), 2)));
+               ladder.estimate_of_integral(displacement, std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {
-  const auto& [units, surface, ladder] = *implementation_;
+  const auto& [units, surface, ladder, given_length] = *implementation_;
   const double position = checked_position(y) / units.length;
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
     return fast::tangential_displacement(contact, position, surface, kernels);
   };
   const double scale = implementation_->half_length() * std::min(position, implementation_->half_length());
-  return times(std::copysign(units.creep * units.length, y), ladder.estimate(displacement, scale));
+  return times(std::copysign(units.creep * units.length, y),
+               ladder.estimate_of_integral(displacement, scale));
 }
 
 Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }
@@ -147,7 +165,8 @@ ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Fric
   return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
       ElasticNipLadder::at_half_length({friction, nip.material.poisson}, contact_length / nip.sheet_thickness,
-                                       accuracy)));
+                                       accuracy),
+      contact_length));
 }
 
 ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Friction friction, double load,
@@ -157,7 +176,8 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, data::Fricti
   check_contact_load(load);
   auto solved = std::make_unique<ConvergedElasticNip::Implementation>(
       nip, friction,
-      ElasticNipLadder::at_load({friction, nip.material.poisson}, load / units_of(nip).load, accuracy));
+      ElasticNipLadder::at_load({friction, nip.material.poisson}, load / units_of(nip).load, accuracy),
+      std::nullopt);
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
   return ConvergedElasticNip(std::move(solved));
 }

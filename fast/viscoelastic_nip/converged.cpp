@@ -19,10 +19,10 @@ ContactUnits units_of(const data::ViscoelasticNip& nip, const EffectiveSheet& sh
 
 /// What a contact of about this load meets: its length is guessed for a sheet whose memories are all those that
 /// the shortest contact meets.
-EffectiveSheet effective_sheet_for_load(const data::ViscoelasticNip& nip, double load) {
-  const EffectiveSheet shortest = effective_sheet(nip, shortest_half_length);
+EffectiveSheet effective_sheet_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
+  const EffectiveSheet shortest = effective_sheet(nip, shortest_half_length, accuracy);
   const ViscoelasticNipLevels levels(shortest.material);
-  return effective_sheet(nip, levels.half_length_guess(load / units_of(nip, shortest).load));
+  return effective_sheet(nip, levels.half_length_guess(load / units_of(nip, shortest).load), accuracy);
 }
 
 }  // namespace
@@ -41,11 +41,24 @@ struct ConvergedViscoelasticNip::Implementation {
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
   [[nodiscard]] double neglected() const { return sheet.neglected(half_length()); }
-  /// Ladder::estimate with what the sheet's short memories do beside, relative to the same scale.
+  /// With what the sheet's short memories do beside, relative to the same scale.
+  [[nodiscard]] Estimate with_neglected(const Estimate& solved, double scale) const {
+    return {solved.value, solved.error + neglected() * std::max(scale, std::fabs(solved.value))};
+  }
   [[nodiscard]] Estimate estimate(const ViscoelasticNipLadder::Functional& functional,
                                   double scale = 0) const {
-    const Estimate solved = ladder.estimate(functional, scale);
-    return {solved.value, solved.error + neglected() * std::max(scale, std::fabs(solved.value))};
+    return with_neglected(ladder.estimate(functional, scale), scale);
+  }
+  [[nodiscard]] Estimate estimate_of_integral(const ViscoelasticNipLadder::Functional& functional,
+                                              double scale) const {
+    return with_neglected(ladder.estimate_of_integral(functional, scale), scale);
+  }
+  /// How well the nearer end of the contact is known, half-thicknesses.
+  [[nodiscard]] double unsure_end(Half half) const {
+    return estimate(std::mem_fn(half == Half::leading ? &ViscoelasticPressure::leading_length
+                                                      : &ViscoelasticPressure::trailing_length),
+                    half_length())
+        .error;
   }
   /// Dimensionless Y.
   [[nodiscard]] double position(double y) const {
@@ -102,21 +115,28 @@ Estimate ConvergedViscoelasticNip::trailing_displacement() const {
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto& [units, radius, sheet, ladder] = *implementation_;
   const double position = implementation_->position(y);
-  const auto at = [&](const ViscoelasticPressure& contact) {
-    const ContactPlace place = contact.place(position);
-    return place.e > 0 ? contact.pressure(place) : 0;
+  const auto pressure = [](const ViscoelasticPressure& contact, const ContactPlace& place) {
+    return place.e > 0 ? contact.pressure({place.half, std::min(place.e, contact.half_length())}) : 0;
   };
-  const bool inside = ladder.last().place(position).e > 0;
+  const auto at = [&](const ViscoelasticPressure& contact) {
+    return pressure(contact, contact.place(position));
+  };
+  const ContactPlace place = ladder.last().place(position);
   const double half_length = implementation_->half_length();
   const double middle = ladder.last().pressure({Half::leading, half_length});
-  Estimate solved = ladder.estimate(at, inside ? middle : 0);
-  if (inside) solved.error += middle * sheet.neglected_near_end(half_length, ladder.last().place(position).e);
+  Estimate solved = ladder.estimate(at, place.e > 0 ? middle : 0);
+  if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
+  // Near an end it matters how well its place is known.
+  const double unsure = implementation_->unsure_end(place.half);
+  for (const double moved : {place.e - unsure, place.e + unsure})
+    solved.error += std::fabs(pressure(ladder.last(), {place.half, moved}) - solved.value);
   return times(units.pressure, solved);
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {
   const auto& [units, radius, sheet, ladder] = *implementation_;
   Estimate peak = implementation_->estimate(fast::peak_pressure);
+  peak.error *= 2;  // levels are alike by chance more often where the place of the maximum moves
   // At an end the pressure could be larger still.
   const double at_end = sheet.neglected_near_end(implementation_->half_length(), 0);
   if (at_end > 1) peak.error += at_end * peak.value;
@@ -139,7 +159,7 @@ Estimate ConvergedViscoelasticNip::creep_ratio() const {
         contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels);
     return change / (2 * contact.half_length());
   };
-  return times(units.creep, implementation_->estimate(stretch, implementation_->half_length()));
+  return times(units.creep, implementation_->estimate_of_integral(stretch, implementation_->half_length()));
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
@@ -149,8 +169,8 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const auto displacement = [&](const ViscoelasticPressure& contact) {
     return contact.normal_displacement(contact.place(position), ladder.tolerance(), kernels);
   };
-  return times(units.displacement,
-               implementation_->estimate(displacement, std::pow(implementation_->half_length(), 2)));
+  return times(units.displacement, implementation_->estimate_of_integral(
+                                       displacement, std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
@@ -163,9 +183,9 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
                                            kernels);
   };
   const double half_length = implementation_->half_length();
-  return times(
-      units.creep * units.length,
-      implementation_->estimate(displacement, half_length * std::min(std::fabs(position), half_length)));
+  return times(units.creep * units.length,
+               implementation_->estimate_of_integral(
+                   displacement, half_length * std::min(std::fabs(position), half_length)));
 }
 
 Work ConvergedViscoelasticNip::work() const { return implementation_->ladder.work(); }
@@ -176,7 +196,7 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_contact_accuracy(accuracy);
   check_contact_length(shape(nip), contact_length);
   const double half_length = contact_length / nip.sheet_thickness;
-  const EffectiveSheet sheet = effective_sheet(nip, half_length);
+  const EffectiveSheet sheet = effective_sheet(nip, half_length, accuracy);
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
       nip, sheet,
       ViscoelasticNipLadder::at_half_length(ViscoelasticNipLevels(sheet.material), half_length, accuracy)));
@@ -186,7 +206,7 @@ ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, do
   nip.check();
   check_contact_accuracy(accuracy);
   check_contact_load(load);
-  const EffectiveSheet sheet = effective_sheet_for_load(nip, load);
+  const EffectiveSheet sheet = effective_sheet_for_load(nip, load, accuracy);
   auto solved = std::make_unique<ConvergedViscoelasticNip::Implementation>(
       nip, sheet,
       ViscoelasticNipLadder::at_load(ViscoelasticNipLevels(sheet.material), load / units_of(nip, sheet).load,

@@ -1,4 +1,5 @@
 #pragma once
+#include <memory>
 #include <vector>
 
 namespace nipref::fast {
@@ -19,6 +20,8 @@ struct HalfContact {
   double creep = 0;              ///< 0 without friction, where it is no part of the solution
   double load = 0;               ///< of the whole contact: twice the integral of the pressure over the half
   std::vector<double> breaks;    ///< 0 = e_0 < ... < A: between them the tractions are analytic
+  /// Of the same half length, as rounding could have made it: see SolutionAndTwins.
+  std::vector<std::unique_ptr<HalfContact>> twins;
 
   HalfContact() = default;
   HalfContact(const HalfContact&) = delete;

@@ -20,7 +20,7 @@ class ElasticNipLevels {
     double remainder;
   };
   static constexpr int most = 8;
-  static constexpr double whole_share = 1;
+  static constexpr double whole_share = 0.05;
 
   ElasticNipLevels(data::Friction friction, double poisson) : friction_(friction), poisson_(poisson) {}
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -22,16 +23,14 @@ std::vector<double> panel_breaks(double half_length, int panels) {
 
 class PanelContact : public HalfContact {
  public:
-  PanelContact(double length, data::Friction friction, double poisson, const PanelLayout& layout,
-               CountedKernels& kernels)
+  PanelContact(double length, data::Friction friction, double poisson, const PanelLayout& layout)
       : friction_(friction == data::Friction::full), terms_(layout.terms), panels_(layout.panels) {
     half_length = length;
     breaks = panel_breaks(length, layout.panels);
-    const double beta = (1 - 2 * poisson) / (2 * (1 - poisson));
-    if (friction_) exponent_ = {0.5, -std::atanh(beta) / pi};
-    solve(ElasticNipOperator(length, friction_ ? beta : 0, layout.tolerance, kernels), kernels);
-    load = 2 * half_load(layout.tolerance);
+    if (friction_) exponent_ = {0.5, -std::atanh(beta(poisson)) / pi};
   }
+
+  static double beta(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
 
   [[nodiscard]] Traction traction(double e) const override {
     int panel = 0;
@@ -43,6 +42,28 @@ class PanelContact : public HalfContact {
     for (int k = 0; k < terms_; ++k) sum += coefficient(panel, k) * polynomials[static_cast<std::size_t>(k)];
     sum *= end_factor(panel, x);
     return {sum.real(), sum.imag()};
+  }
+
+  [[nodiscard]] SolutionAndTwins solutions(const ElasticNipOperator& from, CountedKernels& kernels) const {
+    const std::vector<double> points = matching_points();
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
+    Eigen::VectorXd gap = Eigen::VectorXd::Zero(size());
+    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+      const double e = points[static_cast<std::size_t>(i)];
+      for (int panel = 0; panel < panels_; ++panel) add_panel(from, e, panel, i, matrix);
+      gap(i) = e * (2 * half_length - e);
+      matrix(i, size() - components()) = -1;
+      if (friction_) matrix(i + per_component() + 1, size() - 1) = -(half_length - e);
+    }
+    kernels.count_system(size());
+    // Of an entry's many roundings some cancel; along long contacts near and far values do (measured).
+    return solution_and_twins(matrix, std::min(1.0, 0.5 + half_length / 50) * matrix, gap);
+  }
+  void take(const Eigen::VectorXd& unknowns, double tolerance) {
+    unknowns_ = unknowns;
+    edge_displacement = unknowns_(size() - components());
+    if (friction_) creep = unknowns_(size() - 1);
+    load = 2 * half_load(tolerance);
   }
 
  private:
@@ -107,23 +128,6 @@ class PanelContact : public HalfContact {
     }
   }
 
-  void solve(const ElasticNipOperator& from, CountedKernels& kernels) {
-    const std::vector<double> points = matching_points();
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size(), size());
-    Eigen::VectorXd gap = Eigen::VectorXd::Zero(size());
-    for (int i = 0; i < static_cast<int>(points.size()); ++i) {
-      const double e = points[static_cast<std::size_t>(i)];
-      for (int panel = 0; panel < panels_; ++panel) add_panel(from, e, panel, i, matrix);
-      gap(i) = e * (2 * half_length - e);
-      matrix(i, size() - components()) = -1;
-      if (friction_) matrix(i + per_component() + 1, size() - 1) = -(half_length - e);
-    }
-    unknowns_ = linear_solution(matrix, gap);
-    kernels.count_system(size());
-    edge_displacement = unknowns_(size() - components());
-    if (friction_) creep = unknowns_(size() - 1);
-  }
-
   [[nodiscard]] double half_load(double tolerance) const {
     double sum = 0;
     for (const UnitNode& node : double_exponential_rule(tolerance)) {
@@ -146,7 +150,19 @@ class PanelContact : public HalfContact {
 
 std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction friction, double poisson,
                                            const PanelLayout& layout, CountedKernels& kernels) {
-  return std::make_unique<PanelContact>(half_length, friction, poisson, layout, kernels);
+  const bool with_friction = friction == data::Friction::full;
+  const ElasticNipOperator from(half_length, with_friction ? PanelContact::beta(poisson) : 0,
+                                layout.tolerance, kernels);
+  const PanelContact unsolved(half_length, friction, poisson, layout);
+  const auto [solution, twins] = unsolved.solutions(from, kernels);
+  const auto solved = [&](const Eigen::VectorXd& unknowns) {
+    auto contact = std::make_unique<PanelContact>(half_length, friction, poisson, layout);
+    contact->take(unknowns, layout.tolerance);
+    return contact;
+  };
+  auto contact = solved(solution);
+  for (const auto& twin : twins.colwise()) contact->twins.push_back(solved(twin));
+  return contact;
 }
 
 }  // namespace nipref::fast

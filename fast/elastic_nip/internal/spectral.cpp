@@ -45,26 +45,26 @@ class Grid {
   std::vector<double> sines_;
 };
 
-/// Mean over node j and its mirror image of I1(A (t - s)) + ln(A |t - s|), the part of the kernel that is
-/// analytic.
+/// Mean over node j and its mirror image of I1(A (t - s)) + ln|t - s|, the part of the kernel that is analytic.
 Eigen::MatrixXd smooth_kernel(const Grid& grid, double half_length, CountedKernels& kernels) {
   const int size = grid.terms + 1;
-  std::vector<double> alpha;
-  alpha.reserve(2 * static_cast<std::size_t>(size * size));
+  std::vector<double> distance;
   for (int i = 0; i < size; ++i) {
     const int at = Grid::matching_angle(i);
     for (int j = 0; j < size; ++j) {
       const int node = Grid::node_angle(j);
-      alpha.push_back(half_length * grid.cosine_distance(node, at));
-      alpha.push_back(half_length * grid.cosine_distance(grid.mirrored(node), at));
+      distance.push_back(grid.cosine_distance(node, at));
+      distance.push_back(grid.cosine_distance(grid.mirrored(node), at));
     }
   }
+  std::vector<double> alpha;
+  for (const double d : distance) alpha.push_back(half_length * d);
   const std::vector<double> values = kernels.I1(alpha);
   Eigen::MatrixXd smooth(size, size);
   std::size_t next = 0;
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j, next += 2) {
-      smooth(i, j) = 0.5 * (values[next] + values[next + 1] + std::log(alpha[next] * alpha[next + 1]));
+      smooth(i, j) = 0.5 * (values[next] + values[next + 1] + std::log(distance[next] * distance[next + 1]));
     }
   }
   return smooth;
@@ -78,10 +78,13 @@ double logarithm_of(int n, int angle, const Grid& grid) {
 
 class SpectralContact : public HalfContact {
  public:
-  SpectralContact(double length, int terms, CountedKernels& kernels) {
+  /// `unknowns`: the coefficients, then the edge displacement.
+  SpectralContact(double length, const Eigen::VectorXd& unknowns)
+      : coefficients_(unknowns.head(unknowns.size() - 1)) {
     half_length = length;
     breaks = {0, length};
-    solve(Grid(terms), kernels);
+    edge_displacement = unknowns(unknowns.size() - 1);
+    load = half_length * pi / 2 * coefficients_(0);
   }
 
   [[nodiscard]] Traction traction(double e) const override {
@@ -94,39 +97,44 @@ class SpectralContact : public HalfContact {
   }
 
  private:
-  void solve(const Grid& grid, CountedKernels& kernels) {
-    const int terms = grid.terms;
-    Eigen::MatrixXd nodes(terms + 1, terms);
-    for (int j = 0; j <= terms; ++j) {
-      for (int k = 0; k < terms; ++k) {
-        nodes(j, k) = grid.node_weight(j) * grid.sine((2 * k + 1) * Grid::node_angle(j));
-      }
-    }
-    Eigen::MatrixXd matrix(terms + 1, terms + 1);
-    matrix.leftCols(terms) =
-        scaled_product(half_length / pi, smooth_kernel(grid, half_length, kernels), nodes);
-    Eigen::VectorXd gap(terms + 1);
-    for (int i = 0; i <= terms; ++i) {
-      const int angle = Grid::matching_angle(i);
-      for (int k = 0; k < terms; ++k) matrix(i, k) += half_length / pi * logarithm_of(2 * k, angle, grid);
-      matrix(i, 0) -= half_length / 2 * std::log(half_length);
-      matrix(i, terms) = -1;
-      gap(i) = std::pow(half_length * grid.sine(angle), 2);  // A^2 - y^2
-    }
-    const Eigen::VectorXd unknowns = linear_solution(matrix, gap);
-    kernels.count_system(terms + 1);
-    coefficients_ = unknowns.head(terms);
-    edge_displacement = unknowns(terms);
-    load = half_length * pi / 2 * coefficients_(0);
-  }
-
   Eigen::VectorXd coefficients_;
 };
+
+SolutionAndTwins solve(double half_length, const Grid& grid, CountedKernels& kernels) {
+  const int terms = grid.terms;
+  Eigen::MatrixXd nodes(terms + 1, terms);
+  for (int j = 0; j <= terms; ++j) {
+    for (int k = 0; k < terms; ++k) {
+      nodes(j, k) = grid.node_weight(j) * grid.sine((2 * k + 1) * Grid::node_angle(j));
+    }
+  }
+  Eigen::MatrixXd matrix(terms + 1, terms + 1);
+  matrix.leftCols(terms) = scaled_product(half_length / pi, smooth_kernel(grid, half_length, kernels), nodes);
+  Eigen::MatrixXd size = matrix.cwiseAbs();
+  size.col(terms).setOnes();
+  Eigen::VectorXd gap(terms + 1);
+  for (int i = 0; i <= terms; ++i) {
+    const int angle = Grid::matching_angle(i);
+    for (int k = 0; k < terms; ++k) {
+      const double logarithm = half_length / pi * logarithm_of(2 * k, angle, grid);
+      matrix(i, k) += logarithm;
+      size(i, k) += std::fabs(logarithm);
+    }
+    matrix(i, terms) = -1;
+    gap(i) = std::pow(half_length * grid.sine(angle), 2);  // A^2 - y^2
+  }
+  kernels.count_system(terms + 1);
+  return solution_and_twins(matrix, size, gap);
+}
 
 }  // namespace
 
 std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, CountedKernels& kernels) {
-  return std::make_unique<SpectralContact>(half_length, terms, kernels);
+  const auto [solution, twins] = solve(half_length, Grid(terms), kernels);
+  auto contact = std::make_unique<SpectralContact>(half_length, solution);
+  for (const auto& twin : twins.colwise())
+    contact->twins.push_back(std::make_unique<SpectralContact>(half_length, twin));
+  return contact;
 }
 
 }  // namespace nipref::fast

@@ -14,18 +14,24 @@
 
 namespace nipref::fast {
 
-/// A number computed from a solved contact, and the least size that its error is measured by.
+/// A number computed from a solved contact.
 template <class Contact>
 struct Judged {
   std::function<double(const Contact&)> number;
-  double scale = 0;
+  double scale = 0;  ///< the least size that the accuracy is asked relative to
+  double size = 0;   ///< the least size by which it tells what the whole solution lacks
 };
 
-/// A contact solved with more and more terms, each time half as many again, until the accuracy is met; the
-/// last three solutions are kept, and what they differ by estimates the error of anything computed from them.
+/// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
+/// of anything computed from it is estimated from two sides:
+/// - what the expansion leaves out: each solution lacks about what it differs by from the next, and the last one
+///   lacks that less by the rate at which the expansions converge, known and measured. All solutions are asked,
+///   for two in succession may be near each other, or near the truth, by chance;
+/// - rounding: how much it changes on the last solution's twins, whose equations differ from its own by what
+///   rounding and the kernels' tolerance may do to them.
 ///
 /// Levels is a kind of nip, all dimensionless as in HalfContact:
-///   Contact            its solution, with half_length and load
+///   Contact            its solution, with half_length, load and twins, solutions of the same half length
 ///   Resolution         what resolves it, with `remainder`: about the size of what its expansion leaves out
 ///   most               levels there are
 ///   whole_share        how much of what the solution as a whole lacks is the least error of any number of it
@@ -51,19 +57,22 @@ class Ladder {
     Ladder ladder(std::move(levels), accuracy);
     ladder.climb(ladder.levels_.half_length_guess(load),
                  [&](double near, int level) { return ladder.solve_for_load(load, near, level); });
+    // Twins carry another load: what they say of the length, and with it of all others.
+    ladder.load_rounding_ = ladder.rounding_error([](const Contact& contact) {
+      return std::invoke(&Contact::load, contact);
+    }) / load;
     return ladder;
   }
 
-  /// Value on the last solution and an estimate of its error: see estimate_from_levels; not less than a share
-  /// of what the whole solution is estimated to lack, nor than what rounding, the kernels' own tolerance and
-  /// the load's last residual make, all relative to `scale` (the value itself if that is larger).
+  /// Value on the last solution and an estimate of its error; not less than a share of what the whole solution is
+  /// estimated to lack, nor than what the load's last residual makes, all relative to `scale` (the value itself if
+  /// that is larger).
   [[nodiscard]] Estimate estimate(const Functional& functional, double scale = 0) const {
-    const Estimate own = own_estimate(functional);
-    // The kernels are good to ten times that, and the errors of many values mostly cancel.
-    const double kernels = 1e-5 * accuracy_;
-    const double least =
-        std::max({Levels::whole_share * relative_error_, kernels, 3 * load_residual_, rounding});
-    return {own.value, std::max(own.error, least * std::max(scale, std::fabs(own.value)))};
+    return estimate({expansion_error(functional), rounding_error(functional)}, 0.1, functional, scale);
+  }
+  /// The same for a functional that costs kernel values and rounds no worse than the solution: its twins are spared.
+  [[nodiscard]] Estimate estimate_of_integral(const Functional& functional, double scale) const {
+    return estimate({expansion_error(functional), 0}, 1, functional, scale);
   }
   /// The same for a functional whose value may be far smaller than A though its rounding is not: the accuracy
   /// is asked of the value itself, and rounding is relative to A.
@@ -72,18 +81,25 @@ class Ladder {
     return {relative.value, std::max(relative.error, rounding * half_length(last()))};
   }
 
-  [[nodiscard]] const Contact& last() const { return *solutions_[2]; }
+  [[nodiscard]] const Contact& last() const { return *solutions_.back(); }
   /// For what is computed from the solutions.
-  [[nodiscard]] CountedKernels kernels() const {
-    return {Accuracy(std::max(tolerance(), Accuracy::best_rtol)), *work_};
-  }
-  /// Of the quadrature of what is computed from the solutions: stricter than theirs, for their differences do
-  /// not show it.
-  [[nodiscard]] double tolerance() const { return std::max(1e-6 * accuracy_, 1e-16); }
+  [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }
+  /// Of the quadrature of what is computed from the solutions: their differences do not show it.
+  static constexpr double tolerance() { return 1e-16; }
   [[nodiscard]] const Work& work() const { return *work_; }
 
  private:
   using Solution = std::unique_ptr<Contact>;
+  struct Error {
+    double of_expansion = 0;
+    double of_rounding = 0;
+    [[nodiscard]] double sum() const { return of_expansion + of_rounding; }
+    /// To what `other` is of `size`.
+    void enlarge(const Error& other, double size) {
+      of_expansion = std::max(of_expansion, other.of_expansion / size);
+      of_rounding = std::max(of_rounding, other.of_rounding / size);
+    }
+  };
   /// Of a solution in double, relative.
   static constexpr double rounding = 0x1p-48;
 
@@ -96,28 +112,28 @@ class Ladder {
   void climb(double near, const Step& step) {
     int in_vain = 0;  // levels
     for (int level = 0; level < Levels::most; ++level) {
-      if (level > 2 && !levels_.is_affordable(levels_.resolution(near, level))) return;
-      std::ranges::rotate(solutions_, solutions_.begin() + 1);
-      solutions_[2] = step(near, level);
+      const auto resolution = levels_.resolution(near, level);
+      if (level > 2 && !levels_.is_affordable(resolution)) return;
+      solutions_.push_back(step(near, level));
+      remainders_.push_back(resolution.remainder);
       near = half_length(last());
       if (level < 2) continue;
-      const double before = std::exchange(relative_error_, largest_relative_error());
-      if (!std::isfinite(relative_error_)) {
+      const double before = std::exchange(asked_, judge()).sum();
+      if (!std::isfinite(asked_.sum())) {
         throw data::BadInput("contact's half length", near,
                              "in half-thicknesses, must be one that can be solved in double with this sheet");
       }
       // Where more terms twice do not help, rounding is what is left.
-      in_vain = relative_error_ < 1e-6 && relative_error_ > 0.5 * before ? in_vain + 1 : 0;
-      if (relative_error_ <= accuracy_ || in_vain == 2) return;
+      in_vain = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? in_vain + 1 : 0;
+      if (asked_.sum() <= accuracy_ || asked_.of_expansion < asked_.of_rounding || in_vain == 2) return;
     }
   }
 
-  /// Kernels and quadrature are as good as the expansion, so that the differences between levels tell of them
-  /// too.
+  /// The quadrature is better than the expansion: as good, its errors could cancel the expansion's by chance.
   Solution solve(double half_length, double near, int level) const {
     const auto resolution = levels_.resolution(near, level);
-    const double tolerance = std::max(1e-2 * resolution.remainder, 1e-16);
-    CountedKernels kernels(Accuracy(std::max({tolerance, 1e-4 * accuracy_, Accuracy::best_rtol})), *work_);
+    const double tolerance = std::max(1e-4 * resolution.remainder, 1e-16);
+    CountedKernels kernels(Accuracy(), *work_);
     return levels_.solve(half_length, resolution, tolerance, kernels);
   }
 
@@ -143,29 +159,70 @@ class Ladder {
     return std::max({1e-2 * accuracy_, first, 1e-14});
   }
 
-  [[nodiscard]] Estimate own_estimate(const Functional& functional) const {
-    std::array<double, 3> values{};
-    std::ranges::transform(solutions_, values.begin(),
-                           [&](const Solution& contact) { return functional(*contact); });
-    return estimate_from_levels(values);
+  /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
+  [[nodiscard]] Estimate estimate(const Error& own, double rounding_share, const Functional& functional,
+                                  double scale) const {
+    const double value = functional(last());
+    const double least = std::max({Levels::whole_share * whole_.of_expansion, 3 * load_residual_, rounding}) +
+                         rounding_share * whole_.of_rounding + load_rounding_;
+    return {value, std::max(own.sum(), least * std::max(scale, std::fabs(value)))};
   }
-  [[nodiscard]] double largest_relative_error() const {
-    double largest = 0;
+  /// Each solution lacks about what it differs by from the next; of that the last one lacks the less, the more its
+  /// expansion has left behind (`remainders_`), or by the rate of the last two differences if that is slower.
+  [[nodiscard]] double expansion_error(const Functional& functional) const {
+    constexpr double safety = 4;
+    std::vector<double> values, changes;
+    for (const Solution& solution : solutions_) values.push_back(functional(*solution));
+    for (std::size_t i = 1; i < values.size(); ++i) changes.push_back(std::fabs(values[i] - values[i - 1]));
+    const std::size_t count = changes.size();
+    double left = changes[count - 1] * measured_rate(changes);
+    for (std::size_t i = count - std::min<std::size_t>(count, 3); i < count; ++i)
+      left = std::max(left, changes[i] * known_rate(i, count));
+    return safety * left;
+  }
+  /// What of its remainder a solution has kept at a later one: expansions may converge a little slower than they say.
+  [[nodiscard]] double known_rate(std::size_t from, std::size_t to) const {
+    return std::pow(remainders_[to] / remainders_[from], 0.9);
+  }
+  /// From the last but one solution to the last, as it was from the one before it, if there they came nearer.
+  [[nodiscard]] double measured_rate(const std::vector<double>& changes) const {
+    const std::size_t last = changes.size();
+    const double before = changes[last - 2], change = changes[last - 1];
+    if (!(change < before)) return 1;
+    const double terms_more = std::log(known_rate(last - 1, last)) / std::log(known_rate(last - 2, last - 1));
+    return std::pow(change / before, terms_more);
+  }
+  /// `safety` times the root mean square over the twins.
+  [[nodiscard]] double rounding_error(const Functional& functional) const {
+    constexpr double safety = 12;
+    const double value = functional(last());
+    double squares = 0;
+    for (const auto& twin : last().twins) squares += std::pow(functional(*twin) - value, 2);
+    return squares == 0 ? 0 : safety * std::sqrt(squares / static_cast<double>(last().twins.size()));
+  }
+  /// The largest relative error of the numbers that are judged; what the whole solution lacks on the way.
+  Error judge() {
+    Error asked;
+    whole_ = {};
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
-      const Estimate estimate = own_estimate(judged.number);
-      const double relative = estimate.error / std::max(judged.scale, std::fabs(estimate.value));
-      if (std::isnan(relative)) return relative;
-      largest = std::max(largest, relative);
+      const Error own{expansion_error(judged.number), rounding_error(judged.number)};
+      const double size = std::max(judged.scale, std::fabs(judged.number(last())));
+      if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
+      asked.enlarge(own, size);
+      whole_.enlarge(own, std::max(judged.size, size));
     }
-    return largest;
+    return asked;
   }
 
   Levels levels_;
   double accuracy_;
   std::unique_ptr<Work> work_ = std::make_unique<Work>();
-  std::array<Solution, 3> solutions_;
-  double relative_error_ = 1;
+  std::vector<Solution> solutions_;
+  std::vector<double> remainders_;  ///< of each
+  Error asked_{1, 0};               ///< of the numbers judged, relative to what the accuracy is asked of
+  Error whole_;                     ///< of the solution as a whole, relative
   double load_residual_ = 0;
+  double load_rounding_ = 0;  ///< relative, where the load is given
   double exponent_ = LengthSearch::usual_exponent;
 };
 

@@ -25,7 +25,8 @@ ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near,
   for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / std::abs(term.rate));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-  return {panels, terms, std::pow(3 + std::sqrt(8.0), -terms)};
+  // Measured: 5 a term and more.
+  return {panels, terms, std::pow(5.0, -terms)};
 }
 
 std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_length,
@@ -49,7 +50,7 @@ std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const Vi
           {&ViscoelasticPressure::edge_displacement, half_length * half_length},
           {&ViscoelasticPressure::offset, 0.1 * half_length},
           // Relative to its own size, however small that is, as far as rounding lets.
-          {eccentricity, half_length * std::min(1.0, 1e-14 / accuracy)},
+          {eccentricity, half_length * std::min(1.0, 1e-14 / accuracy), half_length},
           {pressure(Half::leading, 0.25), peak},
           {pressure(Half::trailing, 0.25), peak},
           {pressure(Half::leading, 1)}};

@@ -20,7 +20,7 @@ class ViscoelasticNipLevels {
   };
   static constexpr int most = 7;
   /// The worst of the numbers is the eccentricity, judged by its own small size: it lacks more than the rest.
-  static constexpr double whole_share = 0.1;
+  static constexpr double whole_share = 0.05;
 
   explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 

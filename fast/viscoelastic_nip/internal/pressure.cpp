@@ -23,7 +23,26 @@ ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
     for (const ViscoelasticPanel& panel : layout.panels())
       memory.back().on_panel.push_back(panel_memory(layout, panel, term.rate));
   }
-  solve(memory, tolerance, kernels);
+  const auto [solution, others] = solutions(memory, tolerance, kernels);
+  take(material, memory, solution);
+  for (const auto& twin : others.colwise())
+    twins.push_back(
+        std::unique_ptr<ViscoelasticPressure>(new ViscoelasticPressure(layout, material, memory, twin)));
+}
+
+ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
+                                           const ViscoelasticCompliances& material,
+                                           const std::vector<TermMemory>& memory,
+                                           const Eigen::VectorXd& unknowns)
+    : layout_(layout) {
+  take(material, memory, unknowns);
+}
+
+void ViscoelasticPressure::take(const ViscoelasticCompliances& material,
+                                const std::vector<TermMemory>& memory, const Eigen::VectorXd& unknowns) {
+  unknowns_ = unknowns;
+  edge_displacement_ = unknowns_(unknowns_.size() - 2);
+  offset_ = unknowns_(unknowns_.size() - 1);
   integrate();
   normal_response_ = response(1, material.normal, memory);
   theta2_response_ = response(material.theta2_instantaneous, material.theta2, memory);
@@ -31,8 +50,8 @@ ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
 
 /// Each row is u at a matching point. What leaves a panel acts through the panels downstream of it and, at
 /// last, through the trail: it is gathered upstream, so that a row costs no more than its own length.
-void ViscoelasticPressure::solve(const std::vector<TermMemory>& terms, double tolerance,
-                                 CountedKernels& kernels) {
+SolutionAndTwins ViscoelasticPressure::solutions(const std::vector<TermMemory>& terms, double tolerance,
+                                                 CountedKernels& kernels) const {
   ViscoelasticOperator from(layout_, tolerance, kernels);
   const auto points = layout_.matching_points();
   const auto rows = static_cast<Eigen::Index>(points.size());
@@ -66,10 +85,8 @@ void ViscoelasticPressure::solve(const std::vector<TermMemory>& terms, double to
     matrix(i, rows - 2) = -1;
     matrix(i, rows - 1) = -2 * d;
   }
-  unknowns_ = linear_solution(matrix, gap);
   kernels.count_system(static_cast<int>(rows));
-  edge_displacement_ = unknowns_(rows - 2);
-  offset_ = unknowns_(rows - 1);
+  return solution_and_twins(matrix, matrix, gap);
 }
 
 Eigen::VectorXd ViscoelasticPressure::coefficients(std::size_t panel) const {

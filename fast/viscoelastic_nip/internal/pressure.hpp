@@ -1,8 +1,10 @@
 #pragma once
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
@@ -23,6 +25,9 @@ class ViscoelasticPressure {
  public:
   ViscoelasticPressure(const ViscoelasticLayout& layout, const ViscoelasticCompliances& material,
                        double tolerance, CountedKernels& kernels);
+
+  /// Of the same length, as rounding could have made it: see SolutionAndTwins.
+  std::vector<std::unique_ptr<ViscoelasticPressure>> twins;
 
   [[nodiscard]] const ViscoelasticLayout& layout() const { return layout_; }
   [[nodiscard]] double half_length() const { return layout_.half_length(); }
@@ -56,7 +61,12 @@ class ViscoelasticPressure {
     MemoryTerm term;
     std::vector<PanelMemory> on_panel;
   };
-  void solve(const std::vector<TermMemory>& memory, double tolerance, CountedKernels& kernels);
+  ViscoelasticPressure(const ViscoelasticLayout& layout, const ViscoelasticCompliances& material,
+                       const std::vector<TermMemory>& memory, const Eigen::VectorXd& unknowns);
+  void take(const ViscoelasticCompliances& material, const std::vector<TermMemory>& memory,
+            const Eigen::VectorXd& unknowns);
+  [[nodiscard]] SolutionAndTwins solutions(const std::vector<TermMemory>& memory, double tolerance,
+                                           CountedKernels& kernels) const;
   [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
   [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms,
                                   const std::vector<TermMemory>& memory) const;

@@ -9,8 +9,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Of a contact, or of the half-thickness.
-constexpr double too_short = 1e-9;
+/// Of a contact, or of the half-thickness: what is shorter is not told from its limit.
+double too_short(double accuracy) { return std::max(1e-9, std::min(accuracy / 100, 1e-5)); }
 /// In half-thicknesses: what a memory then still adds, at most 1e120 of the compliance over such a way, is none.
 constexpr double too_long = 1e150;
 /// Differences between contacts with resolved short memories and their limit, over the neglected way, reach 3.
@@ -25,9 +25,9 @@ Complex strength(const data::RelaxationTerm& term) { return term.amplitude / ter
 /// The sheet in terms of ways: half-thicknesses.
 class Ways {
  public:
-  Ways(const data::ViscoelasticNip& nip, double half_length)
+  Ways(const data::ViscoelasticNip& nip, double half_length, double accuracy)
       : half_thicknesses_per_time_(nip.speed / nip.half_thickness()),
-        shortest_(too_short * edge(half_length)) {}
+        shortest_(too_short(accuracy) * edge(half_length)) {}
 
   [[nodiscard]] Complex way(const data::RelaxationTerm& term) const {
     return half_thicknesses_per_time_ / term.rate;
@@ -72,8 +72,8 @@ double EffectiveSheet::neglected_near_end(double half_length, double distance) c
   return neglected(half_length) * std::max(growth, 1.0) * std::max(softening, 1.0);
 }
 
-EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length) {
-  const Ways ways(nip, half_length);
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy) {
+  const Ways ways(nip, half_length, accuracy);
   const data::MaterialFunction normal = nip.material.normal_compliance();
   const data::MaterialFunction& theta2 = nip.material.theta2();
   const double compliance = ways.at_once(normal);

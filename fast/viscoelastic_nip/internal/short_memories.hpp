@@ -5,7 +5,7 @@
 namespace nipref::fast {
 
 /// A sheet as a contact of about a given length meets it. A memory that fades within 1e-9 of the contact, or of
-/// the half-thickness if that is less, is replaced by its limit: the compliance that it leaves acts at once,
+/// the half-thickness if that is less, or within a hundredth of the accuracy if that is more, is replaced by its limit: the compliance that it leaves acts at once,
 /// amplitude/rate, and later by the way amplitude/rate^2 over the whole compliance, for to first order
 /// 1 + (amplitude/rate)/(1 + i k/rate) is a factor and a shift. What is left out beside is of the order of that
 /// way over the contact. So the panels need not resolve what double cannot carry.
@@ -28,6 +28,6 @@ struct EffectiveSheet {
   [[nodiscard]] double neglected_near_end(double half_length, double distance) const;
 };
 
-EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length);
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy);
 
 }  // namespace nipref::fast

@@ -18,6 +18,7 @@ namespace {
 struct ToyContact {
   double half_length;
   double load;
+  std::vector<std::unique_ptr<ToyContact>> twins = {};
 };
 
 /// load = A^2 (1 + wrong), wrong falling by a factor for each term, down to a noise; or a wrong that is nan.
@@ -41,7 +42,7 @@ struct ToyLevels {
   }
   [[nodiscard]] std::unique_ptr<ToyContact> solve(double half_length, const Resolution& resolution,
                                                   double tolerance, CountedKernels& kernels) const {
-    CHECK(tolerance == std::max(1e-2 * resolution.remainder, 1e-16));
+    CHECK(tolerance == std::max(1e-4 * resolution.remainder, 1e-16));
     kernels.count_system(resolution.terms);
     solves->push_back(resolution.terms);
     const double wrong = std::pow(factor, -resolution.terms) + (solves->size() % 2 == 0 ? noise : -noise);

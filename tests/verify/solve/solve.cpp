@@ -135,7 +135,7 @@ TEST_CASE("a coarser accuracy costs fewer unknowns and fewer series terms") {
   for (const data::Friction friction : frictions) {
     const std::vector<std::string> wanted{"contact_length", "creep_ratio"};
     const auto coarse = verify::solve(scene_of(friction, wanted, 1e-4)).work;
-    const auto fine = verify::solve(scene_of(friction, wanted, 1e-10)).work;
+    const auto fine = verify::solve(scene_of(friction, wanted, 1e-13)).work;
     CHECK(coarse.unknowns < fine.unknowns);
     CHECK(coarse.terms < fine.terms);
     CHECK(costs_no_more(coarse, fine));
