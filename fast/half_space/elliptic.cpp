@@ -51,13 +51,9 @@ double checked_compliance(const SurfaceResponse& response, Direction psi) {
   return compliance;
 }
 
-Direction turned(Direction from, Direction by) {
-  return {from.cosine * by.cosine - from.sine * by.sine, from.sine * by.cosine + from.cosine * by.sine};
-}
-
 Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
   const auto [a, b, major] = ellipse;
-  const Direction across{-major.sine, major.cosine};
+  const Direction across{-major.sine, major.cosine, -major.sine_low, major.cosine_low};
   const double twist = (body.curvature_2 - body.curvature_1) * major.cosine * major.sine;
   return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
 }
@@ -106,7 +102,7 @@ class Terms {
 
   std::array<double, 5> operator()(double share) const {
     const auto [from_major, m] = parameter_.at(share);
-    const double weight = factor_ * checked_compliance(response_, turned(ellipse_.major, from_major));
+    const double weight = factor_ * checked_compliance(response_, from_major.turned(ellipse_.major));
     const double m11 = m.cosine * m.cosine, m12 = m.cosine * m.sine, m22 = m.sine * m.sine;
     return {weight * m11 * m11, weight * m11 * m12, weight * m11 * m22, weight * m12 * m22,
             weight * m22 * m22};
@@ -139,13 +135,18 @@ Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceRespo
   return result;
 }
 
-/// The change E of L -> L (1 + E/2) that Newton's method asks for.
-Symmetric newton_step(const Balance& at) {
+/// Minus the slope of the gradient over E of L -> L (1 + E/2).
+Eigen::Matrix3d curvature_of(const Balance& at) {
   const auto& q = at.sums;
   Eigen::Matrix3d hessian;
   hessian << q[0], 2 * q[1], q[2], q[1], 2 * q[2], q[3], q[2], 2 * q[3], q[4];
+  return 1.5 * hessian;
+}
+
+/// The change E that Newton's method asks for.
+Symmetric newton_step(const Balance& at) {
   const auto [g11, g12, g22] = at.gradient();
-  const Eigen::Vector3d step = hessian.partialPivLu().solve(Eigen::Vector3d(g11, g12, g22)) / 1.5;
+  const Eigen::Vector3d step = curvature_of(at).partialPivLu().solve(Eigen::Vector3d(g11, g12, g22));
   return {step[0], step[1], step[2]};
 }
 
@@ -158,7 +159,7 @@ Ellipse moved(const Ellipse& from, const Symmetric& change) {
   const double determinant =
       from.a * from.b * ((1 + change.e11 / 2) * (1 + change.e22 / 2) - change.e12 * change.e12 / 4);
   const double angle = std::atan2(2 * m12, m11 - m22) / 2;
-  return {a, std::min(a, std::fabs(determinant) / a), turned(from.major, Direction::of_angle(angle))};
+  return {a, std::min(a, std::fabs(determinant) / a), Direction::of_angle(angle).turned(from.major)};
 }
 
 double contraction(const Symmetric& a, const Symmetric& b) {
@@ -198,6 +199,19 @@ Estimate sum_of(const Mesh& mesh) {
   const auto& sums = mesh.integral;
   return {sums[0].value + 2 * sums[2].value + sums[4].value,
           sums[0].error + 2 * sums[2].error + sums[4].error};
+}
+
+constexpr double few_roundings = 0x1p-50;
+
+/// Largest change E that the errors of the integrals, rounding of K among them, and of the curvatures make.
+Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
+  const auto of_pair = [&](std::size_t j) { return mesh.integral[j].error + mesh.integral[j + 2].error; };
+  const auto& [c11, c12, c22] = at.curvatures;
+  const Eigen::Vector3d gradient(of_pair(0) + few_roundings * std::fabs(c11),
+                                 of_pair(1) + few_roundings * std::fabs(c12),
+                                 of_pair(2) + few_roundings * std::fabs(c22));
+  const Eigen::Vector3d error = curvature_of(at).inverse().cwiseAbs() * gradient;
+  return {error[0], error[1], error[2]};
 }
 
 /// Aligned with the body; Hertz's axis ratio for an isotropic solid within a few per cent.
@@ -242,53 +256,81 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;
   const bool backwards = ellipse.major.cosine < 0 || (ellipse.major.cosine == 0 && ellipse.major.sine < 0);
-  major_ = backwards ? Direction{-ellipse.major.cosine, -ellipse.major.sine} : ellipse.major;
-  sum_ = balance(ellipse, body, response, mesh.panels).sum();
-  relative_error_ = change + rounding + sum_of(mesh).error / sum_of(mesh).value;
+  major_ = backwards ? ellipse.major.turned({-1, 0}) : ellipse.major;
+  const Balance found = balance(ellipse, body, response, mesh.panels);
+  sum_ = found.sum();
+  const auto [e11, e12, e22] = error_of_change(found, mesh);
+  set_errors(e11 + change, e12 + change, e22 + change);
+  const auto share = [&](std::size_t j) { return std::fabs(found.sums[j] + found.sums[j + 2]) / sum_; };
+  sum_error_ =
+      sum_of(mesh).error / sum_ + share(0) * major_error_ + share(2) * minor_error_ + share(1) * twist_error_;
+}
+
+// In the frame of the ellipse its matrix is (a^2 (1 + E11), a b E12; ., b^2 (1 + E22)).
+void EllipticContact::set_errors(double e11, double e12, double e22) {
+  const double a = major_length_, b = minor_length_, twist = a * b * e12;
+  const double turn = std::min(twist / ((a - b) * (a + b)), std::numbers::pi / 2);
+  const double of_turn = twist * std::min(1., turn);
+  twist_error_ = e12;
+  turn_ = turn;
+  major_error_ = few_roundings + (e11 + of_turn / (a * a)) / 2;
+  minor_error_ = few_roundings + (e22 + of_turn / (b * b)) / 2;
 }
 
 Estimate EllipticContact::axis_ratio() const {
   const double ratio = minor_length_ / major_length_;
-  return {ratio, 2 * ratio * relative_error_};
+  return {ratio, ratio * (major_error_ + minor_error_)};
 }
 
 Estimate EllipticContact::orientation() const {
-  const double a = major_length_, b = minor_length_;
-  const double amplified = relative_error_ * a * b / ((a - b) * (a + b));
-  return {std::atan2(major_.sine, major_.cosine), std::min(amplified, std::numbers::pi / 2)};
+  const double angle = std::atan2(major_.sine, major_.cosine);
+  return {angle, std::min(turn_ + few_roundings * std::fabs(angle), std::numbers::pi / 2)};
 }
 
-double EllipticContact::radius_ratio(Direction psi) const {
+Estimate EllipticContact::radius_ratio(Direction psi) const {
   const double length = std::hypot(psi.cosine, psi.sine);
   if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("psi", length, "must be of unit length");
   const double ratio = minor_length_ / major_length_;
   const double along = psi.cosine * major_.cosine + psi.sine * major_.sine;
   const double across = psi.sine * major_.cosine - psi.cosine * major_.sine;
-  return ratio / std::hypot(ratio * along, across);
+  const double root = std::hypot(ratio * along, across), share = across / root;
+  const double of_turn = std::fabs(along * share / root) * turn_;
+  const double relative = share * share * (major_error_ + minor_error_) + std::min(of_turn, 1 / ratio);
+  return {ratio / root, ratio / root * (relative + few_roundings)};
 }
 
-// The matrix of the ellipse times `scale`: int K n n/w^3 dpsi = scale^(-3/2) curvatures fixes the pressure.
-EllipticLoad EllipticContact::scaled(double scale) const {
-  const auto estimate = [&](double value) { return Estimate{value, 4 * value * relative_error_}; };
-  const double root = std::sqrt(scale);
-  return {estimate(root * major_length_), estimate(root * minor_length_), estimate(scale * sum_ / 2),
-          estimate(4 * std::numbers::pi / 3 * scale * root),
-          estimate(2 * root / (major_length_ * minor_length_))};
+// The matrix of the ellipse times the square of `factor`: int K n n/w^3 dpsi = factor^-3 curvatures fixes the
+// pressure.
+EllipticLoad EllipticContact::scaled(const Estimate& factor) const {
+  const double of_factor = factor.error / factor.value + few_roundings;
+  const auto estimate = [&](double value, double error) { return Estimate{value, value * error}; };
+  const double root = factor.value, a = major_length_, b = minor_length_;
+  return {estimate(root * a, of_factor + major_error_), estimate(root * b, of_factor + minor_error_),
+          estimate(root * root * sum_ / 2, 2 * of_factor + sum_error_),
+          estimate(4 * std::numbers::pi / 3 * root * root * root, 3 * of_factor),
+          estimate(2 * root / (a * b), of_factor + major_error_ + minor_error_)};
 }
 
 EllipticLoad EllipticContact::for_force(double force) const {
   check_positive("force", force);
-  const double root = std::cbrt(force / (4 * std::numbers::pi / 3));
-  EllipticLoad load = scaled(root * root);
+  EllipticLoad load = scaled({std::cbrt(force / (4 * std::numbers::pi / 3)), 0});
   load.force = {force, 0};
   return load;
 }
 
 EllipticLoad EllipticContact::for_approach(double approach) const {
   check_positive("approach", approach);
-  EllipticLoad load = scaled(2 * approach / sum_);
+  const double root = std::sqrt(2 * approach / sum_);
+  EllipticLoad load = scaled({root, root * sum_error_ / 2});
   load.approach = {approach, 0};
   return load;
+}
+
+EllipticLoad EllipticContact::for_radius(Direction psi, double radius) const {
+  check_positive("radius", radius);
+  const auto [ratio, error] = radius_ratio(psi);
+  const double root = radius / (ratio * major_length_);
+  return scaled({root, root * (error / ratio + major_error_)});
 }
 
 }  // namespace nipref::fast

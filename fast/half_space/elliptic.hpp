@@ -34,18 +34,24 @@ class EllipticContact {
   /// The same to all its digits near 90 degrees.
   [[nodiscard]] Direction major_axis() const { return major_; }
   /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
-  [[nodiscard]] double radius_ratio(Direction psi) const;
+  [[nodiscard]] Estimate radius_ratio(Direction psi) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(
       double approach) const;  ///< > 0, finite, unit of length, else BadInput
+  /// That makes the distance of the edge from the centre in the direction psi `radius` > 0, finite, unit of
+  /// length, else BadInput.
+  [[nodiscard]] EllipticLoad for_radius(Direction psi, double radius) const;
 
  private:
-  [[nodiscard]] EllipticLoad scaled(double scale) const;
+  void set_errors(double e11, double e12, double e22);
+  [[nodiscard]] EllipticLoad scaled(const Estimate& factor) const;
 
   double major_length_, minor_length_;  ///< of the ellipse that has int K n n/w^3 dpsi = curvatures
   Direction major_;
-  double sum_;             ///< int K/w dpsi
-  double relative_error_;  ///< of the axes
+  double sum_;  ///< int K/w dpsi
+  // relative, but for the last
+  double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;
+  double turn_ = 0;  ///< error of the major axis's angle
 };
 
 }  // namespace nipref::fast

@@ -6,10 +6,11 @@ namespace nipref::fast {
 
 // The surface of an isotropic half-space under loads that move steadily.
 //
-//   speed         v/v_S >= 0, v_S = sqrt(shear/density) the speed of shear waves
+//   speed         >= 0, unit of sqrt(shear/density), which is the speed v_S of shear waves. It is compared with
+//                 that in two words: no quotient of them is rounded
 //   from_motion   direction of the line against that of the motion, psi - theta, a unit vector. The line sees
-//                 the speed c_X = speed |cos(psi - theta)|, which has to lie below the Rayleigh speed
-//   accuracy      two units in the last place, from c_X = 0 to 1 - 1e-12 of the Rayleigh speed
+//                 the speed |cos(psi - theta)|, which has to lie below the Rayleigh speed
+//   accuracy      two units in the last place, from rest to 1 - 1e-12 of the Rayleigh speed
 //   bad input     a solid that fails its check(), nan, infinite, speed < 0, supercritical: data::BadInput
 
 /// Compliance and coupling to the shear along the line, 1/stress: with X = c_X^2, wS^2 = 1 - X, wD^2 = 1 -

@@ -1,16 +1,9 @@
 #pragma once
-#include <cmath>
 #include <functional>
 
+#include <nipref/fast/half_space/direction.hpp>
+
 namespace nipref::fast {
-
-/// A direction in the surface of a half-space. Near 90 degrees its cosine keeps all its digits, which no
-/// angle in double does: that is where the cross direction of a sliding contact lives.
-struct Direction {
-  double cosine, sine;
-
-  static Direction of_angle(double psi) { return {std::cos(psi), std::sin(psi)}; }
-};
 
 /// What the surface of a half-space x3 > 0 answers along the lines x of one direction, when a load that
 /// depends on x only moves steadily: du3/dx = -compliance H[sigma33] - coupling tau - coupling_across tau'

@@ -5,7 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
-#include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/internal/isotropic_line.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 
 namespace nipref::fast {
@@ -47,39 +47,33 @@ struct RollingSphere::Shape {
 };
 
 RollingSphere::RollingSphere(const data::IsotropicSolid& solid, double radius, double speed)
-    : solid_(solid),
-      slowness_ratio_squared_((1 - 2 * solid.poisson) / (2 - 2 * solid.poisson)),
-      radius_(radius),
-      speed_(speed) {
-  solid.check();
+    : solid_(solid), radius_(radius), speed_(speed) {
   check_positive("radius", radius);
-  static_cast<void>(isotropic_response(solid, speed, {1, 0}));  // refuses speeds that are not subcritical
   stiffness_along_ = shape({1, 0}).stiffness();
 }
 
+// With q = -N/sqrt(wS wD)/X and r = R/X, d = (1 - wS wD)/X: 1 - q^2 = r d/(wS wD), which vanishes at the
+// Rayleigh speed and keeps its digits in this form.
 RollingSphere::Shape RollingSphere::shape(Direction from_motion) const {
-  const double k = slowness_ratio_squared_;
-  const double x = speed_ * speed_ * from_motion.cosine * from_motion.cosine;
-  const double shear_root = std::sqrt(1 - x), dilatation_root = std::sqrt(1 - k * x);
-  const double product = shear_root * dilatation_root;
-  const double defect = (1 + k - k * x) / (1 + product);  // (1 - wS wD)/X
-  // R/X, by way of a compliance that keeps its digits towards the Rayleigh speed
-  const double rayleigh =
-      dilatation_root / isotropic_response(solid_, speed_, from_motion).compliance / solid_.shear;
-  const double coupling = (x * defect + 2 * k * (1 - x)) / (1 + product);  // -N/X
-  return {std::sqrt(shear_root / dilatation_root),
-          std::atanh(coupling / std::sqrt(product)) / std::numbers::pi, std::sqrt(rayleigh / defect)};
+  const internal::IsotropicLine line = internal::isotropic_line(solid_, speed_, from_motion);
+  const double shear_root = line.shear_decay.high, dilatation_root = line.pressure_decay.high;
+  const double product = shear_root * dilatation_root, q = line.coupling.high / std::sqrt(product);
+  const double rest = line.rayleigh.high * line.defect.high / product;
+  const double twice_artanh = q < 0.5 ? 2 * std::atanh(q) : 2 * std::log1p(q) - std::log(rest);
+  return {std::sqrt(shear_root / dilatation_root), twice_artanh / (2 * std::numbers::pi),
+          std::sqrt(line.rayleigh.high / line.defect.high)};
 }
 
+// Where the tractions oscillate, the terms of a moment grow like P^2 and cancel.
 Estimate RollingSphere::force_factor() const {
   const auto terms = [&](Direction from_motion) {
     const Shape line = shape(from_motion);
-    const double ratio = stiffness_along_ / line.stiffness();
-    return std::array{ratio * ratio * oscillating_moment(line.index)};
+    const double ratio = stiffness_along_ / line.stiffness(), weight = ratio * ratio;
+    return std::array{weight * oscillating_moment(line.index), weight * (1 + line.index * line.index)};
   };
-  const auto [value, error] = half_turn_integral<1>(terms)[0];
+  const auto [moment, size] = half_turn_integral<2>(terms);
   const double factor = solid_.shear * stiffness_along_ / (4 * radius_);
-  return {factor * value, factor * error};
+  return {factor * moment.value, factor * (moment.error + rounding * size.value)};
 }
 
 double RollingSphere::span_ratio(Direction from_motion) const {
@@ -146,7 +140,7 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   if (!(value > 0))
     throw BadInput("speed", speed, "must be farther below the Rayleigh speed: here the tractions pull");
   const double span = std::cbrt(force / value);
-  contact.span_ = {span, span * error / value};
+  contact.span_ = {span, span * (error / value / 3 + RollingSphere::rounding)};
   contact.force_ = {force, 0};
   return contact;
 }

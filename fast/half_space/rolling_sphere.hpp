@@ -37,6 +37,8 @@ class RollingSphere {
   /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
   /// counted from the motion, of unit length.
   [[nodiscard]] double span_ratio(Direction from_motion) const;
+  /// What rounding leaves of span ratios and of amplitudes over spans, relative.
+  static constexpr double rounding = 0x1p-50;
   [[nodiscard]] ViscoelasticLine along(Direction from_motion) const;
 
  private:
@@ -46,7 +48,6 @@ class RollingSphere {
   [[nodiscard]] Estimate force_factor() const;
 
   data::IsotropicSolid solid_;
-  double slowness_ratio_squared_;  ///< (v_S/v_D)^2
   double radius_, speed_;
   double stiffness_along_ = 0;
   Estimate span_{}, force_{};
@@ -54,7 +55,7 @@ class RollingSphere {
   friend RollingSphere rolling_sphere_for_force(const data::IsotropicSolid&, double, double, double);
 };
 
-/// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, in units of v_S = sqrt(mu/rho), with the contact
+/// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, unit of sqrt(shear/density), with the contact
 /// 0 < span L1 along the motion, in the unit of length of the radius. All finite, BadInput otherwise; a span
 /// that is not small against the radius is outside the paper's linearisation, but only B > 0 is asked, by
 /// `along`.

@@ -93,19 +93,22 @@ SlidingContact::Shape SlidingContact::shape(Direction psi) const {
 
 void SlidingContact::integrate() {
   const auto terms = [&](Direction from_motion) {
-    const auto [cosine, sine] = from_motion;
-    const Shape line =
-        shape({motion_.cosine * cosine - motion_.sine * sine, motion_.sine * cosine + motion_.cosine * sine});
+    const Shape line = shape(from_motion.turned(motion_));
     const auto [absolute, signed_square] = line.moments();
     const double ratio = steepness_ / line.steepness();
     const double moment = ratio * ratio * ratio * signed_square;
-    return std::array{ratio * ratio * absolute, moment * cosine, moment * sine};
+    return std::array{ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine};
   };
   const auto [force, along, across] = half_turn_integral<3>(terms);
-  force_factor_ = {steepness_ * force.value, steepness_ * force.error};
-  moment_along_ = {along.value / force.value, along.error / force.value};
-  moment_across_ = {across.value / force.value, across.error / force.value};
+  const auto over_force = [&](const Estimate& moment) {
+    return Estimate{moment.value / force.value, moment.error / force.value + 4 * rounding()};
+  };
+  force_factor_ = {steepness_ * force.value, steepness_ * (force.error + 2 * rounding() * force.value)};
+  moment_along_ = over_force(along);
+  moment_across_ = over_force(across);
 }
+
+double SlidingContact::rounding() const { return 0x1p-50 * (1 + friction_); }
 
 void SlidingContact::set_span(Estimate span) {
   span_ = span;
@@ -119,7 +122,7 @@ void SlidingContact::set_span(Estimate span) {
 Estimate SlidingContact::shear_force() const { return {friction_ * force_.value, friction_ * force_.error}; }
 
 Estimate SlidingContact::peak_pressure() const {
-  return {steepness_ * span_.value, steepness_ * span_.error};
+  return {steepness_ * span_.value, steepness_ * (span_.error + rounding() * span_.value)};
 }
 
 double SlidingContact::span_ratio(Direction psi) const { return steepness_ / shape(psi).steepness(); }
@@ -145,7 +148,7 @@ SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body,
   SlidingContact contact(std::move(response), body, friction, motion);
   const auto [value, error] = contact.force_factor_;
   const double span = std::cbrt(force / value);
-  contact.set_span({span, span * error / value});
+  contact.set_span({span, span * (error / value / 3 + contact.rounding())});
   contact.force_ = {force, 0};
   return contact;
 }

@@ -41,6 +41,8 @@ class SlidingContact {
   /// The same across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
   [[nodiscard]] double span_ratio(Direction psi) const;  ///< L(psi)/L1
+  /// What rounding leaves of span ratios, relative: of K and S, in which friction counts.
+  [[nodiscard]] double rounding() const;
   /// psi and psi + 180 degrees are the same line, run through the other way. To rounding of the span; K and S
   /// enter once. Direction of unit length.
   [[nodiscard]] SlidingLine along(Direction psi) const;

@@ -12,7 +12,6 @@ namespace nipref::fast {
 namespace {
 
 using internal::Two;
-using internal::two_product;
 
 void check_direction(const char* name, Direction direction) {
   const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
@@ -54,12 +53,12 @@ void check_speed(const internal::TransverselyIsotropicLine& line, data::Symmetry
 
 struct TransverselyIsotropicHalfSpace::Implementation {
   internal::TransverselyIsotropicLine line;
-  Direction motion;
+  internal::Motion motion;
   double speed;
 
   [[nodiscard]] internal::LineAnswers at(Direction psi) const {
     check_direction("psi", psi);
-    const std::optional<internal::LineAnswers> answers = line.at(psi, motion, speed);
+    const std::optional<internal::LineAnswers> answers = line.at(psi, motion);
     // The search for the critical line may miss it by roundings.
     if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
     return *answers;
@@ -68,9 +67,9 @@ struct TransverselyIsotropicHalfSpace::Implementation {
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid,
                                                                data::SymmetryAxis axis, Direction motion,
-                                                               double speed)
-    : implementation_(
-          std::make_unique<const Implementation>(Implementation{checked_line(solid, axis), motion, speed})) {
+                                                               double speed, double speed_low)
+    : implementation_(std::make_unique<const Implementation>(
+          Implementation{checked_line(solid, axis), {motion, {speed, speed_low}}, speed})) {
   check_speed(implementation_->line, axis, motion, speed);
 }
 
@@ -88,7 +87,7 @@ LineResponse TransverselyIsotropicHalfSpace::along(Direction psi) const {
 double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
   static_cast<void>(implementation_->at(psi));  // refuses what is no line, or critical
   const auto& [line, motion, speed] = *implementation_;
-  const double condition = line.condition(psi, motion, speed);
+  const double condition = line.condition(psi, motion);
   if (!std::isfinite(condition))
     throw data::BadInput("speed", speed, "must be farther from the critical speed than a rounding");
   return condition;
@@ -109,13 +108,16 @@ double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::Symme
 double branch_speed(BranchWave wave, const data::TransverselyIsotropicSolid& solid, Direction motion) {
   solid.check();
   check_direction("motion", motion);
-  const Two cos2 = two_product(motion.cosine, motion.cosine), sin2 = two_product(motion.sine, motion.sine);
+  const Two cos2 = square(internal::cosine_of(motion)) / internal::squared_length(motion),
+            sin2 = square(internal::sine_of(motion)) / internal::squared_length(motion);
   if (wave == BranchWave::transverse) {
     return std::sqrt(rounded(solid.c66 * cos2 + solid.c44 * sin2) / solid.density);
   }
   // Christoffel's matrix in the plane of line and axis
   const Two along = solid.c11 * cos2 + solid.c44 * sin2, across = solid.c44 * cos2 + solid.c33 * sin2;
-  const Two mixed = internal::two_sum(solid.c44, solid.c13) * two_product(motion.cosine, motion.sine);
+  const Two mixed = internal::two_sum(solid.c44, solid.c13) *
+                    (internal::cosine_of(motion) * internal::sine_of(motion)) /
+                    internal::squared_length(motion);
   const double half_difference = rounded(along - across) / 2;
   const double larger = rounded(along + across) / 2 + std::hypot(half_difference, rounded(mixed));
   if (wave == BranchWave::quasi_longitudinal) return std::sqrt(larger / solid.density);

@@ -12,15 +12,15 @@ namespace nipref::fast {
 //   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
 //                 90 degrees in the surface
 //   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
-//   speed         unit of sqrt(modulus/density)
+//   speed         unit of sqrt(modulus/density); speed_low is its second word, for those who convert it
 //   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a speed
 //                 that is negative or not subcritical on every line: data::BadInput
 
 class TransverselyIsotropicHalfSpace {
  public:
-  /// A few milliseconds, for the critical speed.
+  /// Some ten milliseconds, for the critical speed.
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
-                                 Direction motion, double speed);
+                                 Direction motion, double speed, double speed_low = 0);
   TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
   TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
   ~TransverselyIsotropicHalfSpace();

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
@@ -47,11 +51,10 @@ double approximate_critical_speed(const ExactStiffness& solid, const SurfaceDire
 }
 
 /// Vertex of the parabola through three values at -1, 0, 1, and its second difference.
-template <class Scalar>
 struct Parabola {
-  Scalar vertex, curvature;
+  Float vertex, curvature;
 
-  Parabola(const Scalar& left, const Scalar& centre, const Scalar& right)
+  Parabola(const Float& left, const Float& centre, const Float& right)
       : vertex((left - right) / (2 * (left - 2 * centre + right))), curvature(left - 2 * centre + right) {}
 };
 
@@ -65,26 +68,62 @@ struct CriticalLine {
   double psi, speed;
 };
 
-/// The line that is critical first, to some 1e-5 degrees: the scan, then parabolas of shrinking width.
-CriticalLine approximate_critical_line(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  const double theta = motion.degrees();
-  const auto f = [&](double psi) { return approximate_critical_speed(solid, motion, psi); };
-  CriticalLine best{theta, f(theta)};
-  const auto consider = [&](double psi) {
-    const double speed = f(psi);
-    if (speed < best.speed) best = {psi, speed};
+/// Between the middle two of four lines, were the speed nowhere steeper than twice their chords.
+double least_between(std::span<const CriticalLine, 4> lines) {
+  const auto steepness = [&](std::size_t k) {
+    return std::fabs(lines[k + 1].speed - lines[k].speed) / (lines[k + 1].psi - lines[k].psi);
   };
-  for (int offset = -89; offset <= 89; ++offset) consider(theta + offset);
-  for (const double width : {0.5, 0.1, 0.02, 0.02}) {
-    const Parabola<double> parabola(f(best.psi - width), best.speed, f(best.psi + width));
-    if (std::isfinite(parabola.vertex)) consider(best.psi + std::clamp(parabola.vertex * width, -1.0, 1.0));
+  const double steepest = 2 * std::max({steepness(0), steepness(1), steepness(2)});
+  return (lines[1].speed + lines[2].speed - steepest * (lines[2].psi - lines[1].psi)) / 2;
+}
+
+/// The bottoms of the valleys that are as low as the lowest, to what 12 digits of the speed show: a scan by
+/// degrees, halved wherever the speed could be lower in between. Valleys may be narrow and have two bottoms.
+std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
+  constexpr double noise = 1e-11, narrowest = 1e-5;
+  const double theta = motion.degrees();
+  const auto line_at = [&](double psi) -> CriticalLine {
+    return {psi, approximate_critical_speed(solid, motion, psi)};
+  };
+  std::vector<CriticalLine> lines;
+  for (int offset = -89; offset <= 89; ++offset) lines.push_back(line_at(theta + offset));
+  const auto least = [&] { return std::ranges::min(lines, {}, &CriticalLine::speed).speed; };
+  for (bool is_finer = true; is_finer;) {
+    const double bound = (1 - noise) * least();
+    std::vector<CriticalLine> finer{lines[0], lines[1]};
+    for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
+      const double left = lines[i].psi, right = lines[i + 1].psi;
+      const std::span<const CriticalLine, 4> around(&lines[i - 1], 4);
+      if (right - left > narrowest && least_between(around) < bound)
+        finer.push_back(line_at((left + right) / 2));
+      finer.push_back(lines[i + 1]);
+    }
+    finer.push_back(lines.back());
+    is_finer = finer.size() > lines.size();
+    lines = std::move(finer);
   }
-  return best;
+  constexpr double as_low = 1 + 1e-9;
+  const double highest = as_low * least();
+  std::vector<CriticalLine> lowest;
+  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
+    const double speed = lines[i].speed;
+    if (speed > highest || speed > lines[i - 1].speed || speed > lines[i + 1].speed) continue;
+    // Noise makes bottoms of its own about one.
+    const bool is_another = lowest.empty() || lines[i].psi - lowest.back().psi > 10 * narrowest;
+    if (is_another) lowest.push_back(lines[i]);
+    if (speed < lowest.back().speed) lowest.back() = lines[i];
+  }
+  return lowest;
+}
+
+CriticalLine approximate_critical_line(const ExactStiffness& solid, const SurfaceDirection& motion) {
+  return std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
 }
 
 /// How far psi may be from the vertex of a parabola, in its widths, to be sure of being near a smooth
-/// minimum.
-constexpr double widths_of_error = 10;
+/// minimum; and how far to go there.
+constexpr double widths_of_error = 10, farthest_vertex = 1e4;
+constexpr int most_parabolas = 8;
 /// Its widths are powers 4, 8, 16 .. of 1/10, and the speeds need four times as many digits.
 constexpr int most_critical_digits = 508;
 
@@ -98,6 +137,35 @@ bool is_subcritical(const ExactStiffness& solid, const Exact& speed, const Surfa
   return is_subcritical(solid, psi, [&](mpfr_prec_t precision) {
     return inertia_of(solid, speed, cosine_between(motion, psi, precision));
   });
+}
+
+/// The bottom of a smooth valley next to psi.
+CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion, Float psi, int digits) {
+  // A parabola of width h leaves an error of the order of h^2 in psi and h^4 in the speed. It is taken again
+  // where it was too far from its vertex.
+  for (int width_digits = 4;; width_digits *= 2) {
+    const int working_digits = std::max(digits, 4 * width_digits) + 8;
+    const WorkingDigits working(working_digits + 16);
+    const Float width = pow(Float(10), -width_digits);
+    psi = psi.at_working_precision();
+    const auto f = [&](const Float& angle) {
+      return to_float(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
+    };
+    Float curvature = 0, vertex = widths_of_error;
+    for (int attempt = 0; !(abs(vertex) < widths_of_error); ++attempt) {
+      const Parabola parabola(f(psi - width), f(psi), f(psi + width));
+      curvature = parabola.curvature;
+      vertex = parabola.vertex;
+      if (!(curvature > 0 && abs(vertex) < farthest_vertex && attempt < most_parabolas))
+        refuse_motion(motion);
+      psi += vertex * width;
+    }
+    if (4 * width_digits < digits + 10) continue;
+    Estimated speed = critical_speed_along(solid, motion, degrees(psi), digits);
+    const Float miss = curvature * pow(widths_of_error * width, 2);
+    mpfr_add(speed.error.get(), speed.error.get(), miss.get(), MPFR_RNDU);
+    return {std::move(speed), static_cast<double>(psi)};
+  }
 }
 
 }  // namespace
@@ -150,26 +218,13 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
     throw data::BadInput("digits", std::to_string(digits),
                          fmt::format("must be from 16 to {} for a critical speed", most_critical_digits));
   }
-  // A parabola of width h leaves an error of the order of h^2 in psi and h^4 in the speed.
-  int width_digits = 4;
-  Float psi = approximate_critical_line(solid, motion).psi;
-  for (;; width_digits *= 2) {
-    const int working_digits = std::max(digits, 4 * width_digits) + 8;
-    const WorkingDigits working(working_digits + 16);
-    const Float width = pow(Float(10), -width_digits);
-    psi = psi.at_working_precision();
-    const auto f = [&](const Float& angle) {
-      return to_float(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
-    };
-    const Parabola<Float> parabola(f(psi - width), f(psi), f(psi + width));
-    if (!(parabola.curvature > 0 && abs(parabola.vertex) < widths_of_error)) refuse_motion(motion);
-    psi += parabola.vertex * width;
-    if (4 * width_digits < digits + 4) continue;
-    Estimated speed = critical_speed_along(solid, motion, degrees(psi), digits);
-    const Float miss = parabola.curvature * pow(widths_of_error * width, 2);
-    mpfr_add(speed.error.get(), speed.error.get(), miss.get(), MPFR_RNDU);
-    return {std::move(speed), static_cast<double>(psi)};
+  std::optional<CriticalSpeed> least;
+  for (const CriticalLine& line : lowest_lines(solid, motion)) {
+    CriticalSpeed found = bottom(solid, motion, line.psi, digits);
+    if (!least || mpfr_less_p(found.speed.value.get(), least->speed.value.get()) != 0)
+      least = std::move(found);
   }
+  return *std::move(least);
 }
 
 }  // namespace nipref::ref

@@ -91,11 +91,13 @@ Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int
       const Float span = steepness * line.h / line.Q();
       return pow(span, 3) / line.h * line_moment(line.omega, working);
     };
+    const auto [degrees, width] = peak_of_compliance(surface);
+    const CrowdedDirections directions(Exact(degrees), width, 1);
     Float sum = 0, change = 1;
-    double_directions(digits, of_line, [&](const std::vector<Float>& values) {
+    double_directions(digits, directions, of_line, [&](const std::vector<DirectionValue>& values) {
       Float total = 0;
-      for (const Float& value : values) total += value;
-      total *= pi() / static_cast<long>(values.size());
+      for (const auto& [at, value] : values) total += at.weight * value;
+      total /= static_cast<long>(values.size());
       change = abs(total - sum);
       sum = total;
       return is_settled(change, sum, digits);

@@ -16,7 +16,7 @@ constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
 /// Of the exact frictionless contact of a sphere: span across over span along.
 double exact_span_ratio(const fast::SurfaceResponse& surface) {
   const fast::EllipticContact contact(surface, {1, 1});
-  return contact.radius_ratio(sideways) / contact.radius_ratio(forwards);
+  return contact.radius_ratio(sideways).value / contact.radius_ratio(forwards).value;
 }
 
 }  // namespace

@@ -47,11 +47,12 @@ struct Bodies {
   /// The patch moves in the sphere, as the paper has it.
   [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
                                                  double c0) const {
-    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
-        half_space, axis, motion, c0 * speed_unit());
+    const double speed = c0 * speed_unit();
+    const auto surface =
+        std::make_shared<const fast::TransverselyIsotropicHalfSpace>(half_space, axis, motion, speed);
     return [=, sphere = sphere](fast::Direction from_motion) -> fast::LineResponse {
-      const fast::LineResponse lower = surface->along(turned(from_motion, motion));
-      const fast::LineResponse upper = fast::isotropic_response(sphere, c0, from_motion);
+      const fast::LineResponse lower = surface->along(from_motion.turned(motion));
+      const fast::LineResponse upper = fast::isotropic_response(sphere, speed, from_motion);
       return fast::in_contact(lower, upper);
     };
   }
@@ -79,11 +80,11 @@ class InPlaneSpans {
     });
   }
   [[nodiscard]] double corrected(double phi, double speed) const {
-    return contact(speed).by_rule.span_ratio(direction_of_degrees(phi));
+    return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi));
   }
   [[nodiscard]] double exact(double phi, double speed) const {
     const fast::EllipticContact& ellipse = contact(speed).exact;
-    return ellipse.radius_ratio(direction_of_degrees(phi)) / ellipse.radius_ratio({1, 0});
+    return ellipse.radius_ratio(fast::Direction::of_degrees(phi)).value / ellipse.radius_ratio({1, 0}).value;
   }
 
  private:
@@ -95,7 +96,7 @@ class InPlaneSpans {
     const auto found = contacts_.find(speed);
     if (found != contacts_.end()) return found->second;
     const auto surface =
-        bodies_.in_contact(data::SymmetryAxis::in_plane, direction_of_degrees(theta_), speed);
+        bodies_.in_contact(data::SymmetryAxis::in_plane, fast::Direction::of_degrees(theta_), speed);
     return contacts_
         .emplace(speed, Contact{fast::sliding_for_span(surface, {1, 1}, 0, {1, 0}, 1),
                                 fast::EllipticContact(surface, {1, 1})})
@@ -103,8 +104,9 @@ class InPlaneSpans {
   }
   template <class Compliance>
   [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
-    const double across = compliance(direction_of_degrees(theta_ + phi), direction_of_degrees(phi).cosine);
-    return across / compliance(direction_of_degrees(theta_), 1);
+    const double across =
+        compliance(fast::Direction::of_degrees(theta_ + phi), fast::Direction::of_degrees(phi).cosine);
+    return across / compliance(fast::Direction::of_degrees(theta_), 1);
   }
 
   Bodies bodies_;
@@ -164,7 +166,7 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
                          Verdict::seed_error, "reproduced so"}},
                        error,
                        error,
-                       ellipse.radius_ratio({0, 1}) / ellipse.radius_ratio({1, 0})});
+                       ellipse.radius_ratio({0, 1}).value / ellipse.radius_ratio({1, 0}).value});
     }
   }
   return cells;
@@ -176,7 +178,7 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
   with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
   std::vector<HalfSpaceCell> cells;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const fast::Direction motion = direction_of_degrees(key_of(table, row));
+    const fast::Direction motion = fast::Direction::of_degrees(key_of(table, row));
     const double unit = bodies.speed_unit();
     const std::string print =
         fmt::format("with d1 = {} for {:.5f}; P6 as printed leaves {:.3f} under the root", printed_d1,

@@ -1,6 +1,5 @@
 #pragma once
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
-#include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::fast::internal {
 
@@ -12,7 +11,8 @@ struct CriticalLine {
   double from_motion;  ///< psi - theta
 };
 
-/// The line that is critical first.
+/// The line that is critical first. Speeds are compared at steps of a degree, and at finer ones wherever that
+/// leaves room for a lower one, as steep as they are there.
 CriticalLine critical_line(const TransverselyIsotropicLine& line, Direction motion);
 
 }  // namespace nipref::fast::internal

@@ -15,12 +15,6 @@ namespace {
 
 constexpr Two one{1};
 
-/// X for loads that move along `motion`.
-NIPREF_CLONES Two stress_density(Direction psi, Direction motion, double density, double speed) {
-  const Two cosine = two_product(psi.cosine, motion.cosine) + two_product(psi.sine, motion.sine);
-  return density * square(speed * cosine);
-}
-
 double power_of_two(double modulus) { return std::scalbn(1.0, std::ilogb(modulus)); }
 
 data::TransverselyIsotropicSolid times(double factor, const data::TransverselyIsotropicSolid& solid) {
@@ -51,7 +45,7 @@ NormalAxisLine::NormalAxisLine(const data::TransverselyIsotropicSolid& solid)
 double NormalAxisLine::bound(Direction) const { return d5_; }
 
 NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction psi, Two scaled_X) const {
-  const Two X = scaled_X / (two_product(psi.cosine, psi.cosine) + two_product(psi.sine, psi.sine));
+  const Two X = scaled_X / squared_length(psi);
   const Two A1_squared = Two{d1_} - X, B5_squared = Two{d5_} - X;
   if (!(A1_squared.high > 0 && B5_squared.high > 0)) return {};
   const Two A1 = sqrt(A1_squared), B5 = sqrt(B5_squared);
@@ -90,7 +84,7 @@ double InPlaneAxisLine::bound(Direction psi) const {
 //   M/A6 = 2 d5 B5 Pi Sigma + T5 J1 - d6 sin^2 J2,  (Pi Sigma, cos J1, -sin J2)/(M/A6),
 //   J1 = q - 2 d5 G + (d6 + d12) sin^2/d1,  J2 = Pi + B1^2 - (d6 + d12) T5/(d1 d6).
 NIPREF_CLONES LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
-  const Two cos2 = two_product(psi.cosine, psi.cosine), sin2 = two_product(psi.sine, psi.sine);
+  const Two cos2 = square(cosine_of(psi)), sin2 = square(sine_of(psi));
   const Two A6 = d6_ * sin2 - X, A2 = d2_ * sin2 - X;
   const Two B1_squared = cos2 + A6 * inverse1_, B2_squared = cos2 + A2 * inverse6_,
             B5_squared = cos2 + A6 * inverse5_;
@@ -126,10 +120,17 @@ LineFunctions TransverselyIsotropicLine::functions(Direction psi, Two X) const {
   return std::visit([&](const auto& line) { return line.at(psi, X); }, line_);
 }
 
+bool TransverselyIsotropicLine::is_subcritical(Direction psi, Two speed) const {
+  return functions(psi, density_ * square(speed)).subcritical();
+}
+
+NIPREF_CLONES Two TransverselyIsotropicLine::stress_density(Direction psi, const Motion& motion) const {
+  return density_ * (motion.squared_ratio * square(cosine_between(psi, motion.direction)));
+}
+
 // All that cancels has done so: the quotients themselves are taken in double.
-std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, Direction motion,
-                                                         double speed) const {
-  const LineFunctions line = functions(psi, stress_density(psi, motion, density_, speed));
+std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Motion& motion) const {
+  const LineFunctions line = functions(psi, stress_density(psi, motion));
   if (!line.subcritical()) return std::nullopt;
   const double divisor = line.rayleigh.high;
   return LineAnswers{line.compliance.high / divisor * inverse_unit_,
@@ -139,9 +140,9 @@ std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, Directio
 
 // By a central difference in two words: with this step rounding leaves 1e-13 of it, the next term
 // (step/gap)^2 for the relative distance `gap` from the critical speed.
-double TransverselyIsotropicLine::condition(Direction psi, Direction motion, double speed) const {
+double TransverselyIsotropicLine::condition(Direction psi, const Motion& motion) const {
   constexpr double step = 0x1p-50;
-  const Two X = stress_density(psi, motion, density_, speed);
+  const Two X = stress_density(psi, motion);
   const auto compliance = [&](double change) {
     const LineFunctions line = functions(psi, X + change * X);
     return line.compliance / line.rayleigh;
@@ -153,9 +154,13 @@ double TransverselyIsotropicLine::condition(Direction psi, Direction motion, dou
 double TransverselyIsotropicLine::limit(Direction psi) const {
   const double bound = std::visit([&](const auto& line) { return line.bound(psi); }, line_);
   const double beyond = 1.001 * std::sqrt(bound / density_);
-  return last_that(
-      [&](double speed) { return functions(psi, density_ * two_product(speed, speed)).subcritical(); }, 0,
-      beyond);
+  return last_that([&](double speed) { return is_subcritical(psi, {speed}); }, 0, beyond);
+}
+
+Two TransverselyIsotropicLine::limit_in_two_words(Direction psi) const {
+  const double high = limit(psi), next = std::nextafter(high, INFINITY);
+  return {high,
+          last_that([&](double low) { return is_subcritical(psi, two_sum(high, low)); }, 0, next - high)};
 }
 
 }  // namespace nipref::fast::internal

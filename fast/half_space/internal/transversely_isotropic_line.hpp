@@ -3,15 +3,14 @@
 #include <variant>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/response.hpp>
-#include <nipref/fast/number/internal/two_words_algebra.hpp>
+#include <nipref/fast/half_space/internal/direction_words.hpp>
 
 namespace nipref::fast::internal {
 
 // What a transversely isotropic half-space answers along one line, moduli and reciprocal answers in one unit.
 // Two words: nothing that cancels, be it near a branch point or near the Rayleigh speed, shows in the doubles
 // that come out. X is the dynamic stress density c_X^2 of the speed c_X along the line, times the square of
-// the length of psi: a Direction stands for the unit vector along it, which doubles make only nearly so long.
+// the length of psi: a Direction stands for the unit vector along it, which words make only nearly so long.
 
 /// The answers times `rayleigh`, which vanishes at the Rayleigh speed. Only where it is positive, that is
 /// where the line is slower than every wave along it, bulk or Rayleigh, do the numbers mean something.
@@ -59,22 +58,35 @@ class InPlaneAxisLine {
   Two coupling_;     ///< (d6 + d12)^2/(d1 d6)
 };
 
+/// How loads move: the vector that has the length of the speed.
+struct Motion {
+  Motion(Direction along, Two speed)
+      : direction(along), squared_ratio(square(speed) / squared_length(along)) {}
+
+  Direction direction;
+  Two squared_ratio;  ///< (speed over length of the direction)^2
+};
+
 /// Either of them, in the units of the solid.
 class TransverselyIsotropicLine {
  public:
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
-  /// speed: along `motion`. Nothing if the line is not subcritical.
-  [[nodiscard]] std::optional<LineAnswers> at(Direction psi, Direction motion, double speed) const;
+  /// Nothing if the line is not subcritical.
+  [[nodiscard]] std::optional<LineAnswers> at(Direction psi, const Motion& motion) const;
 
   /// d ln K/d ln speed on a subcritical line.
-  [[nodiscard]] double condition(Direction psi, Direction motion, double speed) const;
+  [[nodiscard]] double condition(Direction psi, const Motion& motion) const;
 
-  /// The speed along the line psi from which on it is no longer subcritical, rounded down to a double.
+  /// The speed along the line psi from which on it is no longer subcritical, over the length of psi and
+  /// rounded down to a double; or to two words.
   [[nodiscard]] double limit(Direction psi) const;
+  [[nodiscard]] Two limit_in_two_words(Direction psi) const;
 
  private:
   [[nodiscard]] LineFunctions functions(Direction psi, Two X) const;
+  [[nodiscard]] bool is_subcritical(Direction psi, Two speed) const;
+  [[nodiscard]] Two stress_density(Direction psi, const Motion& motion) const;
 
   double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
   double density_;       ///< of the solid, over that unit

@@ -18,8 +18,6 @@ constexpr long most_directions = 4096;
                            std::to_string(most_directions) + " lines do not give them here");
 }
 
-Exact direction(long i, long count) { return Exact(mpq_class(180 * i, count) - 90); }
-
 Float at_most_1(const Float& value) { return std::min(Float(1), Float(abs(value))); }
 
 Float number(const Real& real) {
@@ -38,12 +36,12 @@ WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
 
 Float tolerance(int digits) { return pow(Float(10), -digits); }
 
-Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute) {
+Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled) {
   if (digits < 16 || digits > most_digits)
     throw data::BadInput("digits", std::to_string(digits),
                          "must be from 16 to " + std::to_string(most_digits));
-  const WorkingDigits working(digits + guard_digits);
-  return compute(digits + guard_digits);
+  const WorkingDigits working(digits + guard_digits + cancelled);
+  return compute(digits + guard_digits + cancelled);
 }
 
 Estimated estimated(const Float& value, const Float& error, int digits) {
@@ -59,14 +57,20 @@ bool is_settled(const Float& change, const Float& value, int digits) {
   return change <= tolerance(digits) * at_most_1(value) / 10;
 }
 
-void double_directions(int digits, const std::function<Float(const Exact& degrees)>& value,
-                       const std::function<bool(const std::vector<Float>& values)>& settled) {
-  std::vector<Float> values;
+void double_directions(int digits, const CrowdedDirections& directions,
+                       const std::function<Float(const Exact& degrees)>& value,
+                       const std::function<bool(const std::vector<DirectionValue>& values)>& settled) {
+  std::vector<DirectionValue> values;
   for (long count = 8; count <= most_directions; count *= 2) {
-    std::vector<Float> finer;
+    std::vector<DirectionValue> finer;
     for (long i = 0; i < count; ++i) {
-      const bool known = !values.empty() && i % 2 == 0;
-      finer.push_back(known ? values[static_cast<std::size_t>(i / 2)] : value(direction(i, count)));
+      if (!values.empty() && i % 2 == 0) {
+        finer.push_back(std::move(values[static_cast<std::size_t>(i / 2)]));
+      } else {
+        auto at = directions.at(i, count);
+        Float found = value(at.degrees);
+        finer.push_back({std::move(at), std::move(found)});
+      }
     }
     values = std::move(finer);
     if (settled(values)) return;

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include <nipref/ref/half_space/internal/crowded_directions.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimated.hpp>
 #include <nipref/ref/number/internal/float.hpp>
@@ -34,9 +35,9 @@ class WorkingSurface {
 Float tolerance(int digits);
 
 /// `compute(working)` at so many working digits that the result may be good to `digits`: for the roundings of
-/// thousands of terms, and the small factors of what is computed from the integrals. BadInput unless 16 <=
-/// digits <= 100.
-Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute);
+/// thousands of terms, and the small factors of what is computed from the integrals; `cancelled` more for what
+/// cancels before. BadInput unless 16 <= digits <= 100.
+Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled = 0);
 
 /// The value with its error, rounding and the surface's own digits included; BadInput "digits" where that is
 /// more than 10^-digits of the value (or of 1, if that is less).
@@ -48,9 +49,16 @@ Estimated closed(const Float& value, int digits);
 /// Whether so large a change of a value of that size is good enough to end a quadrature.
 bool is_settled(const Float& change, const Float& value, int digits);
 
-/// Values at 8, 16, 32 ... directions spread evenly over half a turn from -90 degrees on, until `settled`
-/// says of them that they are enough; BadInput "digits" where 4096 are not.
-void double_directions(int digits, const std::function<Float(const Exact& degrees)>& value,
-                       const std::function<bool(const std::vector<Float>& values)>& settled);
+/// A value of a surface at a direction.
+struct DirectionValue {
+  CrowdedDirections::Direction at;
+  Float value;
+};
+
+/// Values at 8, 16, 32 ... of the directions, until `settled` says of them that they are enough; BadInput
+/// "digits" where 4096 are not.
+void double_directions(int digits, const CrowdedDirections& directions,
+                       const std::function<Float(const Exact& degrees)>& value,
+                       const std::function<bool(const std::vector<DirectionValue>& values)>& settled);
 
 }  // namespace nipref::ref

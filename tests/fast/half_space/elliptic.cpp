@@ -141,7 +141,7 @@ TEST_CASE("elliptic: the displacement under the pressure is the body, by the poi
     CHECK(displacement(contact, load, response, 0, 0) == doctest::Approx(delta).scale(0).epsilon(1e-12));
     for (int i = 0; i < 12; ++i) {
       const Direction psi = Direction::of_angle(0.55 * i);
-      const double r = 0.95 * load.semi_major.value * contact.radius_ratio(psi);
+      const double r = 0.95 * load.semi_major.value * contact.radius_ratio(psi).value;
       const double found = displacement(contact, load, response, r * psi.cosine, r * psi.sine);
       CHECK(found == doctest::Approx(delta - body.curvature(psi) * r * r / 2).scale(0).epsilon(1e-12));
     }

@@ -21,7 +21,8 @@ using std::numbers::pi;
 
 namespace {
 
-const data::IsotropicSolid steel{2.5, 1. / 3, 1};
+/// Of shear wave speed 1.
+const data::IsotropicSolid steel{2.5, 1. / 3, 2.5};
 constexpr double radius = 4;
 
 }  // namespace

@@ -69,7 +69,7 @@ double error_of(const Quantity& quantity, const std::function<Point(double psi_d
 double bench_line(BenchReport& report, const std::string& what, const fast::SurfaceResponse& response,
                   const Quantity& quantity, const std::function<Point(double psi_deg)>& point) {
   std::vector<Direction> lines;
-  for (const double angle : angles()) lines.push_back(direction_of_degrees(angle));
+  for (const double angle : angles()) lines.push_back(Direction::of_degrees(angle));
   double sink = 0;
   const HalfSpaceMethod fast_K{"fast K " + what,
                                [&](std::size_t count) {
@@ -89,9 +89,9 @@ double bench_line(BenchReport& report, const std::string& what, const fast::Surf
 /// ns of a contour of 1000 directions with its force.
 double bench_contour(BenchReport& report, const fast::SurfaceResponse& in_plane) {
   std::vector<Direction> lines;
-  for (const double angle : angles()) lines.push_back(direction_of_degrees(angle));
+  for (const double angle : angles()) lines.push_back(Direction::of_degrees(angle));
   double sink = 0;
-  const Direction motion = direction_of_degrees(theta_deg);
+  const Direction motion = Direction::of_degrees(theta_deg);
   append_rows(report, "axis in plane",
               {{"fast sliding contact: force and contour of 1000 directions",
                 [&](std::size_t count) {
@@ -113,10 +113,8 @@ BenchReport bench_half_space(const BenchProgress& progress) {
   BenchReport report;
   progress("lines");
   const Point normal = line_point(0, 0), in_plane = line_point(1, 0);
-  const fast::TransverselyIsotropicHalfSpace normal_surface(transverse_at(normal, 3), axis_at(normal, 3),
-                                                            direction_of_degrees(theta_deg), speed);
-  const fast::TransverselyIsotropicHalfSpace in_plane_surface(
-      transverse_at(in_plane, 3), axis_at(in_plane, 3), direction_of_degrees(theta_deg), speed);
+  const auto normal_surface = transverse_surface_at(normal, 3, theta_deg, speed);
+  const auto in_plane_surface = transverse_surface_at(in_plane, 3, theta_deg, speed);
   const fast::SurfaceResponse in_plane_response = [&](Direction psi) { return in_plane_surface.along(psi); };
   bench_line(report, "isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
              [](double psi) {

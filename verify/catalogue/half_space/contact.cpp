@@ -15,10 +15,6 @@ namespace {
 using fast::Accuracy;
 using ref::Exact;
 
-/// Of the Rayleigh speed, where the lines are 0 and 90 degrees from the motion to the last bit; angles in
-/// degrees are not, and the audit keeps such entries farther off.
-constexpr double nearest_critical = 1 - 1e-8;
-
 Argument friction_argument() { return {"friction", ArgumentKind::nonnegative, {}, {}}; }
 Argument psi_argument() { return {"psi_deg", ArgumentKind::degrees, "0", {}}; }
 
@@ -38,12 +34,14 @@ Quantity entry_exponent() {
   entry.arguments = isotropic_arguments();
   entry.arguments.push_back(friction_argument());
   entry.arguments.push_back(psi_argument());
-  draw_isotropic(entry, 0.9, [](Random& random) { return Point{draw_friction(random), draw_angle(random)}; });
+  draw_isotropic(entry, nearest_critical, [](Random& random) {
+    return Point{draw_friction(random), draw_angle(random)};
+  });
   entry.by_ref = [](Exacts x, int digits) {
     return ref::sliding_exponent(exact_isotropic_surface(x[0], x[1]), x[2], x[3], digits);
   };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return -slide(x, x[2]).along(direction_of_degrees(x[3])).leading_share;
+    return -slide(x, x[2]).along(fast::Direction::of_degrees(x[3])).leading_share;
   });
   return entry;
 }
@@ -75,7 +73,7 @@ Quantity entry_die_force() {
   entry.arguments = isotropic_arguments();
   entry.arguments.push_back(friction_argument());
   entry.audit_points = 6;
-  draw_isotropic(entry, 0.95, [](Random& random) { return Point{draw_friction(random)}; });
+  draw_isotropic(entry, nearest_integrated, [](Random& random) { return Point{draw_friction(random)}; });
   entry.by_ref = [](Exacts x, int digits) {
     return ref::sliding_force(exact_isotropic_surface(x[0], x[1]), x[2], digits);
   };
@@ -89,14 +87,14 @@ Quantity entry_rolling_index() {
       "brock2012 (43b)", 16);
   entry.arguments = isotropic_arguments();
   entry.arguments.push_back(psi_argument());
-  draw_isotropic(entry, 0.9, [](Random& random) { return Point{draw_angle(random)}; });
+  draw_isotropic(entry, nearest_critical, [](Random& random) { return Point{draw_angle(random)}; });
   // It vanishes at nu = 1/2, at rest.
   entry.scale = "1/10 or the value";
   entry.envelope = [](Doubles) { return 0.1; };
   entry.by_ref = [](Exacts x, int digits) {
     return ref::rolling_index(exact_isotropic_surface(x[0], x[1]), x[2], digits);
   };
-  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).along(direction_of_degrees(x[2])).index; });
+  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).along(fast::Direction::of_degrees(x[2])).index; });
   return entry;
 }
 

@@ -20,8 +20,9 @@ Quantity elliptic_entry(std::string name, std::string definition, double promise
   entry.arguments = isotropic_arguments();
   entry.arguments.push_back({"curvature_ratio", ArgumentKind::positive, "1", {}});
   entry.audit_points = 6;
-  draw_isotropic(entry, 0.99,
-                 [](Random& random) { return Point{random.chance(0.3) ? 1 : random.log_uniform(0.1, 10)}; });
+  draw_isotropic(entry, nearest_integrated, [](Random& random) {
+    return Point{random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10)};
+  });
   return entry;
 }
 

@@ -61,14 +61,8 @@ Quantity isotropic_line(std::string name, std::string definition, FastMember of_
     const Line line(x);
     return ref::line_response(line.solid, line.speed, line.motion, line.psi, digits).*of_ref;
   };
-  entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
-    // All lines of an isotropic surface are alike: only the speed along them matters.
-    const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});
-    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-    return ref::line_response(exact_isotropic(Exact(x[0])), along, line, line, digits).*of_ref;
-  };
   set_fast(entry, [of_fast](Doubles x, Accuracy) {
-    return fast::isotropic_response(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2])).*of_fast;
+    return fast::isotropic_response(unit_isotropic(x[0]), x[1], fast::Direction::of_degrees(x[2])).*of_fast;
   });
   return entry;
 }
@@ -84,13 +78,8 @@ Quantity entry_condition() {
     const Line line(x);
     return exact_condition(line.solid, line.speed, line.motion, line.psi, digits);
   };
-  entry.by_ref_of_doubles = [](Doubles x, int digits) {
-    const Exact along = line_speed(x[1], direction_of_degrees(x[2]), {1, 0});
-    const auto line = SurfaceDirection::of_degrees(Exact(0.0));
-    return exact_condition(exact_isotropic(Exact(x[0])), along, line, line, digits);
-  };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::isotropic_condition(unit_isotropic(x[0]), x[1], direction_of_degrees(x[2]));
+    return fast::isotropic_condition(unit_isotropic(x[0]), x[1], fast::Direction::of_degrees(x[2]));
   });
   return entry;
 }

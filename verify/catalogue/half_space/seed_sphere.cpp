@@ -30,18 +30,19 @@ constexpr std::size_t patch_at = 2, solid_at = 3, own_at = solid_at + 7;
 
 /// The solid's critical speed.
 double critical_at(Doubles x) {
-  return fast::critical_speed(transverse_at(x, solid_at), axis_at(x, solid_at), direction_of_degrees(x[0]))
-      .speed;
+  return speed_in_steel(
+      fast::critical_speed(transverse_at(x, solid_at), axis_at(x, solid_at), Direction::of_degrees(x[0]))
+          .speed);
 }
 
 /// By the angle from the motion.
 fast::SurfaceResponse seed_contact(Doubles x) {
-  const Direction motion = direction_of_degrees(x[0]);
+  const Direction motion = Direction::of_degrees(x[0]);
   const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
-      transverse_at(x, solid_at), axis_at(x, solid_at), motion, x[1]);
+      transverse_surface_at(x, solid_at, x[0], x[1]));
   const data::IsotropicSolid steel = unit_isotropic(data::seed::steel.poisson);
   return [=, speed = x[patch_at] * x[1]](Direction from_motion) -> fast::LineResponse {
-    const fast::LineResponse lower = surface->along(turned(from_motion, motion));
+    const fast::LineResponse lower = in_steel(surface->along(from_motion.turned(motion)));
     const fast::LineResponse upper = fast::isotropic_response(steel, speed, from_motion);
     return fast::in_contact(lower, upper);
   };
@@ -81,15 +82,15 @@ Quantity seed_entry(std::string name, std::string definition, std::string source
   return entry;
 }
 
-/// The seed's solid, up to nine tenths of the critical speed: nearer to it the rounding of theta shows.
-constexpr double largest_share = 0.9;
-
-void draw_seed(Quantity& entry, std::function<Point(Random&)> own) {
+/// The seed's solid, up to this share of the critical speed.
+void draw_seed(Quantity& entry, double largest_share, std::function<Point(Random&)> own) {
   entry.draw = [=, own = std::move(own)](Random& random) {
     Point x{random.uniform(-90, 90), 0, random.chance(0.5) ? 0.0 : 1.0};
     x.push_back(random.chance(0.5) ? 0 : 1);
     x = with_epoxy(std::move(x));
-    x[1] = random.uniform(0.01, largest_share) * critical_at(x);
+    const double share = random.chance(0.5) ? 1 - random.log_uniform(1 - largest_share, 1)
+                                            : random.uniform(0.01, largest_share);
+    x[1] = share * critical_at(x);
     for (const double value : own(random)) x.push_back(value);
     return x;
   };
@@ -114,9 +115,9 @@ std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
     }
     if (friction != 0) throw BadInput("friction", friction, "must be 0: (48) is frictionless");
     const double along =
-        in_plane(moduli, direction_of_degrees(x[0]), 1, x[1]) + sphere_compliance(moduli, 1, x[1]);
-    const double cosine = direction_of_degrees(phi).cosine;
-    return (in_plane(moduli, direction_of_degrees(x[0] + phi), cosine, x[1]) +
+        in_plane(moduli, Direction::of_degrees(x[0]), 1, x[1]) + sphere_compliance(moduli, 1, x[1]);
+    const double cosine = Direction::of_degrees(phi).cosine;
+    return (in_plane(moduli, Direction::of_degrees(x[0] + phi), cosine, x[1]) +
             sphere_compliance(moduli, cosine, x[1])) /
            along;
   };
@@ -129,13 +130,15 @@ Quantity entry_sphere_span_ratio() {
                               "brock2013 (34), (35), (43) corrected", "moving");
   entry.arguments.push_back({"phi_deg", ArgumentKind::degrees, "90", {}});
   entry.arguments.push_back({"friction", ArgumentKind::nonnegative, "0", {}});
-  draw_seed(entry, [](Random& random) { return Point{draw_angle(random), draw_friction(random)}; });
+  draw_seed(entry, nearest_critical, [](Random& random) {
+    return Point{draw_angle(random), draw_friction(random)};
+  });
   entry.by_ref = [](Exacts x, int digits) {
     return ref::sliding_span_ratio(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
   };
   set_fast(entry, [](Doubles x, Accuracy) {
     return fast::sliding_for_span(seed_contact(x), {1, 1}, x[own_at + 1], {1, 0}, 1)
-        .span_ratio(direction_of_degrees(x[own_at]));
+        .span_ratio(Direction::of_degrees(x[own_at]));
   });
   entry.seed_forms = {
       {"printed",
@@ -151,7 +154,7 @@ Quantity entry_sphere_axis_ratio() {
   Quantity entry =
       seed_entry("ti.axis_ratio", "minor over major axis of the exact frictionless contact of a sphere",
                  "notes on brock2013 (33)", "fixed");
-  draw_seed(entry, [](Random&) { return Point{}; });
+  draw_seed(entry, nearest_integrated, [](Random&) { return Point{}; });
   entry.by_ref = [](Exacts x, int digits) {
     return ref::elliptic_axis_ratio(exact_seed_contact(x), Exact(1.0), digits);
   };

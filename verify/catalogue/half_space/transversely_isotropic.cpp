@@ -24,18 +24,6 @@ using ref::SurfaceDirection;
 
 constexpr std::size_t line_solid = 3;
 
-/// A line that fast was given, for the reference: nothing of the motion matters but the speed along it.
-struct LineOfDoubles {
-  ref::ExactStiffness solid;
-  SurfaceDirection psi;
-  Exact speed;
-
-  explicit LineOfDoubles(Doubles x)
-      : solid(exact_of_transverse_at(x, line_solid)),
-        psi(Exact(direction_of_degrees(x[1]).cosine), Exact(direction_of_degrees(x[1]).sine)),
-        speed(line_speed(x[2], direction_of_degrees(x[1]), direction_of_degrees(x[0]))) {}
-};
-
 /// Positive energy, both axes, stiffnesses over two decades; now and then the seed's.
 Point draw_solid(Random& random) {
   const double axis = random.chance(0.5) ? 0 : 1;
@@ -46,8 +34,11 @@ Point draw_solid(Random& random) {
   return {axis, c11, c33, c13, c44, c66, random.log_uniform(500, 2e4)};
 }
 
-fast::CriticalSpeed critical_at(Doubles x, std::size_t first, double theta_deg) {
-  return fast::critical_speed(transverse_at(x, first), axis_at(x, first), direction_of_degrees(theta_deg));
+/// In steel's shear wave speeds.
+double critical_at(Doubles x, std::size_t first, double theta_deg) {
+  return speed_in_steel(
+      fast::critical_speed(transverse_at(x, first), axis_at(x, first), Direction::of_degrees(theta_deg))
+          .speed);
 }
 
 bool is_physical(Doubles x, std::size_t first) {
@@ -65,11 +56,11 @@ void keep_line_off(Point& x) {
     const Point safe = with_epoxy({x[line_solid]});
     std::ranges::copy(safe, x.begin() + line_solid);
   }
-  x[2] = std::min(x[2], nearest_critical * critical_at(x, line_solid, x[0]).speed);
+  x[2] = std::min(x[2], nearest_critical * critical_at(x, line_solid, x[0]));
 }
 
 fast::TransverselyIsotropicHalfSpace surface_at(Doubles x) {
-  return {transverse_at(x, line_solid), axis_at(x, line_solid), direction_of_degrees(x[0]), x[2]};
+  return transverse_surface_at(x, line_solid, x[0], x[2]);
 }
 
 void set_line_arguments(Quantity& entry) {
@@ -81,7 +72,7 @@ void set_line_arguments(Quantity& entry) {
     Point x{draw_degrees(random), draw_degrees(random), 0};
     const Point solid = draw_solid(random);
     x.insert(x.end(), solid.begin(), solid.end());
-    x[2] = draw_share(random) * critical_at(x, line_solid, x[0]).speed;
+    x[2] = draw_share(random) * critical_at(x, line_solid, x[0]);
     return x;
   };
   entry.keep_off = keep_line_off;
@@ -99,11 +90,7 @@ Quantity transverse_line(std::string name, std::string definition, FastMember of
                               SurfaceDirection::of_degrees(x[1]), digits).*
            of_ref;
   };
-  entry.by_ref_of_doubles = [of_ref](Doubles x, int digits) {
-    const LineOfDoubles line(x);
-    return ref::line_response(line.solid, line.speed, line.psi, line.psi, digits).*of_ref;
-  };
-  const auto response = [](Doubles x) { return surface_at(x).along(direction_of_degrees(x[1])); };
+  const auto response = [](Doubles x) { return in_steel(surface_at(x).along(Direction::of_degrees(x[1]))); };
   set_fast(entry, [response, of_fast](Doubles x, Accuracy) { return response(x).*of_fast; });
   entry.envelope = [response](Doubles x) { return response(x).compliance; };
   return entry;
@@ -115,8 +102,8 @@ std::function<double(Doubles)> seed_compliance(Form form) {
   return [form](Doubles x) {
     if (axis_at(x, line_solid) == data::SymmetryAxis::normal)
       throw data::BadInput("axis", "normal", "must be in-plane: elsewhere the seed has no other form");
-    const double cosine = direction_of_degrees(x[1] - x[0]).cosine;
-    return form(scaled_moduli_at(x, line_solid), direction_of_degrees(x[1]), cosine, x[2]);
+    const double cosine = Direction::of_degrees(x[1] - x[0]).cosine;
+    return form(scaled_moduli_at(x, line_solid), Direction::of_degrees(x[1]), cosine, x[2]);
   };
 }
 
@@ -140,11 +127,7 @@ Quantity entry_ti_condition() {
     return exact_condition(exact_transverse_at(x, line_solid), x[2], SurfaceDirection::of_degrees(x[0]),
                            SurfaceDirection::of_degrees(x[1]), digits);
   };
-  entry.by_ref_of_doubles = [](Doubles x, int digits) {
-    const LineOfDoubles line(x);
-    return exact_condition(line.solid, line.speed, line.psi, line.psi, digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return surface_at(x).condition(direction_of_degrees(x[1])); });
+  set_fast(entry, [](Doubles x, Accuracy) { return surface_at(x).condition(Direction::of_degrees(x[1])); });
   return entry;
 }
 
@@ -175,15 +158,9 @@ Quantity entry_branch() {
                                 SurfaceDirection::of_degrees(x[0]),
                                 bulk_waves[static_cast<std::size_t>(x[1].approximate())], digits);
   };
-  entry.by_ref_of_doubles = [](Doubles x, int digits) {
-    const Direction line = direction_of_degrees(x[0]);
-    return ref::bulk_wave_speed(exact_of_transverse_at(x, solid, data::SymmetryAxis::in_plane),
-                                {Exact(line.cosine), Exact(line.sine)},
-                                bulk_waves[static_cast<std::size_t>(x[1])], digits);
-  };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::branch_speed(branch_waves[static_cast<std::size_t>(x[1])], transverse_at(x, solid),
-                              direction_of_degrees(x[0]));
+    return speed_in_steel(fast::branch_speed(branch_waves[static_cast<std::size_t>(x[1])],
+                                             transverse_at(x, solid), Direction::of_degrees(x[0])));
   });
   return entry;
 }
@@ -207,13 +184,7 @@ Quantity entry_transverse_critical() {
     return ref::critical_speed(exact_transverse_at(x, solid), SurfaceDirection::of_degrees(x[0]), digits)
         .speed;
   };
-  entry.by_ref_of_doubles = [](Doubles x, int digits) {
-    const Direction motion = direction_of_degrees(x[0]);
-    return ref::critical_speed(exact_of_transverse_at(x, solid),
-                               SurfaceDirection(Exact(motion.cosine), Exact(motion.sine)), digits)
-        .speed;
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return critical_at(x, solid, x[0]).speed; });
+  set_fast(entry, [](Doubles x, Accuracy) { return critical_at(x, solid, x[0]); });
   return entry;
 }
 
@@ -244,14 +215,9 @@ Quantity entry_transverse_rayleigh() {
     return speed(exact_transverse_at(x, solid), SurfaceDirection::of_degrees(x[0]),
                  SurfaceDirection::of_degrees(x[1]), digits);
   };
-  entry.by_ref_of_doubles = [speed](Doubles x, int digits) {
-    const Direction motion = direction_of_degrees(x[0]), psi = direction_of_degrees(x[1]);
-    return speed(exact_of_transverse_at(x, solid), {Exact(motion.cosine), Exact(motion.sine)},
-                 {Exact(psi.cosine), Exact(psi.sine)}, digits);
-  };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::rayleigh_speed(transverse_at(x, solid), axis_at(x, solid), direction_of_degrees(x[0]),
-                                direction_of_degrees(x[1]));
+    return speed_in_steel(fast::rayleigh_speed(transverse_at(x, solid), axis_at(x, solid),
+                                               Direction::of_degrees(x[0]), Direction::of_degrees(x[1])));
   });
   return entry;
 }

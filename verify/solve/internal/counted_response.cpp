@@ -17,15 +17,15 @@ namespace {
 using fast::Direction;
 using fast::SurfaceResponse;
 
-double shear_speed(const data::IsotropicSolid& solid) { return std::sqrt(solid.shear / solid.density); }
-
-Direction motion_of(const data::HalfSpaceProblem& problem) { return direction_of_degrees(problem.direction); }
+Direction motion_of(const data::HalfSpaceProblem& problem) {
+  return Direction::of_degrees(problem.direction);
+}
 
 struct CriticalSpeedOf {
   Direction motion;
 
   double operator()(const data::IsotropicSolid& solid) const {
-    return shear_speed(solid) * fast::isotropic_rayleigh_speed(solid.poisson);
+    return std::sqrt(solid.shear / solid.density) * fast::isotropic_rayleigh_speed(solid.poisson);
   }
   double operator()(const data::TransverselyIsotropicBody& body) const {
     return fast::critical_speed(body.solid, body.axis, motion).speed;
@@ -36,15 +36,15 @@ struct ResponseOf {
   const data::HalfSpaceProblem& problem;
 
   SurfaceResponse operator()(const data::IsotropicSolid& solid) const {
-    const double speed = problem.speed / shear_speed(solid);
-    return
-        [solid, speed](Direction from_motion) { return fast::isotropic_response(solid, speed, from_motion); };
+    return [solid, speed = problem.speed](Direction from_motion) {
+      return fast::isotropic_response(solid, speed, from_motion);
+    };
   }
   SurfaceResponse operator()(const data::TransverselyIsotropicBody& body) const {
     const Direction motion = motion_of(problem);
     const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(body.solid, body.axis,
                                                                                       motion, problem.speed);
-    return [surface, motion](Direction from_motion) { return surface->along(turned(from_motion, motion)); };
+    return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
   }
 };
 
@@ -52,9 +52,9 @@ struct BodyResponse {
   double speed;
 
   SurfaceResponse operator()(const data::ElasticSphere& sphere) const {
-    const double c0 = sphere.moving_patch ? speed / shear_speed(sphere.solid) : 0;
-    return [solid = sphere.solid, c0](Direction from_motion) {
-      return fast::isotropic_response(solid, c0, from_motion);
+    const double of_patch = sphere.moving_patch ? speed : 0;
+    return [solid = sphere.solid, of_patch](Direction from_motion) {
+      return fast::isotropic_response(solid, of_patch, from_motion);
     };
   }
   /// Rigid.

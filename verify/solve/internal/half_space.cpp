@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -24,8 +25,18 @@ Estimate times(double factor, const Estimate& estimate) {
   return {factor * estimate.value, std::fabs(factor) * estimate.error};
 }
 
-/// A ratio of lengths of one contact, to rounding.
-Estimate to_rounding(double value) { return {value, 0x1p-50 * std::fabs(value)}; }
+/// The product, with its rounding.
+Estimate times(const Estimate& a, const Estimate& b) {
+  const double value = a.value * b.value;
+  return {value, std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + 0x1p-53 * std::fabs(value)};
+}
+
+/// Of compliances and couplings.
+constexpr double few_roundings = 0x1.8p-51;
+
+Estimate to_rounding(double value, double relative = few_roundings) {
+  return {value, relative * std::fabs(value)};
+}
 
 constexpr Direction along{1, 0}, across{0, 1};
 
@@ -46,10 +57,12 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return of_ellipse(name);
   }
   [[nodiscard]] Estimate at(std::string_view name, double degrees) const final {
-    const Direction psi = direction_of_degrees(degrees);
+    const Direction psi = Direction::of_degrees(degrees);
     if (name == "span") return span(psi);
     const fast::LineResponse line = response_(psi);
-    return to_rounding(name == "compliance" ? line.compliance : line.coupling);
+    if (name == "compliance") return to_rounding(line.compliance);
+    // Between two bodies couplings subtract, and some vanish where compliances do not.
+    return {line.coupling, few_roundings * std::max(line.compliance, std::fabs(line.coupling))};
   }
   [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
   [[nodiscard]] fast::Work work() const final {
@@ -83,7 +96,7 @@ struct IndenterOf {
   }
 };
 
-/// The scene's load on an ellipse: forces grow with the cube of lengths.
+/// The scene's load on an ellipse.
 struct LoadEllipse {
   const fast::EllipticContact& contact;
 
@@ -91,9 +104,7 @@ struct LoadEllipse {
     return contact.for_force(load.force);
   }
   fast::EllipticLoad operator()(const data::GivenSpan& span) const {
-    const fast::EllipticLoad unit = contact.for_force(1);
-    const double unit_span = 2 * contact.radius_ratio(along) * unit.semi_major.value;
-    return contact.for_force(std::pow(span.along / unit_span, 3));
+    return contact.for_radius(along, span.along / 2);
   }
 };
 
@@ -107,11 +118,12 @@ class Exact : public OnHalfSpace {
 
  private:
   [[nodiscard]] Estimate span(Direction psi) const override {
-    return times(2 * contact_.radius_ratio(psi), load_.semi_major);
+    return times(2, times(contact_.radius_ratio(psi), load_.semi_major));
   }
   [[nodiscard]] Estimate span_ratio(Direction psi) const override {
-    const double ratio = contact_.radius_ratio(psi) / contact_.radius_ratio(along);
-    return {ratio, ratio * contact_.axis_ratio().error / contact_.axis_ratio().value};
+    const Estimate radius = contact_.radius_ratio(psi), of_motion = contact_.radius_ratio(along);
+    const double relative = radius.error / radius.value + of_motion.error / of_motion.value;
+    return to_rounding(radius.value / of_motion.value, relative + few_roundings);
   }
   [[nodiscard]] Estimate force() const override { return load_.force; }
   [[nodiscard]] Estimate peak_pressure() const override { return load_.peak_pressure; }
@@ -120,7 +132,8 @@ class Exact : public OnHalfSpace {
     if (name == "approach") return load_.approach;
     const Estimate from_motion = times(1 / degree, contact_.orientation());
     // An axis has no sense: -90 to 90 degrees.
-    return {std::remainder(from_motion.value + motion_, 180), from_motion.error};
+    return {std::remainder(from_motion.value + motion_, 180),
+            from_motion.error + 0x1p-52 * (std::fabs(from_motion.value) + std::fabs(motion_))};
   }
 
   fast::EllipticContact contact_;
@@ -142,12 +155,18 @@ struct Slide {
   }
 };
 
+double rounding_of(const fast::SlidingContact& contact) { return contact.rounding(); }
+double rounding_of(const fast::RollingSphere& contact) { return contact.rounding; }
+
 Estimate peak(const fast::SlidingContact& contact) { return contact.peak_pressure(); }
 /// At the centre, the same on every line.
 Estimate peak(const fast::RollingSphere& contact) {
   const Estimate span = contact.span();
-  const double pressure = -contact.along(along).normal_traction(0);
-  return {pressure, pressure * (span.error / span.value + 0x1p-46)};
+  const fast::ViscoelasticLine line = contact.along(along);
+  const double pressure = -line.normal_traction(0);
+  // B is a difference.
+  const double condition = 1 + 2 * line.index * line.span / line.lean;
+  return {pressure, pressure * condition * (span.error / span.value + contact.rounding)};
 }
 
 /// By the papers' rule: Contact is fast::SlidingContact or fast::RollingSphere.
@@ -159,10 +178,10 @@ class ByRule : public OnHalfSpace {
 
  private:
   [[nodiscard]] Estimate span(Direction psi) const override {
-    return times(contact_.span_ratio(psi), contact_.span());
+    return times(span_ratio(psi), contact_.span());
   }
   [[nodiscard]] Estimate span_ratio(Direction psi) const override {
-    return to_rounding(contact_.span_ratio(psi));
+    return to_rounding(contact_.span_ratio(psi), rounding_of(contact_));
   }
   [[nodiscard]] Estimate force() const override { return contact_.force(); }
   [[nodiscard]] Estimate peak_pressure() const override { return peak(contact_); }
@@ -176,14 +195,13 @@ struct Roll {
   [[nodiscard]] const data::IsotropicSolid& solid() const {
     return std::get<data::IsotropicSolid>(problem.half_space);
   }
-  [[nodiscard]] double speed() const { return problem.speed * std::sqrt(solid().density / solid().shear); }
   [[nodiscard]] double radius() const { return std::get<data::RigidRollingSphere>(problem.body).radius; }
 
   fast::RollingSphere operator()(const data::GivenNormalForce& load) const {
-    return fast::rolling_sphere_for_force(solid(), radius(), speed(), load.force);
+    return fast::rolling_sphere_for_force(solid(), radius(), problem.speed, load.force);
   }
   fast::RollingSphere operator()(const data::GivenSpan& span) const {
-    return fast::rolling_sphere_for_span(solid(), radius(), speed(), span.along);
+    return fast::rolling_sphere_for_span(solid(), radius(), problem.speed, span.along);
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/number/two_words.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
@@ -13,6 +14,11 @@ namespace nipref::verify {
 namespace {
 
 using data::seed::graphite_epoxy;
+using fast::internal::Two;
+
+// Of the seed's steel in two words: 77.2 and sqrt(77.2/7860), as the decimals stand.
+constexpr Two steel_shear{0x1.34ccccccccccdp+6, -0x1.999999999999ap-49};
+constexpr Two steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
 
 /// With the axis normal to the surface, waves polarised across the line have no part in u3 and may be
 /// overtaken.
@@ -26,28 +32,6 @@ data::SymmetryAxis exact_axis_at(Exacts x, std::size_t at) {
 }
 
 }  // namespace
-
-fast::Direction direction_of_degrees(double degrees) {
-  const double within_a_turn = std::fmod(degrees, 360);
-  const double quarters = std::round(within_a_turn / 90);
-  const double rest = (within_a_turn - 90 * quarters) * (std::numbers::pi / 180);
-  const double c = std::cos(rest), s = std::sin(rest);
-  switch (static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4))) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
-}
-
-fast::Direction turned(fast::Direction from_motion, fast::Direction motion) {
-  return {from_motion.cosine * motion.cosine - from_motion.sine * motion.sine,
-          from_motion.sine * motion.cosine + from_motion.cosine * motion.sine};
-}
 
 ref::Exact as_written(double constant) { return ref::Exact::parse(fmt::format("{}", constant)); }
 
@@ -105,20 +89,34 @@ data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
 }
 
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
-  const auto in_steel = [&](std::size_t i) { return x[at + i] / data::seed::steel.shear; };
-  return {in_steel(1), in_steel(2), in_steel(3),
-          in_steel(4), in_steel(5), x[at + 6] / data::seed::steel.density};
+  return {x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]};
 }
 
+fast::TransverselyIsotropicHalfSpace transverse_surface_at(Doubles x, std::size_t at, double theta_deg,
+                                                           double speed) {
+  const Two physical = steel_shear_speed * Two{speed};
+  return {transverse_at(x, at), axis_at(x, at), fast::Direction::of_degrees(theta_deg), physical.high,
+          physical.low};
+}
+
+fast::LineResponse in_steel(const fast::LineResponse& line) {
+  const auto scaled = [](double answer) {
+    return std::fma(answer, steel_shear.high, answer * steel_shear.low);
+  };
+  return {scaled(line.compliance), scaled(line.coupling), scaled(line.coupling_across)};
+}
+
+double speed_in_steel(double speed) { return speed / steel_shear_speed.high; }
+
 ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
-  const data::TransverselyIsotropicSolid solid = transverse_at(x, at);
+  const auto over_steel = [&](std::size_t i) { return x[at + i] / data::seed::steel.shear; };
   constexpr double nu = data::seed::steel.poisson;
-  return {solid.c11,
-          solid.c33,
-          solid.c13,
-          solid.c44,
-          solid.c66,
-          std::sqrt(solid.density),
+  return {over_steel(1),
+          over_steel(2),
+          over_steel(3),
+          over_steel(4),
+          over_steel(5),
+          std::sqrt(x[at + 6] / data::seed::steel.density),
           std::sqrt((2 - 2 * nu) / (1 - 2 * nu))};
 }
 
@@ -142,14 +140,6 @@ void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, co
   } else {
     ref::check_subcritical(solid, speed, motion);
   }
-}
-
-ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at) {
-  return exact_of_transverse_at(x, at, axis_at(x, at));
-}
-
-ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis) {
-  return stiffness_of(transverse_at(x, at), axis);
 }
 
 }  // namespace nipref::verify

@@ -4,6 +4,7 @@
 
 #include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/response.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
@@ -13,14 +14,11 @@ namespace nipref::verify {
 
 // From the catalogue's arguments about half-spaces to what the two paths take.
 
+/// Of the critical speed, in the audits; where the reference has to integrate over lines, farther off.
+inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
+
 using Doubles = std::span<const double>;
 using Exacts = std::span<const ref::Exact>;
-
-/// cos and sin of degrees to rounding; exact at multiples of 90.
-fast::Direction direction_of_degrees(double degrees);
-
-/// The angle from x1 of a line at an angle from the motion.
-fast::Direction turned(fast::Direction from_motion, fast::Direction motion);
 
 /// mu = 1, density 1: speeds are v/v_S.
 data::IsotropicSolid unit_isotropic(double poisson);
@@ -44,15 +42,19 @@ void append_transverse_arguments(std::vector<Argument>& arguments);
 /// Those without the axis.
 void append_constants(std::vector<Argument>& arguments);
 data::SymmetryAxis axis_at(Doubles x, std::size_t at);
+/// In the units in which it is given, so that no constant is rounded.
 data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
+/// Of loads that move at `speed` times steel's shear wave speed.
+fast::TransverselyIsotropicHalfSpace transverse_surface_at(Doubles x, std::size_t at, double theta_deg,
+                                                           double speed);
+/// From those units to those of steel.
+fast::LineResponse in_steel(const fast::LineResponse& line);
+double speed_in_steel(double speed);
 /// In the units of steel, with the seed's sphere.
 ScaledModuli scaled_moduli_at(Doubles x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
 ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
 /// BadInput naming the speed unless it is subcritical on every line.
 void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed);
-/// Of the doubles that transverse_at makes.
-ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at);
-ref::ExactStiffness exact_of_transverse_at(Doubles x, std::size_t at, data::SymmetryAxis axis);
 
 }  // namespace nipref::verify

@@ -27,8 +27,8 @@ void draw_isotropic(Quantity& entry, double largest_share, std::function<Point(R
   entry.draw = [=, more = std::move(more)](Random& random) {
     const double poisson = random.uniform(-0.5, 0.49);
     const double share =
-        random.chance(0.5) ? largest_share - random.log_uniform(1e-9, 1) : random.uniform(0, largest_share);
-    Point x{poisson, std::max(0.0, share) * fast::isotropic_rayleigh_speed(poisson)};
+        random.chance(0.5) ? 1 - random.log_uniform(1 - largest_share, 1) : random.uniform(0, largest_share);
+    Point x{poisson, share * fast::isotropic_rayleigh_speed(poisson)};
     const Point rest = more(random);
     x.insert(x.end(), rest.begin(), rest.end());
     return x;

@@ -6,7 +6,6 @@
 
 namespace nipref::verify {
 
-using fast::Direction;
 using ref::Exact;
 using ref::SurfaceDirection;
 
@@ -60,19 +59,12 @@ ref::Estimated exact_condition(const ref::ExactStiffness& solid, const Exact& sp
   return {slope, error, digits};
 }
 
-Exact line_speed(double speed, Direction n, Direction m) {
-  const mpq_class nx(n.cosine), ny(n.sine);
-  const mpq_class along =
-      (nx * mpq_class(m.cosine) + ny * mpq_class(m.sine)) * (1 - (nx * nx + ny * ny - 1) / 2);
-  return Exact(mpq_class(mpq_class(speed) * along));
-}
-
 double draw_share(Random& random) {
   switch (random.index(4)) {
     case 0:
       return random.log_uniform(1e-8, 1);
     case 1:
-      return 1 - random.log_uniform(1e-8, 1e-3);
+      return 1 - random.log_uniform(1e-9, 1e-3);
     default:
       return random.uniform(0, 0.999);
   }

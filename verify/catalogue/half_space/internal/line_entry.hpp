@@ -9,9 +9,6 @@ namespace nipref::verify {
 
 // What the catalogue's entries about lines on half-spaces share.
 
-/// Of the critical speed, in the audit.
-inline constexpr double nearest_critical = 1 - 1e-8;
-
 /// Measured against its own value, good to 4 units in the last place.
 Quantity half_space_entry(std::string name, std::string definition, std::string source);
 
@@ -23,11 +20,7 @@ ref::Estimated exact_condition(const ref::ExactStiffness& solid, const ref::Exac
                                const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
                                int digits);
 
-/// The speed along a line, from what fast was given: n stands for the unit vector along it, and the speed is
-/// that times n.m/|n|, here to 1e-32.
-ref::Exact line_speed(double speed, fast::Direction n, fast::Direction m);
-
-/// Of the critical speed: from 1e-8 to 1 - 1e-8.
+/// Of the critical speed: from 1e-8 to 1 - 1e-9.
 double draw_share(Random& random);
 /// Crowded at 0 and 90.
 double draw_degrees(Random& random);

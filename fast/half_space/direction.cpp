@@ -1,0 +1,52 @@
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/direction.hpp>
+#include <nipref/fast/half_space/internal/direction_words.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using internal::Two;
+
+constexpr Two degree{0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62};
+
+Direction of_words(Two cosine, Two sine) { return {cosine.high, sine.high, cosine.low, sine.low}; }
+
+/// By Taylor's series, |angle| <= pi/4: what follows after these terms is below 2^-117.
+Direction of_small_angle(Two angle) {
+  constexpr Two one{1};
+  const Two squared = square(angle);
+  Two cosine = one, sine = one;
+  for (int k = 28; k > 0; k -= 2) {
+    cosine = one - squared * cosine / (k * (k - 1.));
+    sine = one - squared * sine / (k * (k + 1.));
+  }
+  return of_words(cosine, angle * sine);
+}
+
+}  // namespace
+
+Direction Direction::of_degrees(double degrees) {
+  if (!std::isfinite(degrees)) throw data::BadInput("degrees", degrees, "must be a finite number");
+  const double within_a_turn = std::fmod(degrees, 360), quarters = std::round(within_a_turn / 90);
+  const auto [c, s, c_low, s_low] = of_small_angle((within_a_turn - 90 * quarters) * degree);
+  switch (static_cast<int>(quarters + 4) % 4) {
+    case 0:
+      return {c, s, c_low, s_low};
+    case 1:
+      return {-s, c, -s_low, c_low};
+    case 2:
+      return {-c, -s, -c_low, -s_low};
+    default:
+      return {s, -c, s_low, -c_low};
+  }
+}
+
+Direction Direction::turned(Direction from) const {
+  using internal::cosine_of, internal::sine_of;
+  return of_words(cosine_of(*this) * cosine_of(from) - sine_of(*this) * sine_of(from),
+                  sine_of(*this) * cosine_of(from) + cosine_of(*this) * sine_of(from));
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,25 @@
+#pragma once
+#include <nipref/data/material/solids.hpp>
+#include <nipref/fast/half_space/direction.hpp>
+#include <nipref/fast/number/internal/two_words_algebra.hpp>
+
+namespace nipref::fast::internal {
+
+/// What an isotropic half-space answers along one line. Two words each: what cancels, and does so more and
+/// more towards the Rayleigh speed, keeps its digits. wS^2 = 1 - X, wD^2 = 1 - X/cD^2.
+struct IsotropicLine {
+  Two X;               ///< density c_X^2/shear, c_X the speed along the line
+  Two shear_decay;     ///< wS
+  Two pressure_decay;  ///< wD
+  Two defect;          ///< (1 - wS wD)/X, finite at rest
+  Two rayleigh;        ///< R/X, finite at rest
+  Two coupling;        ///< (2 - X - 2 wS wD)/X, finite at rest
+};
+
+/// cD^-2 = (1 - 2 nu)/(2 - 2 nu)
+Two inverse_squared_pressure_speed(double poisson);
+
+/// Arguments and bad input as of isotropic_response().
+IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
+}  // namespace nipref::fast::internal
