@@ -39,9 +39,10 @@ CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line, da
 }
 
 void check_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis, Direction motion,
-                 double speed) {
+                 double speed, SpeedUnit unit) {
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  const CriticalSpeed critical = critical_speed(line, axis, motion);
+  CriticalSpeed critical = critical_speed(line, axis, motion);
+  critical.speed /= unit.high;
   if (speed >= critical.speed) {
     throw data::BadInput("speed", speed,
                          fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
@@ -67,10 +68,10 @@ struct TransverselyIsotropicHalfSpace::Implementation {
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid,
                                                                data::SymmetryAxis axis, Direction motion,
-                                                               double speed, double speed_low)
+                                                               double speed, SpeedUnit unit)
     : implementation_(std::make_unique<const Implementation>(
-          Implementation{checked_line(solid, axis), {motion, {speed, speed_low}}, speed})) {
-  check_speed(implementation_->line, axis, motion, speed);
+          Implementation{checked_line(solid, axis), {motion, speed * Two{unit.high, unit.low}}, speed})) {
+  check_speed(implementation_->line, axis, motion, speed, unit);
 }
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =

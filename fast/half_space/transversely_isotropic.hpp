@@ -12,15 +12,21 @@ namespace nipref::fast {
 //   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
 //                 90 degrees in the surface
 //   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
-//   speed         unit of sqrt(modulus/density); speed_low is its second word, for those who convert it
+//   speed         in SpeedUnit, unit of sqrt(modulus/density)
 //   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a speed
 //                 that is negative or not subcritical on every line: data::BadInput
+
+/// The sum of two words, for those who count speeds in another unit: rounded to one it would be an error of
+/// every speed.
+struct SpeedUnit {
+  double high = 1, low = 0;
+};
 
 class TransverselyIsotropicHalfSpace {
  public:
   /// Some ten milliseconds, for the critical speed.
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
-                                 Direction motion, double speed, double speed_low = 0);
+                                 Direction motion, double speed, SpeedUnit unit = {});
   TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
   TransverselyIsotropicHalfSpace& operator=(TransverselyIsotropicHalfSpace&&) noexcept;
   ~TransverselyIsotropicHalfSpace();

@@ -116,8 +116,16 @@ std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const Surfac
   return lowest;
 }
 
+/// Of these the lowest, where a parabola fits at its vertex.
 CriticalLine approximate_critical_line(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  return std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
+  const CriticalLine lowest = std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
+  const auto f = [&](double psi) { return approximate_critical_speed(solid, motion, psi); };
+  constexpr double width = 0.02, noise = 1e-12;
+  const double left = f(lowest.psi - width), right = f(lowest.psi + width);
+  const double psi = lowest.psi + width * (left - right) / (2 * (left - 2 * lowest.speed + right));
+  if (!(std::fabs(psi - lowest.psi) < width)) return lowest;
+  const CriticalLine vertex{psi, f(psi)};
+  return vertex.speed < (1 + noise) * lowest.speed ? vertex : lowest;
 }
 
 /// How far psi may be from the vertex of a parabola, in its widths, to be sure of being near a smooth

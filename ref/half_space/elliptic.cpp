@@ -122,12 +122,13 @@ constexpr double slenderest = 1e-12;
 /// Hertz's axes within a few per cent, along and across the motion.
 Ellipse first_ellipse(const Float& curvature_ratio) { return {Float(0.62) * log(curvature_ratio), 0}; }
 
-/// With some room for that ellipse, which the compliance makes longer where it is peaked.
+/// With some room for that ellipse, which a peak of the compliance makes longer, up to the inverse of its width.
 CrowdedDirections directions_for(const SurfaceAnswer& surface, double curvature_ratio) {
   const auto [degrees, width] = peak_of_compliance(surface);
   const double slenderness = std::exp(-0.7 * std::fabs(std::log(curvature_ratio)));
-  const bool is_along = curvature_ratio >= 1;  // singular at |tan| = 1/slenderness
-  return {Exact(degrees), std::min(width, is_along ? 1 : slenderness), is_along ? 1 / slenderness : 1};
+  const bool is_along = curvature_ratio >= 1;  // then singular at |tan| = 1/slenderness
+  const double smallest = is_along ? width : std::min(width, slenderness);
+  return {Exact(degrees), smallest, 1 / (is_along ? std::min(width, slenderness) : width)};
 }
 
 /// `value` of the ellipse and K on lines, doubled until it changes no more.

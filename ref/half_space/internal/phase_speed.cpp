@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/acoustic_pencil.hpp>
 #include <nipref/ref/half_space/internal/impedance.hpp>
@@ -40,16 +42,22 @@ Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, con
 
 Float power_of_two(mpfr_prec_t exponent) { return ldexp(Float(1), exponent); }
 
-/// det M in intervals; nothing where the impedance is not proven.
+/// det M in intervals; nothing where the impedance is not proven, at that precision or, as moduli many powers
+/// of ten apart ask for, a few times that.
 std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDirection& psi,
                                     const Float& inertia, mpfr_prec_t precision) {
-  const auto impedance = surface_impedance(acoustic_matrices(solid, psi, point(inertia, precision)));
-  if (!impedance) return std::nullopt;
-  return hermitian_determinant(*impedance);
+  constexpr int most_attempts = 3;
+  for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
+    const auto impedance = surface_impedance(acoustic_matrices(solid, psi, point(inertia, precision)));
+    if (impedance) return hermitian_determinant(*impedance);
+  }
+  return std::nullopt;
 }
 
 /// w = sqrt(1 - inertia/limiting): near the limiting speed M is smooth in w.
 constexpr double nearest_w = 1.0 / (1 << 20);
+/// With which a bracket of the root lies below the limiting speed.
+constexpr mpfr_prec_t fewest_bits = 48;
 
 /// [root - d, root + d] with det M > 0 at the left and < 0 at the right, for the smallest d = root 2^-k, k <=
 /// bits, that proves it.
@@ -102,8 +110,8 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
 }
 
 std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
-                                             mpfr_prec_t bits) {
-  const mpfr_prec_t precision = 2 * bits + 64;
+                                             mpfr_prec_t wanted_bits) {
+  const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 2 * bits + 64;
   const WorkingDigits working(digits_of(precision));
   const Float limit = middle(limiting_inertia(solid, psi, 64));
   const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };

@@ -199,6 +199,20 @@ TEST_CASE("elliptic: force is the work of the approach") {
   check(EllipticContact(softer, {0.3, 1}).for_approach(1e-3).force, one.force.value / 3, 1e-14);
 }
 
+TEST_CASE("elliptic: a radius leads to the force that makes it, with an error") {
+  const EllipticContact contact(skew_line, {0.3, 1});
+  const EllipticLoad load = contact.for_force(0.02);
+  for (const double angle : {0.0, 0.7, 2.0}) {
+    const Direction psi = Direction::of_angle(angle);
+    const auto [ratio, error] = contact.radius_ratio(psi);
+    const EllipticLoad back = contact.for_radius(psi, ratio * load.semi_major.value);
+    CHECK(back.force.error > 0);
+    CHECK(std::fabs(back.force.value - 0.02) <= 2 * back.force.error);
+    CHECK(back.force.error < 1e-12 * 0.02);
+  }
+  CHECK_THROWS_AS(static_cast<void>(contact.for_radius({1, 0}, 0)), data::BadInput);
+}
+
 TEST_CASE("elliptic: skew solids under slender bodies") {
   for (const double ratio : {1e-10, 1e-5, 1e5, 1e10}) {
     const EllipticContact contact(skew_line, {ratio, 1});

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <complex>
@@ -19,6 +20,7 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
 
 using namespace nipref;
 using data::IsotropicSolid;
@@ -272,6 +274,37 @@ TEST_CASE("isotropic half-space: at rest, across the motion, and in the unit of 
   }
 }
 
+TEST_CASE("isotropic half-space: speeds near the critical one keep their digits in any unit") {
+  // v/sqrt(mu/rho), rounded, would cost 1e-7 at 1 - 1e-9 of the Rayleigh speed.
+  const IsotropicSolid solid{77.2e9, 0.3, 7860};
+  const Real shear_speed = sqrt(Real(solid.shear) / solid.density);
+  for (const double gap : {1e-3, 1e-6, 1e-9}) {
+    const double speed =
+        (1 - gap) * fast::isotropic_rayleigh_speed(solid.poisson) * static_cast<double>(shear_speed);
+    const Real X = pow(speed / shear_speed, 2), nu = solid.poisson;
+    const Real wS = sqrt(1 - X), wD = sqrt(1 - X * (1 - 2 * nu) / (2 - 2 * nu));
+    const Real compliance = X * wD / (4 * wS * wD - pow(2 - X, 2)) / solid.shear;
+    CHECK(deviation(fast::isotropic_response(solid, speed, {1, 0}).compliance, compliance) <= 2);
+  }
+}
+
+TEST_CASE("directions in degrees have two words, and none near 90 loses digits") {
+  for (const double degrees : {0.0, 1e-9, -30.0, 44.9, 45.1, 60.0, 89.999999999, 90.0, -135.5, 270.0, 1e6}) {
+    CAPTURE(degrees);
+    const Direction psi = Direction::of_degrees(degrees);
+    const Real angle = Real(degrees) * boost::math::constants::pi<Real>() / 180;
+    const auto close = [](double high, double low, const Real& truth) {
+      CHECK(abs(Real(high) + low - truth) <= 1e-30 * abs(truth) + 1e-95);
+    };
+    close(psi.cosine, psi.cosine_low, cos(angle));
+    close(psi.sine, psi.sine_low, sin(angle));
+    const Direction back = Direction::of_degrees(-degrees).turned(psi);
+    CHECK(std::fabs(back.sine + back.sine_low) < 1e-31);
+    CHECK(std::fabs(back.cosine - 1 + back.cosine_low) < 1e-31);
+  }
+  CHECK_THROWS_AS(Direction::of_degrees(not_a_number), data::BadInput);
+}
+
 TEST_CASE("isotropic Rayleigh speed: the function changes its sign within a double of it") {
   for (const double poisson : {-0.99, -0.5, 0.0, 0.25, 0.4, 0.499999}) {
     const double speed = fast::isotropic_rayleigh_speed(poisson);
@@ -369,6 +402,31 @@ TEST_CASE("critical speed: there the first line meets a Rayleigh wave or a bulk 
       }
     }
   }
+}
+
+TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than a degree") {
+  const auto check = [](const TransverselyIsotropicSolid& solid, double theta, double shallow_psi) {
+    const Direction motion = Direction::of_degrees(theta);
+    const double speed = fast::critical_speed(solid, SymmetryAxis::in_plane, motion).speed;
+    const auto truth = ref::critical_speed(ref::exact_stiffness(solid, SymmetryAxis::in_plane),
+                                           ref::SurfaceDirection::of_degrees(ref::Exact(theta)), 20);
+    CHECK(std::fabs(truth.speed.error_of(speed)) <= 4 * ulp * speed);
+    // Where a coarser search ends, it is higher.
+    CHECK(fast::rayleigh_speed(solid, SymmetryAxis::in_plane, motion, Direction::of_degrees(shallow_psi)) >
+          (1 + 1e-10) * speed);
+  };
+  // Bottoms 0.03 degrees from the axis, on both sides of a crest.
+  check({8732.615966221072, 5.206161640027693, -186.282880027052, 1.252853292229777, 96.63621997752217,
+         1218.5079266280632},
+        90, 90);
+  // The motion a little to one side: the bottom there is the deeper one.
+  check({220132.35025845337, 7092.6140465015633, -22778.492806939132, 6.5980425342776119, 24.175487831893292,
+         1.7000442657209416},
+        90.00029295089729, 89.86824728);
+  // 0.3 degrees wide, 6 degrees off, where a surface wave passes from one bulk wave to another.
+  check({639.57693616129563, 0.2194159096995234, 6.9861913661117745, 43.742275887327871, 2.7515726557945337,
+         2.1816122195484344},
+        90, 90);
 }
 
 TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and beyond the critical speed") {

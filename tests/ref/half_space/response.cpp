@@ -454,6 +454,19 @@ TEST_CASE("a search for a root of what is no number finds nothing") {
         doctest::Approx(std::sqrt(0.3)).epsilon(1e-15));
 }
 
+TEST_CASE("surface waves next to the limiting speed and moduli powers of ten apart are proven") {
+  // Stiff along the surface: 1 - v/v_limit = C44^2/(2 C11 C33) in the limit.
+  for (const double stiff : {1e7, 1e9}) {
+    const auto solid =
+        ref::sagittal_stiffness(data::TransverselyIsotropicSolid{stiff, 160.7, 6.44, 7.07, 3.5, 1});
+    const auto wave = ref::surface_wave_speed(solid, degrees(0), degrees(0), 30);
+    REQUIRE(wave.has_value());
+    const Float limit = sqrt(Float(7.07));
+    CHECK(static_cast<double>(1 - value(*wave) / limit) ==
+          doctest::Approx(7.07 * 7.07 / (2 * stiff * 160.7)).scale(0).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("where no proof is found, that is said of the solid") {
   // Moduli so far apart that a double sees nothing of the smaller ones.
   const auto solid = ref::exact_stiffness(data::TransverselyIsotropicSolid{2e-60, 1e60, 0, 1e-60, 1e-60, 1},

@@ -24,3 +24,14 @@ TEST_CASE("a rolling sphere has the shape found before") {
   CHECK_THROWS_AS((void)ref::rolling_span_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(90.0), 101),
                   data::BadInput);
 }
+
+TEST_CASE("the reference's rolling sphere keeps its digits where K Knn - S^2 vanishes") {
+  const double rayleigh = 0.92741270970293665;  // nu = 0.3
+  const auto surface = isotropic_surface(0.3, (1 - 1e-13) * rayleigh);
+  const auto agree = [](const ref::Estimated& few, const ref::Estimated& many) {
+    const ref::Float off = abs(ref::to_float(few.value) - ref::to_float(many.value));
+    CHECK(off <= ref::to_float(few.error) + ref::to_float(many.error));
+  };
+  agree(ref::rolling_index(surface, Exact(0.0), 30), ref::rolling_index(surface, Exact(0.0), 60));
+  agree(ref::rolling_span_ratio(surface, Exact(90.0), 30), ref::rolling_span_ratio(surface, Exact(90.0), 60));
+}

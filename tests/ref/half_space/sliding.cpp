@@ -21,6 +21,21 @@ TEST_CASE("the reference's sliding contact at rest without friction is a circle 
         doctest::Approx(2 * std::numbers::pi / 3 / 8 / 0.75).epsilon(1e-14));
 }
 
+TEST_CASE("the reference's sliding contact next to the critical speed") {
+  // K = 1/(1 - c cos^2), no friction: F/(C L^3) = (1/12) int K^2 dpsi/K(0)^3 = (pi/12) (1 - c)^(3/2) (1 - c/2).
+  for (const double gap : {1e-3, 2e-6, 1e-9}) {
+    const ref::SurfaceAnswer peaked = [gap](const Exact& degrees, int digits) -> ref::LineAnswer {
+      const ref::WorkingDigits working(digits + 20);
+      const ref::Float s = sin(ref::to_float(degrees) * ref::pi() / 180), none = 0;
+      const ref::Float compliance = 1 / (gap + (1 - ref::Float(gap)) * s * s);
+      return {ref::to_real(compliance), ref::to_real(none), ref::to_real(none), ref::to_real(none)};
+    };
+    CHECK(
+        ref::sliding_force(peaked, Exact(0.0), 20).to_double() ==
+        doctest::Approx(std::numbers::pi / 12 * std::pow(gap, 1.5) * (1 + gap) / 2).scale(0).epsilon(1e-14));
+  }
+}
+
 TEST_CASE("a moving sliding contact has the shape found before") {
   // With cD^2 = 4 what Table 1 of brock2012 should have for c = 0.6, gamma = 0.
   CHECK(ref::sliding_span_ratio(isotropic_surface(1.0 / 3, 0.6), Exact(0.0), Exact(90.0), 18).to_double() ==

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <nipref/data/scene/file.hpp>
+#include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/refused_scene.hpp"
@@ -66,6 +67,46 @@ TEST_CASE("force and span lead to the same contact, by either rule") {
                spans + isotropic + die + sliding("0.9") + "[contact]\nspan_along = " + span + "\n" + method,
                1e-13);
   }
+}
+
+TEST_CASE("estimates of contacts on half-spaces cover what roundings leave next to the critical speed") {
+  // The Rayleigh speed of nu = 1/4 is sqrt(2 - 2/sqrt(3)), here times sqrt(3.1/1.9): 1.174381882.
+  const std::string solid =
+      "[half_space]\nmodel = \"isotropic\"\nshear = 3.1\npoisson = 0.25\ndensity = 1.9\n";
+  for (const char* speed : {"1.1743", "1.174381", "1.17438188"}) {
+    CAPTURE(speed);
+    const auto contact = solved(wanting("\"compliance\", \"coupling\"") + solid + die + sliding(speed) +
+                                load + rule + "[profile]\npositions = [0.0, 1e-3, 20.0]\n");
+    const auto surface = [&](double degrees) {
+      const ref::Exact shear(3.1), density(1.9), at(std::stod(speed));
+      return ref::line_response(
+          ref::sagittal_stiffness(ref::ExactTransverse::isotropic(shear, ref::Exact(0.25), density)), at,
+          ref::SurfaceDirection::of_degrees(ref::Exact(0.0)),
+          ref::SurfaceDirection::of_degrees(ref::Exact(degrees)), 30);
+    };
+    for (std::size_t i = 0; i < contact.positions.size(); ++i) {
+      const auto truth = surface(contact.positions[i]);
+      const fast::Estimate compliance = contact.profile("compliance")[i];
+      const fast::Estimate coupling = contact.profile("coupling")[i];
+      CHECK(std::fabs(truth.compliance.error_of(compliance.value)) <= compliance.error);
+      CHECK(std::fabs(truth.coupling.error_of(coupling.value)) <= coupling.error);
+      CHECK(compliance.error < 1e-14 * compliance.value);
+    }
+  }
+}
+
+TEST_CASE("what follows from a given span has an error, by either rule") {
+  for (const std::string& method : {exact, rule}) {
+    const auto contact =
+        solved(spans + isotropic + die + sliding("0.9") + "[contact]\nspan_along = 0.1\n" + method);
+    for (const char* name : {"span_across", "normal_force", "peak_pressure"}) {
+      CAPTURE(name);
+      CHECK(contact[name].error > 0);
+      CHECK(contact[name].error < 1e-12 * contact[name].value);
+    }
+  }
+  const auto roll = solved(spans + isotropic + rolling + "[contact]\nspan_along = 0.1\n" + rule);
+  CHECK(roll["normal_force"].error > 0);
 }
 
 TEST_CASE("an isotropic solid is the same by all five of its constants") {

@@ -5,7 +5,6 @@
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
-#include <nipref/fast/number/two_words.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
@@ -14,11 +13,10 @@ namespace nipref::verify {
 namespace {
 
 using data::seed::graphite_epoxy;
-using fast::internal::Two;
 
 // Of the seed's steel in two words: 77.2 and sqrt(77.2/7860), as the decimals stand.
-constexpr Two steel_shear{0x1.34ccccccccccdp+6, -0x1.999999999999ap-49};
-constexpr Two steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
+constexpr double steel_shear = 0x1.34ccccccccccdp+6, steel_shear_low = -0x1.999999999999ap-49;
+constexpr fast::SpeedUnit steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
 
 /// With the axis normal to the surface, waves polarised across the line have no part in u3 and may be
 /// overtaken.
@@ -94,15 +92,12 @@ data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
 
 fast::TransverselyIsotropicHalfSpace transverse_surface_at(Doubles x, std::size_t at, double theta_deg,
                                                            double speed) {
-  const Two physical = steel_shear_speed * Two{speed};
-  return {transverse_at(x, at), axis_at(x, at), fast::Direction::of_degrees(theta_deg), physical.high,
-          physical.low};
+  return {transverse_at(x, at), axis_at(x, at), fast::Direction::of_degrees(theta_deg), speed,
+          steel_shear_speed};
 }
 
 fast::LineResponse in_steel(const fast::LineResponse& line) {
-  const auto scaled = [](double answer) {
-    return std::fma(answer, steel_shear.high, answer * steel_shear.low);
-  };
+  const auto scaled = [](double answer) { return std::fma(answer, steel_shear, answer * steel_shear_low); };
   return {scaled(line.compliance), scaled(line.coupling), scaled(line.coupling_across)};
 }
 
