@@ -2,30 +2,40 @@
 #include <memory>
 
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 
-/// The continuous frictionless contact of an elastic nip in multiprecision: pressure sqrt(1 - t^2) sum_{k <
-/// terms} c_k U_2k(t), t = 2Y/L, the logarithm of I1 acting on it in closed form, the analytic rest by
-/// Gauss-Chebyshev with values of ref::I1; terms are added, half as many again each time, until the digits
-/// are there. Inputs are doubles taken exactly; units as in data::ElasticNip.
+/// The continuous frictionless contact of an elastic nip, pressure bounded at both ends, with proven bounds:
+/// pressure sqrt(1 - t^2) sum_k c_k U_2k(t), t = 2Y/L, the logarithm of I1 acting on it in closed form, the
+/// analytic rest by Gauss-Chebyshev from ref::I1. The residual of the coefficients is enclosed in interval
+/// arithmetic, for all rows of the infinite system, and divided by a lower bound of its quadratic form; see
+/// internal/proven_expansion.hpp. Inputs are doubles taken exactly; units as in data::ElasticNip. (thesis
+/// 2.2, 5.3; continuous form)
 ///
-/// Errors are estimated from the last two differences d0 and d1 as 10 d1^2/d0. (thesis 2.2, 5.3; continuous
-/// form)
+/// Bounds are at most 10^-digits of the value for contact_length, load, indentation and peak_pressure, of the
+/// largest value for pressures and displacements elsewhere; where a length found for a load is not known to
+/// so much as the distance of Y from the ends, more. Y is the distance from the middle of the nip, finite;
+/// BadInput otherwise, and for displacements farther than 450 sheet thicknesses away.
+///
+/// One object must not be used by two threads at once.
 class ConvergedElasticNip {
  public:
   ConvergedElasticNip(ConvergedElasticNip&&) noexcept;
   ~ConvergedElasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;
-  [[nodiscard]] Estimated load() const;
-  [[nodiscard]] Estimated indentation() const;
-  [[nodiscard]] Estimated edge_displacement() const;
-  /// At distance y from the middle, finite; 0 outside the contact. BadInput otherwise.
-  [[nodiscard]] Estimated pressure(double y) const;
-  [[nodiscard]] int terms() const;           ///< of the expansion
-  [[nodiscard]] long kernel_values() const;  ///< of I1, taken so far
+  [[nodiscard]] Enclosure contact_length() const;     ///< L, unit of length
+  [[nodiscard]] Enclosure load() const;               ///< W, force per unit width
+  [[nodiscard]] Enclosure indentation() const;        ///< d0, unit of length
+  [[nodiscard]] Enclosure edge_displacement() const;  ///< d1 = d0 - L^2/(8R), unit of length
+  [[nodiscard]] Enclosure creep_ratio() const;        ///< (2/L) v(L/2)
+  /// Unit of stress. That the pressure is nowhere larger than in the middle is proven for each contact.
+  [[nodiscard]] Enclosure peak_pressure() const;
+  [[nodiscard]] Enclosure pressure(double y) const;                 ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Enclosure normal_displacement(double y) const;      ///< u, towards the middle plane
+  [[nodiscard]] Enclosure tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  [[nodiscard]] int terms() const;                                  ///< of the expansion
+  [[nodiscard]] long kernel_values() const;                         ///< of I1, taken so far
 
  private:
   struct Implementation;
@@ -35,13 +45,19 @@ class ConvergedElasticNip {
   friend ConvergedElasticNip converged_for_load(const data::ElasticNip&, double, int);
 };
 
-/// Contact of the given length: > 0, L <= R and 1e-6 <= L/B <= 20, beyond which an expansion over the whole
-/// contact needs too many terms. digits: 16 to 100. BadInput otherwise, and naming the digits where 900 terms
-/// do not give them, which is the case of long contacts and many digits.
+/// Contact of the given length: > 0, L <= R and 1e-8 <= L/B <= 80. digits: 16 to 100. BadInput otherwise, and
+/// naming the digits where 2200 terms do not give them: beyond a few sheet thicknesses an expansion over the
+/// whole contact needs about L/B (digits + 20) 0.6 of them, and the time grows with their square.
 ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, with a length and digits as above; BadInput
 /// otherwise.
+///
+/// Only one length does. With q the derivative of the pressure and V the kernel's operator, V q = -2y on (-A,
+/// A), and the load is -int y q dy = (1/2) int q V q dy, the largest value of -int 2y r dy - (1/2) int r V r
+/// dy over all odd r on (-A, A), as V is positive definite. Lengthened by a factor l >= 1 the solution for A
+/// is such an r for lA, for which that is at least l^2 times as much, as x K(x) rises (proven_expansion.hpp).
+/// So W(lA) >= l^2 W(A): the length that carries W lies between A and A sqrt(W/W(A)) for any A.
 ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load, int digits);
 
 }  // namespace nipref::ref

@@ -36,16 +36,21 @@ Interval operator*(const Interval& x, const Interval& y) { return apply<mpfi_mul
 Interval operator/(const Interval& x, const Interval& y) { return apply<mpfi_div>(x, y); }
 Interval operator+(const Interval& x, long y) { return x + Interval(y, x.precision()); }
 Interval operator-(const Interval& x, long y) { return x - Interval(y, x.precision()); }
+Interval operator-(long x, const Interval& y) { return Interval(x, y.precision()) - y; }
 Interval operator*(long x, const Interval& y) { return Interval(x, y.precision()) * y; }
 Interval operator/(const Interval& x, long y) { return x / Interval(y, x.precision()); }
 Interval operator/(long x, const Interval& y) { return Interval(x, y.precision()) / y; }
 Interval exp(const Interval& x) { return apply<mpfi_exp>(x); }
 Interval expm1(const Interval& x) { return apply<mpfi_expm1>(x); }
+Interval log(const Interval& x) { return apply<mpfi_log>(x); }
 Interval log1p(const Interval& x) { return apply<mpfi_log1p>(x); }
 Interval sqrt(const Interval& x) { return apply<mpfi_sqrt>(x); }
 Interval square(const Interval& x) { return apply<mpfi_sqr>(x); }
 Interval cosh(const Interval& x) { return apply<mpfi_cosh>(x); }
 Interval sinh(const Interval& x) { return apply<mpfi_sinh>(x); }
+Interval sin(const Interval& x) { return apply<mpfi_sin>(x); }
+Interval cos(const Interval& x) { return apply<mpfi_cos>(x); }
 Interval acos(const Interval& x) { return apply<mpfi_acos>(x); }
+Interval atan(const Interval& x) { return apply<mpfi_atan>(x); }
 
 }  // namespace nipref::ref

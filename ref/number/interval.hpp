@@ -60,16 +60,21 @@ Interval operator*(const Interval& x, const Interval& y);
 Interval operator/(const Interval& x, const Interval& y);
 Interval operator+(const Interval& x, long y);
 Interval operator-(const Interval& x, long y);
+Interval operator-(long x, const Interval& y);
 Interval operator*(long x, const Interval& y);
 Interval operator/(const Interval& x, long y);
 Interval operator/(long x, const Interval& y);
 Interval exp(const Interval& x);
 Interval expm1(const Interval& x);
+Interval log(const Interval& x);
 Interval log1p(const Interval& x);
 Interval sqrt(const Interval& x);
 Interval square(const Interval& x);
 Interval cosh(const Interval& x);
 Interval sinh(const Interval& x);
+Interval sin(const Interval& x);
+Interval cos(const Interval& x);
 Interval acos(const Interval& x);
+Interval atan(const Interval& x);
 
 }  // namespace nipref::ref

@@ -53,10 +53,10 @@ struct SceneSolution {
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
-/// scene's accuracy is not used. It has, of elastic nips only, and refuses with BadInput whatever else the
-/// scene says or wants:
-/// - the continuous contact without friction, with estimated errors: contact_length, load, indentation,
-///   edge_displacement, peak_pressure, pressure; digits from 16 to 100 (ref/elastic_nip/converged.hpp);
+/// scene's accuracy is not used. It has, of elastic nips only, and refuses with BadInput whatever else the scene
+/// says or wants:
+/// - the continuous contact without friction, with proven bounds; digits from 16 to 100
+///   (ref/elastic_nip/converged.hpp);
 /// - line loads of given contact length, with friction of given creep ratio, no residue_terms: load,
 ///   indentation, edge_displacement, with proven bounds on the error of the discrete system, not of its
 ///   distance to the continuous contact; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp).

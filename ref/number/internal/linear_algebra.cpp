@@ -184,6 +184,30 @@ DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right)
   return right;
 }
 
+void factor_positive(DenseMatrix<double>& matrix) {
+  const Index size = matrix.rows();
+  for (Index k = 0; k < size; ++k) {
+    const double diagonal = std::sqrt(matrix(k, k));
+    for (Index i = k; i < size; ++i) matrix(i, k) /= diagonal;
+    for (Index column = k + 1; column < size; ++column) {
+      const double factor = matrix(column, k);
+      for (Index i = column; i < size; ++i) matrix(i, column) -= factor * matrix(i, k);
+    }
+  }
+}
+
+void solve_factored(const DenseMatrix<double>& factor, DenseMatrix<double>& right) {
+  const Index size = factor.rows();
+  for (Index k = 0; k < size; ++k) {
+    right(k) /= factor(k, k);
+    for (Index i = k + 1; i < size; ++i) right(i) -= factor(i, k) * right(k);
+  }
+  for (Index k = size - 1; k >= 0; --k) {
+    for (Index i = k + 1; i < size; ++i) right(k) -= factor(i, k) * right(i);
+    right(k) /= factor(k, k);
+  }
+}
+
 template <class Scalar>
 SymmetricEigen<Scalar> symmetric_eigen(DenseMatrix<Scalar> matrix) {
   const Index size = matrix.rows();

@@ -64,6 +64,11 @@ Float norm(const Matrix& x);
 template <class Scalar>
 DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right);
 
+/// Cholesky's factor of a positive definite matrix in place of its lower triangle; and with it the solution in
+/// place of the right-hand side.
+void factor_positive(DenseMatrix<double>& matrix);
+void solve_factored(const DenseMatrix<double>& factor, DenseMatrix<double>& right);
+
 /// Of a symmetric matrix: eigenvalues ascend, unit vectors are the columns.
 template <class Scalar>
 struct SymmetricEigen {

@@ -1,0 +1,57 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
+#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+/// A place t >= 0 on the surface, in half lengths of the contact from its middle, by 1 - t: so that the
+/// distance from the end is known as well as t.
+struct Place {
+  Interval before_end;
+};
+
+/// What follows from a proven expansion, in half-thicknesses b, pressures in b/(2 R N), displacements in
+/// b^2/(2R). Intervals contain the truth for each half length of the expansion's.
+class ContactFunctionals {
+ public:
+  ContactFunctionals(ProvenExpansion expansion, SmoothKernel& kernel, double nats);
+
+  [[nodiscard]] const Interval& half_length() const { return expansion_.half_length; }
+  [[nodiscard]] int terms() const { return static_cast<int>(size()); }
+  [[nodiscard]] Interval load() const;                        ///< pi A^2 c_0
+  [[nodiscard]] Interval pressure(const Place& place) const;  ///< 0 outside
+  [[nodiscard]] Interval indentation() const;
+  /// Towards the middle plane: d0 - A^2 t^2 in the contact.
+  [[nodiscard]] Interval normal_displacement(const Place& place) const;
+  /// Along the surface, away from the middle; theta2/N of the sheet.
+  [[nodiscard]] Interval tangential_displacement(const Place& place, const Interval& beta) const;
+  /// Whether the pressure given by the coefficients falls from the middle to the ends, as a proof; then the
+  /// largest pressure is that in the middle, to the same error. p' = -2A t F(phi)/sqrt(1 - t^2), t =
+  /// sin(phi), F a sum of cosines that is at most its slope times half a cell from its value in the middle of
+  /// a cell.
+  [[nodiscard]] bool falls_outwards() const;
+
+ private:
+  [[nodiscard]] Interval coefficient(long m) const;
+  [[nodiscard]] long size() const { return static_cast<long>(expansion_.coefficients.size()); }
+  [[nodiscard]] Interval normal_by_pressure(const Place& place) const;
+  [[nodiscard]] Interval tangential_by_pressure(const Place& place, const Interval& beta) const;
+  [[nodiscard]] Interval pressure_between(const Place& place) const;
+  /// int k(A (t - s)) p/(2A) ds, |k| <= largest.
+  template <class Kernel>
+  [[nodiscard]] Interval smooth_integral(const Place& place, const Kernel& kernel,
+                                         const Interval& largest) const;
+
+  ProvenExpansion expansion_;
+  SmoothKernel& kernel_;
+  double nats_;
+  mutable std::optional<Interval> indentation_;
+  std::vector<Interval> nodes_;           ///< s_j > 0
+  std::vector<Interval> node_pressures_;  ///< sqrt(1 - s_j^2) p(s_j)/(2A)
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,111 @@
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
+#include <nipref/ref/number/internal/cosines.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr long half_panels_per_unit = 8;
+constexpr double ratio = 28;       ///< of one coefficient's bound to the next's
+constexpr double variation = 127;  ///< M
+constexpr long watched = 3;        ///< last coefficients of a panel: a wrong value shows in some of them
+
+/// The middle of a panel, in half panels.
+long middle_of_panel(long index) { return 2 * index + 1; }
+
+/// Bound on the n-th Chebyshev coefficient, twice 2 M/28^n: what is folded onto it is far smaller than it.
+Interval coefficient_bound(long n, mpfr_prec_t precision) {
+  Interval result(4 * variation, precision);
+  for (long k = 0; k < n; ++k) result = result / static_cast<long>(ratio);
+  return result;
+}
+
+bool is_above(const Interval& x, const Interval& bound) {
+  Real smallest(x.precision());
+  mpfi_mig(smallest.get(), x.get());
+  return mpfr_greater_p(smallest.get(), bound.upper()) != 0;
+}
+
+/// sum_n c_n T_n(x), |x| <= 1, by Clenshaw's recurrence b_n = c_n + 2 x b_{n+1} - b_{n+2}. What rounding
+/// changes in b_n, at most 4 units of |c_n| + 2 |b_{n+1}| + |b_{n+2}|, acts as a change of c_n; |b_n| is at
+/// most the sum of all (k + 1) |c_k|.
+Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x) {
+  Float now, last, next;
+  Float twofold = 2 * x;
+  for (std::size_t n = coefficients.size(); n-- > 0;) {
+    const Float& factor = n == 0 ? x : twofold;
+    mpfr_mul(next.get(), factor.get(), now.get(), MPFR_RNDN);
+    mpfr_sub(next.get(), next.get(), last.get(), MPFR_RNDN);
+    mpfr_add(next.get(), next.get(), coefficients[n].get(), MPFR_RNDN);
+    mpfr_swap(last.get(), now.get());
+    mpfr_swap(now.get(), next.get());
+  }
+  return now;
+}
+
+}  // namespace
+
+SmoothKernel::SmoothKernel(NormalKernel kernel, int digits)
+    : kernel_(std::move(kernel)),
+      nats_(digits * std::numbers::ln10),
+      points_(2 + std::lround(std::ceil((nats_ + std::log(19)) / std::log(ratio)))) {}
+
+/// At the nodes of a panel, the first of which is nearest to its upper end.
+std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosines) const {
+  std::vector<Interval> values;
+  for (long k = 0; k < points_; ++k) {
+    const Interval node = (cosines(2 * k + 1) + middle_of_panel(index)) / half_panels_per_unit;
+    const Float near = middle_of(node);
+    const Interval value = kernel_(to_exact(near), nats_) + log(interval_of(near));
+    values.push_back(value.widened(2 * distance_from(near, node)));
+  }
+  return values;
+}
+
+SmoothKernel::Coefficients SmoothKernel::make_panel(long index) {
+  const mpfr_prec_t precision = precision_here();
+  const Cosines cosines(points_, precision);
+  const std::vector<Interval> values = node_values(index, cosines);
+  Coefficients coefficients;
+  // Of the interpolation, of the coefficients, of Clenshaw's sum and of x in it.
+  Interval error = coefficient_bound(points_ - 1, precision) / static_cast<long>(ratio - 1);
+  const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
+  for (long n = 0; n < points_; ++n) {
+    Interval coefficient(precision);
+    for (long k = 0; k < points_; ++k) {
+      coefficient = coefficient + values[static_cast<std::size_t>(k)] * cosines(n * (2 * k + 1));
+    }
+    coefficient = (n == 0 ? 1 : 2) * coefficient / points_;
+    if (n >= points_ - watched && is_above(coefficient, coefficient_bound(n, precision))) {
+      throw std::logic_error("kernel values that no analytic function has");
+    }
+    const Float near = middle_of(coefficient);
+    error = error + distance_from(near, coefficient) +
+            (16 * points_ * (n + 1)) * (magnitude_of(coefficient) * unit);
+    coefficients.push_back(near);
+  }
+  const Float bound = upper_end(error + 1024 * unit);
+  if (bound > error_) error_ = bound;
+  return coefficients;
+}
+
+Float SmoothKernel::operator()(const Float& alpha) {
+  const Float place = half_panels_per_unit * abs(alpha);
+  const long index = mpfr_get_si(place.get(), MPFR_RNDD) / 2;
+  auto panel = panels_.find(index);
+  if (panel == panels_.end()) panel = panels_.emplace(index, make_panel(index)).first;
+  return chebyshev_sum(panel->second, place - middle_of_panel(index));
+}
+
+Interval SmoothKernel::over(const Interval& alpha) {
+  const Float near = middle_of(alpha);
+  const Interval value = interval_of((*this)(near));
+  return value.widened(interval_of(error_) + 2 * distance_from(near, alpha));
+}
+
+}  // namespace nipref::ref

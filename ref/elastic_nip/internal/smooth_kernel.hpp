@@ -1,0 +1,60 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <vector>
+
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/internal/cosines.hpp>
+#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+/// ref's I1 or what stands in for it in a test: an interval of half-width about e^{-nats} that contains
+/// the value at alpha > 0.
+using NormalKernel = std::function<Interval(const Exact& alpha, double nats)>;
+
+/// What of I1 is analytic, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1: interpolated at Chebyshev
+/// points on panels of length 1/4, each made when it is first met.
+///
+/// With g(x) = x K(x), K the symbol of I1,
+///
+///     1 - g(x) = (1 + 2x - e^{-2x})/(sinh 2x + 2x) <= 2 (1 + 2x) e^{-2x},    x >= 0
+///
+/// (multiplied out this is e^{-2x} (1 - e^{-2x} + 4x + 8x^2 - 2x e^{-2x}) >= 0), so that J, even, with
+/// J'(z) = int_0^inf (1 - g) sin(zx) dx, is analytic for |Im z| < 2, where |J'(z)| <= Q(|Im z|),
+///
+///     Q(y) = int_0^inf (1 - g(x)) e^{yx} dx <= 2/(2 - y) + 4/(2 - y)^2.
+///
+/// On the real axis |J'| <= Q(0) <= 2. The ellipse with the ends of a panel as foci and semi-minor axis 7/4
+/// has semi-axes that sum to more than 28 of the panel's half lengths; on it J differs from its value in the
+/// middle by at most M = 1.76 Q(7/4) < 127. Hence the n-th Chebyshev coefficient is at most 2 M/28^n, and
+/// interpolation at n points is off by at most 4 M/28^{n-1}/27. (Trefethen, Approximation Theory and
+/// Approximation Practice, 8.1, 8.2)
+class SmoothKernel {
+ public:
+  /// To about `digits` digits after the point; the working precision shall be a few more.
+  SmoothKernel(NormalKernel kernel, int digits);
+
+  /// J at |alpha| <= 1000, to error(). std::logic_error if the kernel's values cannot be those of I1: the
+  /// last coefficients of a panel are larger than any function with this bound has them.
+  [[nodiscard]] Float operator()(const Float& alpha);
+  /// J on all of an interval.
+  [[nodiscard]] Interval over(const Interval& alpha);
+  /// Bound on the error of every value given so far.
+  [[nodiscard]] const Float& error() const { return error_; }
+  [[nodiscard]] long kernel_values() const { return static_cast<long>(panels_.size()) * points_; }
+
+ private:
+  using Coefficients = std::vector<Float>;
+  Coefficients make_panel(long index);
+  [[nodiscard]] std::vector<Interval> node_values(long index, const Cosines& cosines) const;
+
+  NormalKernel kernel_;
+  double nats_;
+  long points_;  ///< of a panel
+  std::map<long, Coefficients> panels_;
+  Float error_ = 0;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+
+#include <nipref/ref/elastic_nip/internal/functionals.hpp>
+#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
+#include <nipref/ref/number/exact.hpp>
+
+namespace nipref::ref {
+
+/// How many digits each part of a solution is computed to.
+struct ContactPrecision {
+  int expansion;  ///< the coefficients' radius
+  int kernel;     ///< after the point
+  int working;
+};
+
+/// The half length that carries a load, good to 1e-11 of it or so, from one good to a tenth. Not proven.
+double near_half_length(const Exact& load, double guess);
+
+/// A frictionless contact solved and proven, in the units of ContactFunctionals, so that its results have the
+/// digits asked for. Half lengths in half-thicknesses. The kernel is ref's I1 unless a test has another.
+class SolvedContact {
+ public:
+  /// BadInput "digits" where most_terms do not suffice.
+  static SolvedContact of_half_length(const Exact& half_length, int digits, NormalKernel kernel);
+  /// The same, `near` being near_half_length() of the load.
+  static SolvedContact of_load(const Exact& load, double near, int digits, NormalKernel kernel);
+
+  [[nodiscard]] int digits() const { return digits_; }
+  [[nodiscard]] int working_digits() const { return precision_.working; }
+  [[nodiscard]] long kernel_values() const { return kernel_->kernel_values(); }
+  /// To be called at working_digits().
+  [[nodiscard]] const ContactFunctionals& operator*() const { return *functionals_; }
+  [[nodiscard]] const ContactFunctionals* operator->() const { return functionals_.get(); }
+
+ private:
+  SolvedContact(int digits, const ContactPrecision& precision, NormalKernel kernel);
+  void finish(const ChebyshevSystem& system, const Vector& coefficients, const Interval& half_length);
+
+  int digits_;
+  ContactPrecision precision_;
+  std::unique_ptr<SmoothKernel> kernel_;
+  std::unique_ptr<ContactFunctionals> functionals_;
+};
+
+}  // namespace nipref::ref

@@ -1,0 +1,135 @@
+// What the proof of the reference's contact rests on, and that it notices what is wrong.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
+#include <nipref/ref/elastic_nip/internal/solved_contact.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+
+using namespace nipref::ref;
+
+namespace {
+
+double upper_bound(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
+double lower_bound(const Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
+double width(const Interval& x) { return upper_bound(x - interval_of(middle_of(x))); }
+bool meet(const Interval& x, const Interval& y) { return mpfi_cmp(x.get(), y.get()) == 0; }
+
+Interval load_of(double half_length, int digits, const NormalKernel& kernel) {
+  const auto contact = SolvedContact::of_half_length(Exact(half_length), digits, kernel);
+  const WorkingDigits working(contact.working_digits());
+  return contact->load();
+}
+
+/// I1, but for the value that is asked for after `count` others.
+NormalKernel wrong_once(int count, const Interval& error) {
+  return [=, left = count](const Exact& alpha, double nats) mutable {
+    const Interval value = I1_interval(alpha, nats);
+    return left-- == 0 ? value + error : value;
+  };
+}
+
+}  // namespace
+
+TEST_CASE("the contact's smooth kernel is I1 with its logarithm added, within its error") {
+  const WorkingDigits working(50);
+  SmoothKernel smooth(I1_interval, 40);
+  for (const double alpha : {1e-30, 0.001, 0.1, 0.25, 0.7300001, 1.9, 2.0, 7.3, 41.37}) {
+    CAPTURE(alpha);
+    const Interval truth = I1_interval(Exact(alpha), 110) + log(Interval(alpha, precision_here()));
+    CHECK(meet(truth, smooth.over(Interval(alpha, precision_here()))));
+    CHECK(smooth(Float(-alpha)) == smooth(Float(alpha)));
+  }
+  CHECK(static_cast<double>(smooth.error()) < 1e-38);
+}
+
+TEST_CASE("a wrong kernel value in the 25th digit makes the proof fail, one known to no more widens it") {
+  const Interval error(1e-25, 64);
+  for (const double half_length : {1e-6, 0.5, 1.5}) {
+    CAPTURE(half_length);
+    const Interval truth = load_of(half_length, 30, I1_interval);
+    CHECK(width(truth) <= 1e-30 * upper_bound(truth));
+    for (const int count : {0, 7, 16, 23, 29}) {
+      CAPTURE(count);
+      CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, error)), std::logic_error);
+      CHECK_THROWS_AS(load_of(half_length, 30, wrong_once(count, -error)), std::logic_error);
+      const Interval wide = load_of(half_length, 30, wrong_once(count, either_side(error)));
+      CHECK(meet(wide, truth));
+      CHECK(width(wide) > 1e4 * width(truth));
+    }
+  }
+}
+
+TEST_CASE("the contact's quadratic form is at least what the proof takes for it") {
+  const WorkingDigits working(25);
+  SmoothKernel smooth(I1_interval, 20);
+  for (const double half_length : {1e-3, 0.3, 1.0, 3.0, 10.0}) {
+    CAPTURE(half_length);
+    const int n = size_for(half_length, 6);
+    const ChebyshevSystem system(Float(half_length), n, smooth);
+    const auto cosine = [&](int m, int i) {
+      return mpfr_get_d(system.cosines()((2L * m + 1) * (2L * i + 1)).lower(), MPFR_RNDN);
+    };
+    DenseMatrix<double> transform(n, n), odd(n, n);
+    for (int i = 0; i < n; ++i) {
+      for (int m = 0; m < n; ++m) {
+        transform(m, i) = std::sqrt(2 * m + 1) * cosine(m, i);
+        odd(m, i) = static_cast<double>(system.odd_part(m, i)) * 2 / (n * n);
+      }
+    }
+    const auto form = DenseMatrix<double>::identity(n) + transform * odd * transform.transpose();
+    const double least = symmetric_eigen(form).values(0);
+    const double bound = lower_bound(coercivity(Interval(half_length, 64)));
+    CHECK(bound <= least);
+    CHECK(bound >= least / 4);
+  }
+}
+
+TEST_CASE("an expansion too short for its contact has a radius that covers what it misses") {
+  const WorkingDigits working(60);
+  SmoothKernel smooth(I1_interval, 50);
+  for (const double half_length : {0.01, 0.5, 2.0, 6.0}) {
+    CAPTURE(half_length);
+    const Interval here(half_length, precision_here());
+    const auto solve = [&](int n) {
+      const ChebyshevSystem system(Float(half_length), n, smooth);
+      return prove(system, system.solution(), here);
+    };
+    const ProvenExpansion truth = solve(size_for(half_length, 30));
+    for (const int digits : {3, 8, 15}) {
+      CAPTURE(digits);
+      const ProvenExpansion rough = solve(size_for(half_length, digits));
+      double missed = 0;
+      for (std::size_t m = 0; m < truth.coefficients.size(); ++m) {
+        const Float rough_one = m < rough.coefficients.size() ? rough.coefficients[m] : Float(0);
+        missed += static_cast<double>((2 * m + 1) * abs(truth.coefficients[m] - rough_one));
+      }
+      CHECK(missed <= upper_bound(rough.radius) + upper_bound(truth.radius));
+      CHECK(upper_bound(rough.radius) <= std::pow(10, -digits));
+      CHECK(static_cast<double>(abs(truth.coefficients[0] - rough.coefficients[0])) <=
+            upper_bound(rough.energy_radius) + upper_bound(truth.energy_radius));
+    }
+  }
+}
+
+TEST_CASE("what an expansion for one half length misses at another is in its radius") {
+  const WorkingDigits working(60);
+  SmoothKernel smooth(I1_interval, 50);
+  const Float here = 1.5, there = 1.5 + 0x1p-20;
+  const auto system_at = [&](const Float& half_length) {
+    return ChebyshevSystem(half_length, size_for(1.5, 25), smooth);
+  };
+  const ChebyshevSystem system = system_at(here), other = system_at(there);
+  const Vector truth = other.solution();
+  const ProvenExpansion both = prove(system, system.solution(), hull(interval_of(here), interval_of(there)));
+  double missed = 0;
+  for (Vector::Index m = 0; m < truth.size(); ++m) {
+    missed +=
+        static_cast<double>((2 * m + 1) * abs(truth(m) - both.coefficients[static_cast<std::size_t>(m)]));
+  }
+  CHECK(missed <= upper_bound(both.radius));
+  CHECK(missed >= 1e-3 * upper_bound(both.radius));
+}
