@@ -166,6 +166,7 @@ Enclosure ConvergedElasticNip::tangential_displacement(double y) const {
 
 int ConvergedElasticNip::terms() const { return implementation_->contact->terms(); }
 long ConvergedElasticNip::kernel_values() const { return implementation_->contact.kernel_values(); }
+long ConvergedElasticNip::coupling_values() const { return implementation_->contact->coupling_values(); }
 
 ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
@@ -189,10 +190,11 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load,
   const double guess = first_length(wanted.approximate());
   const double most = std::min(longest, nip.roller_radius / nip.sheet_thickness);
   if (!(guess > 0.8 * shortest && guess < 1.25 * most)) refuse();
-  const double near = near_half_length(wanted, guess);
-  if (!length_is_allowed(nip, near * nip.sheet_thickness)) refuse();
+  const auto check = [&](double half_length) {
+    if (!length_is_allowed(nip, half_length * nip.sheet_thickness)) refuse();
+  };
   auto solved = std::make_unique<ConvergedElasticNip::Implementation>(
-      units, std::nullopt, SolvedContact::of_load(wanted, near, digits, I1_interval));
+      units, std::nullopt, SolvedContact::of_load(wanted, guess, check, digits, I1_interval));
   return ConvergedElasticNip(std::move(solved));
 }
 

@@ -36,6 +36,7 @@ class ConvergedElasticNip {
   [[nodiscard]] Enclosure tangential_displacement(double y) const;  ///< v, relative to Y = 0
   [[nodiscard]] int terms() const;                                  ///< of the expansion
   [[nodiscard]] long kernel_values() const;                         ///< of I1, taken so far
+  [[nodiscard]] long coupling_values() const;                       ///< of I3, taken so far
 
  private:
   struct Implementation;

@@ -60,6 +60,7 @@ class RefConverged : public SolvedContact<LongEstimate> {
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
     work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.kernel_values());
+    work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact_.coupling_values());
     work.unknowns = contact_.terms();
     return work;
   }

@@ -156,6 +156,7 @@ Interval ContactFunctionals::tangential_by_pressure(const Place& place, const In
     }
   }
   between = between.widened(pi * expansion_.radius / 4);
+  coupling_values_ += 2 * size();
   const Interval smooth = smooth_integral(
       place, [&](const Interval& alpha) { return I3_over(alpha, nats_); },
       2 * (half_length() * (position(place) + 1)));

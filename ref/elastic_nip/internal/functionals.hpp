@@ -22,17 +22,18 @@ class ContactFunctionals {
 
   [[nodiscard]] const Interval& half_length() const { return expansion_.half_length; }
   [[nodiscard]] int terms() const { return static_cast<int>(size()); }
-  [[nodiscard]] Interval load() const;                        ///< pi A^2 c_0
-  [[nodiscard]] Interval pressure(const Place& place) const;  ///< 0 outside
+  [[nodiscard]] long coupling_values() const { return coupling_values_; }  ///< of I3, taken so far
+  [[nodiscard]] Interval load() const;                                     ///< pi A^2 c_0
+  [[nodiscard]] Interval pressure(const Place& place) const;               ///< 0 outside
   [[nodiscard]] Interval indentation() const;
   /// Towards the middle plane: d0 - A^2 t^2 in the contact.
   [[nodiscard]] Interval normal_displacement(const Place& place) const;
-  /// Along the surface, away from the middle; theta2/N of the sheet.
+  /// Along the surface, away from the middle; beta = theta2/N.
   [[nodiscard]] Interval tangential_displacement(const Place& place, const Interval& beta) const;
   /// Whether the pressure given by the coefficients falls from the middle to the ends, as a proof; then the
   /// largest pressure is that in the middle, to the same error. p' = -2A t F(phi)/sqrt(1 - t^2), t =
-  /// sin(phi), F a sum of cosines that is at most its slope times half a cell from its value in the middle of
-  /// a cell.
+  /// sin(phi), F a sum of cosines; it differs from its value in the middle of a cell by at most its slope
+  /// times half of the cell.
   [[nodiscard]] bool falls_outwards() const;
 
  private:
@@ -49,6 +50,7 @@ class ContactFunctionals {
   ProvenExpansion expansion_;
   SmoothKernel& kernel_;
   double nats_;
+  mutable long coupling_values_ = 0;
   mutable std::optional<Interval> indentation_;
   std::vector<Interval> nodes_;           ///< s_j > 0
   std::vector<Interval> node_pressures_;  ///< sqrt(1 - s_j^2) p(s_j)/(2A)

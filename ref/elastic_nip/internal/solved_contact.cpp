@@ -8,14 +8,13 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/internal/solved_contact.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
-#include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
 namespace {
 
 constexpr int most_terms = 2200;
-constexpr int most_steps = 30;   ///< of the search for a length
-constexpr int near_digits = 12;  ///< of near_half_length(), with one to spare
+constexpr int most_steps = 30;    ///< of the search for a length
+constexpr int first_digits = 12;  ///< of a length before it is checked
 
 /// The terms that give `expansion` digits; BadInput if they are too many, with the digits that are not.
 int checked_size(double half_length, int expansion, int digits) {
@@ -77,13 +76,6 @@ Float improved_half_length(const Float& load, double near, int known, int digits
 
 }  // namespace
 
-double near_half_length(const Exact& load, double guess) {
-  const ContactPrecision precision = precision_for(guess, near_digits, false);
-  const WorkingDigits working(precision.working);
-  SmoothKernel kernel(I1_interval, precision.kernel);
-  return static_cast<double>(improved_half_length(to_float(load), guess, 1, near_digits, kernel));
-}
-
 SolvedContact::SolvedContact(int digits, const ContactPrecision& precision, NormalKernel kernel)
     : digits_(digits),
       precision_(precision),
@@ -105,14 +97,19 @@ SolvedContact SolvedContact::of_half_length(const Exact& half_length, int digits
   return contact;
 }
 
-SolvedContact SolvedContact::of_load(const Exact& load, double near, int digits, NormalKernel kernel) {
-  SolvedContact contact(digits, precision_for(near, digits, true), std::move(kernel));
+SolvedContact SolvedContact::of_load(const Exact& load, double guess,
+                                     const std::function<void(double half_length)>& check, int digits,
+                                     NormalKernel kernel) {
+  SolvedContact contact(digits, precision_for(guess, digits, true), std::move(kernel));
   const WorkingDigits working(contact.working_digits());
   const int expansion = contact.precision_.expansion;
   const Float wanted = to_float(load);
   const Float enough = pow(Float(10), -expansion);
+  const auto near =
+      static_cast<double>(improved_half_length(wanted, guess, 1, first_digits, *contact.kernel_));
+  check(near);
   Float half_length =
-      improved_half_length(wanted, near, near_digits - 1, expansion / 2 + 2, *contact.kernel_);
+      improved_half_length(wanted, near, first_digits - 1, expansion / 2 + 2, *contact.kernel_);
   for (int step = 0;; ++step) {
     const int size = checked_size(static_cast<double>(half_length), expansion, digits);
     const ChebyshevSystem system(half_length, size, *contact.kernel_);

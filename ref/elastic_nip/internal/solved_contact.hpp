@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <memory>
 
 #include <nipref/ref/elastic_nip/internal/functionals.hpp>
@@ -14,22 +15,22 @@ struct ContactPrecision {
   int working;
 };
 
-/// The half length that carries a load, good to 1e-11 of it or so, from one good to a tenth. Not proven.
-double near_half_length(const Exact& load, double guess);
-
 /// A frictionless contact solved and proven, in the units of ContactFunctionals, so that its results have the
 /// digits asked for. Half lengths in half-thicknesses. The kernel is ref's I1 unless a test has another.
 class SolvedContact {
  public:
   /// BadInput "digits" where most_terms do not suffice.
   static SolvedContact of_half_length(const Exact& half_length, int digits, NormalKernel kernel);
-  /// The same, `near` being near_half_length() of the load.
-  static SolvedContact of_load(const Exact& load, double near, int digits, NormalKernel kernel);
+  /// The same. `guess` is a half length that carries the load, good to a tenth; `check` may throw when it is
+  /// told what the half length is to 1e-11, before it is proven.
+  static SolvedContact of_load(const Exact& load, double guess,
+                               const std::function<void(double half_length)>& check, int digits,
+                               NormalKernel kernel);
 
   [[nodiscard]] int digits() const { return digits_; }
   [[nodiscard]] int working_digits() const { return precision_.working; }
   [[nodiscard]] long kernel_values() const { return kernel_->kernel_values(); }
-  /// To be called at working_digits().
+  /// What it has is to be computed at working_digits().
   [[nodiscard]] const ContactFunctionals& operator*() const { return *functionals_; }
   [[nodiscard]] const ContactFunctionals* operator->() const { return functionals_.get(); }
 

@@ -47,6 +47,8 @@ TEST_CASE(
         error(coarse.tangential_displacement(0.05)));
   CHECK(fine.tangential_displacement(0.2).to_double() == -fine.tangential_displacement(-0.2).to_double());
   CHECK(fine.terms() > coarse.terms());
+  CHECK(fine.coupling_values() > 0);
+  CHECK(ref::converged_for_length(quarter_inch_nip, 0.2, 18).coupling_values() == 0);
   CHECK(error(fine.pressure(0.1)) == 0);
   CHECK(fine.pressure(0.1).to_double() == 0);
   CHECK(fine.pressure(0x1.9999999999999p-4).to_double() > 0);
