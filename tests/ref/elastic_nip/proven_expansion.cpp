@@ -63,28 +63,68 @@ TEST_CASE("a wrong kernel value in the 25th digit makes the proof fail, one know
   }
 }
 
-TEST_CASE("the contact's quadratic form is at least what the proof takes for it") {
+namespace {
+
+/// sqrt(mu nu) g_mn/2 by the quadrature of the system.
+DenseMatrix<double> symmetric_form(const ChebyshevSystem& system) {
+  const int n = system.size();
+  DenseMatrix<double> transform(n, n), odd(n, n);
+  for (int i = 0; i < n; ++i) {
+    for (int m = 0; m < n; ++m) {
+      const double cosine = mpfr_get_d(system.cosines()((2L * m + 1) * (2L * i + 1)).lower(), MPFR_RNDN);
+      transform(m, i) = std::sqrt(2 * m + 1) * cosine;
+      odd(m, i) = static_cast<double>(system.odd_part(m, i)) * 2 / (n * n);
+    }
+  }
+  return transform * odd * transform.transpose();
+}
+
+}  // namespace
+
+TEST_CASE("the contact's quadratic form is at least what the proof takes for it, its entries at most") {
   const WorkingDigits working(25);
   SmoothKernel smooth(I1_interval, 20);
   for (const double half_length : {1e-3, 0.3, 1.0, 3.0, 7.0}) {
     CAPTURE(half_length);
     const int n = size_for(half_length, 6);
-    const ChebyshevSystem system(Float(half_length), n, smooth);
-    const auto cosine = [&](int m, int i) {
-      return mpfr_get_d(system.cosines()((2L * m + 1) * (2L * i + 1)).lower(), MPFR_RNDN);
-    };
-    DenseMatrix<double> transform(n, n), odd(n, n);
-    for (int i = 0; i < n; ++i) {
-      for (int m = 0; m < n; ++m) {
-        transform(m, i) = std::sqrt(2 * m + 1) * cosine(m, i);
-        odd(m, i) = static_cast<double>(system.odd_part(m, i)) * 2 / (n * n);
-      }
-    }
-    const auto form = DenseMatrix<double>::identity(n) + transform * odd * transform.transpose();
-    const double least = symmetric_eigen(form).values(0);
+    const auto form = symmetric_form(ChebyshevSystem(Float(half_length), n, smooth));
+    const double least = symmetric_eigen(DenseMatrix<double>::identity(n) + form).values(0);
     const double bound = lower_bound(coercivity(Interval(half_length, 64)));
     CHECK(bound <= least);
     CHECK(bound >= least / 4);
+
+    double largest_part = 0;
+    for (const double y : {0.5, 1.5, 1.9}) {
+      for (const double split : {0.0, 0.3, 0.5}) {
+        const double tau = std::asinh(split * y / half_length);
+        const double other = std::asinh((1 - split) * y / half_length);
+        const double factor = 2 * half_length * std::sqrt(std::cosh(tau) * std::cosh(other)) *
+                              (2 / (2 - y) + 4 / ((2 - y) * (2 - y)));
+        for (int i = 0; i < n; ++i) {
+          for (int j = 0; j < n; ++j) {
+            const double most = factor * std::exp(-(2 * i + 1) * tau - (2 * j + 1) * other);
+            // Of the kernel's values and of double.
+            largest_part = std::fmax(largest_part, (std::fabs(form(i, j)) - 1e-14 * n) / most);
+          }
+        }
+      }
+    }
+    CHECK(largest_part <= 1);
+    CHECK(largest_part >= 0.01);
+  }
+}
+
+TEST_CASE("the inequalities of the contact's symbol that the proof uses hold on a mesh") {
+  double last_g = 0;
+  for (double x = 1e-3; x < 30; x += 1e-3) {
+    const double sum = std::sinh(2 * x) + 2 * x;
+    const double g = (std::cosh(2 * x) - 1) / sum;
+    const double most = 2 * (1 + 2 * x) * std::exp(-2 * x) + 1e-15;
+    CHECK_UNARY((1 + 2 * x - std::exp(-2 * x)) / sum <= most);
+    CHECK_UNARY(2 * x / sum <= most);
+    CHECK_UNARY(4 * x * x * std::sinh(2 * x) / (sum * sum) <= 1);
+    CHECK_UNARY(g >= last_g - 1e-15);
+    last_g = g;
   }
 }
 
