@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
@@ -190,4 +191,50 @@ TEST_CASE("a place that may be inside or outside has results for both") {
   covers([&](const Place& place) { return contact->tangential_displacement(place, beta); });
   CHECK(upper_bound(contact->pressure(outside)) == 0);
   CHECK(lower_bound(contact->pressure(inside)) > 0);
+}
+
+namespace {
+
+/// int_0^1 f(t, 1 - t) dt by the double exponential rule, to some 25 digits.
+Float integral(const std::function<Float(const Float& t, const Float& rest)>& f) {
+  const Float step = Float(1) / 24;
+  Float sum = 0;
+  for (int k = -90; k <= 90; ++k) {
+    const Float growth = exp(pi() * sinh(k * step));
+    const Float t = growth / (1 + growth), rest = 1 / (1 + growth);
+    sum += f(t, rest) * t * rest * pi() * cosh(k * step);
+  }
+  return sum * step;
+}
+
+}  // namespace
+
+TEST_CASE("displacements of the contact are the integrals of ref's kernels over its pressure") {
+  for (const double half_length : {0.02, 1.5}) {
+    CAPTURE(half_length);
+    const auto contact = SolvedContact::of_half_length(Exact(half_length), 25, I1_interval);
+    const WorkingDigits working(contact.working_digits());
+    const Float A = half_length;
+    const auto pressure = [&](const Float& rest) {
+      return middle_of(contact->pressure({interval_of(rest)}));
+    };
+    // The kernel at t - s and t + s for both sides of the contact.
+    const auto displacement = [&](const Float& t, const auto& kernel) {
+      return A / pi() * integral([&](const Float& s, const Float& rest) {
+               const auto at = [&](const Float& distance) {
+                 return middle_of(kernel(to_exact(A * distance), 75));
+               };
+               return (at(t - s) + at(t + s)) * pressure(rest);
+             });
+    };
+    const auto agree = [&](const Interval& proven, const Float& summed) {
+      CHECK(static_cast<double>(abs(middle_of(proven) - summed)) <= 1e-22 * half_length);
+    };
+    agree(contact->indentation(), displacement(0, I1_interval));
+    const Place outside{Interval(-0.5, precision_here())};
+    agree(contact->normal_displacement(outside), displacement(1.5, I1_interval));
+    const Float along = displacement(1.5, I3_interval) - middle_of(contact->load()) / 8;
+    agree(contact->tangential_displacement(outside, Interval(0.25, precision_here())), along);
+    agree(contact->load(), 2 * A * integral([&](const Float&, const Float& rest) { return pressure(rest); }));
+  }
 }
