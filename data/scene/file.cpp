@@ -146,11 +146,8 @@ std::string closest_example(const std::string& name, const std::filesystem::path
   return did_you_mean(name, {names.begin(), names.end()}, 3);
 }
 
-}  // namespace
-
-Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  SceneOrigin origin(file.string());
-  const TomlTable top = TomlTable::read(file, origin, overrides);
+/// `origin` is the table's.
+Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
   Scene scene{.title = top.text("title"),
               .wanted = top.texts("wanted"),
               .system = read_system(top, origin),
@@ -160,6 +157,18 @@ Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overri
   scene.origin = std::move(origin);
   scene.check();
   return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+  SceneOrigin origin(file.string());
+  return scene_of(TomlTable::read(file, origin, overrides), origin, overrides);
+}
+
+Scene parse_scene(const std::string& toml, const std::string& name) {
+  SceneOrigin origin(name);
+  return scene_of(TomlTable::parse(toml, origin, {}), origin, {});
 }
 
 std::filesystem::path example_scene(const std::string& name) {

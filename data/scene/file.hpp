@@ -41,6 +41,9 @@ using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 /// given twice, no key, a table.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
+/// The same from what a file would hold; `name` stands for the file in refusals.
+[[nodiscard]] Scene parse_scene(const std::string& toml, const std::string& name);
+
 /// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().
 /// BadInput if there is none of that name, with the one whose name is nearest.
 [[nodiscard]] std::filesystem::path example_scene(const std::string& name);

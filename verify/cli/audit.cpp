@@ -1,4 +1,3 @@
-#include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
@@ -20,29 +19,33 @@ void refuse_options_without_effect(const CommandLine& line, const Selection& sel
     refuse_option(line, name, "has no effect on contacts: must be left out");
 }
 
+void refuse_options_of_contacts(const CommandLine& line) {
+  for (const char* const name : {"scenes", "seed"})
+    refuse_option(line, name, "has an effect on contacts only: must be left out");
+}
+
 }  // namespace
 
 int audit_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = selection(line, {"contacts"});
   refuse_options_without_effect(line, selected);
+  const bool with_contacts = selected.has("contacts");
+  if (!with_contacts) refuse_options_of_contacts(line);
+  static_cast<void>(scenes_option(line));  // refused before anything is done
   const AuditOptions options = audit_options(line);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  progress.begin("audit", selected.quantities.size() + selected.groups.size());
+  progress.begin("audit", selected.quantities.size() + (with_contacts ? 2 : 0));
   const std::vector<AuditResult> results = audit_all(selected.quantities, options, progress);
-  std::vector<ContactAudit> contact_audits;
-  if (selected.has("contacts")) {
-    progress.next("contacts");
-    contact_audits = audit_contacts([&](const std::string& what) { progress.at(0, what); });
-  }
+  const ContactAudits contacts = with_contacts ? audit_all_contacts(line, progress) : ContactAudits{};
   if (line.json) {
-    out << answer_text("audit", audits_json(results, contact_audits, options.accuracy), line.no_times);
+    out << answer_text("audit", audits_json(results, contacts, options.accuracy), line.no_times);
   } else {
     if (!results.empty()) out << audit_text(results, options.accuracy);
-    if (selected.has("contacts")) out << "\n" << contact_audit_text(contact_audits);
+    if (with_contacts) out << "\n" << contact_audits_text(contacts);
     out << interruption_text();
   }
-  return all_kept(results) && all_kept(contact_audits) ? 0 : 1;
+  return all_kept(results) && contacts.kept() ? 0 : 1;
 }
 
 }  // namespace nipref::verify

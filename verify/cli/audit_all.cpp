@@ -52,12 +52,27 @@ std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantitie
   return results;
 }
 
-Json audits_json(const std::vector<AuditResult>& results, const std::vector<ContactAudit>& contacts,
+ContactAudits audit_all_contacts(const CommandLine& line, Progress& progress) {
+  progress.next("contacts");
+  ContactAudits contacts;
+  contacts.hard_cases = audit_contacts([&](const std::string& what) { progress.at(0, what); });
+  progress.next("random scenes");
+  contacts.scenes =
+      audit_scenes(scenes_option(line), seed_option(line), [&](double part) { progress.at(part); });
+  return contacts;
+}
+
+std::string contact_audits_text(const ContactAudits& contacts) {
+  return contact_audit_text(contacts.hard_cases) + "\n" + scene_tally_text(contacts.scenes);
+}
+
+Json audits_json(const std::vector<AuditResult>& results, const ContactAudits& contacts,
                  fast::Accuracy accuracy) {
   const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
   return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
           {"rows", audit_json(results)},
-          {"contacts", contact_audit_json(contacts)}};
+          {"contacts", contact_audit_json(contacts.hard_cases)},
+          {"scenes", scene_tally_json(contacts.scenes)}};
 }
 
 }  // namespace nipref::verify

@@ -24,6 +24,8 @@ using data::BadInput;
 
 constexpr auto right_form = "corrected";
 constexpr long default_digits = 50;
+constexpr auto of_the_nearest_doubles =
+    "fast takes each argument rounded to the nearest double; its error is for that argument.";
 
 /// One path's answer, as it is printed.
 struct Answer {
@@ -184,6 +186,7 @@ Json to_json(const Request& request, const std::vector<Answer>& answers) {
           {"arguments", arguments},
           {"scale", scale.size},
           {"ulp_of_scale", scale.ulp},
+          {"caveat", request.by_fast ? Json(of_the_nearest_doubles) : Json()},
           {"results", results}};
 }
 
@@ -203,8 +206,7 @@ void print_text(const Request& request, const std::vector<Answer>& answers, std:
     out << fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
                        request.quantity->scale, *scale.ulp);
   if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
-  if (request.by_fast)
-    out << "fast takes each argument rounded to the nearest double; its error is for that argument.\n";
+  if (request.by_fast) out << of_the_nearest_doubles << "\n";
 }
 
 }  // namespace

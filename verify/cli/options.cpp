@@ -15,15 +15,25 @@ fast::Accuracy accuracy_option(const CommandLine& line) {
   return text ? fast::Accuracy(parse_real("rtol", *text)) : fast::Accuracy();
 }
 
-std::size_t points_option(const CommandLine& line) {
-  constexpr double most = 1e8;
-  const auto text = line.option("points");
-  if (!text) return 0;
-  const double points = parse_real("points", *text);
-  if (points < 1 || points > most || points != std::floor(points))
-    throw BadInput("points", *text, "must be a whole number from 1 to 100000000");
-  return static_cast<std::size_t>(points);
+namespace {
+
+/// From 1 to `most`; `unsaid` if the option is not there.
+std::size_t count_option(const CommandLine& line, const std::string& name, long most, std::size_t unsaid) {
+  const auto text = line.option(name);
+  if (!text) return unsaid;
+  const double count = parse_real(name, *text);
+  if (count < 1 || count > static_cast<double>(most) || count != std::floor(count))
+    throw BadInput(name, *text, "must be a whole number from 1 to " + std::to_string(most));
+  return static_cast<std::size_t>(count);
 }
+
+}  // namespace
+
+std::size_t points_option(const CommandLine& line) { return count_option(line, "points", 100'000'000, 0); }
+
+std::size_t scenes_option(const CommandLine& line) { return count_option(line, "scenes", 1'000'000, 300); }
+
+std::string seed_option(const CommandLine& line) { return line.option("seed").value_or("1"); }
 
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
   if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);

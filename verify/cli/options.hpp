@@ -1,5 +1,6 @@
 #pragma once
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,11 @@ namespace nipref::verify {
 fast::Accuracy accuracy_option(const CommandLine& line);
 /// 0 if it is not there; "1e4" is a whole number too.
 std::size_t points_option(const CommandLine& line);
+
+/// Random scenes that an audit of contacts draws, 300 if it is not said; "1e4" is a whole number too.
+std::size_t scenes_option(const CommandLine& line);
+/// The text that they are drawn from, "1" if it is not said.
+std::string seed_option(const CommandLine& line);
 
 /// BadInput, saying `why`, if this option or flag is there.
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);

@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -17,20 +16,19 @@
 namespace nipref::verify {
 namespace {
 
-/// Fast against ref: the quantities, and the hard cases of the contacts.
+/// Fast against ref: the quantities, and whole contacts.
 struct Audits {
   std::vector<AuditResult> quantities;
-  std::vector<ContactAudit> contacts;
+  ContactAudits contacts;
 
-  [[nodiscard]] bool kept() const { return all_kept(quantities) && all_kept(contacts); }
+  [[nodiscard]] bool kept() const { return all_kept(quantities) && contacts.kept(); }
 };
 
-Audits run_audits(const AuditOptions& options, Progress& progress) {
+Audits run_audits(const CommandLine& line, const AuditOptions& options, Progress& progress) {
   const auto all = select_quantities({});
-  progress.begin("audit", all.size() + 1);
+  progress.begin("audit", all.size() + 2);
   std::vector<AuditResult> quantities = audit_all(all, options, progress);
-  progress.next("contacts");
-  return {std::move(quantities), audit_contacts([&](const std::string& what) { progress.at(0, what); })};
+  return {std::move(quantities), audit_all_contacts(line, progress)};
 }
 
 /// On each quantity's first range only, which is the one that the promised ratios are about, all rows in many
@@ -49,8 +47,8 @@ void print_as_text(const BenchReport& speed, const Audits& audits, const std::ve
                    std::ostream& out) {
   out << "nipref report\n\n"
       << version_text() << "\nAccuracy: fast against ref at the worst arguments found\n\n"
-      << audit_text(audits.quantities, {}) << "\nHard cases of the contacts\n\n"
-      << contact_audit_text(audits.contacts) << "\nSpeed against error (all ranges: nipref bench)\n\n"
+      << audit_text(audits.quantities, {}) << "\nHard cases of the contacts, and random scenes\n\n"
+      << contact_audits_text(audits.contacts) << "\nSpeed against error (all ranges: nipref bench)\n\n"
       << bench_text(essential_rows(speed.rows)) << "\n"
       << ratios_text(speed.ratios) << "\nTables of the seeds, replayed\n\n"
       << tables_text(tables, true) << interruption_text();
@@ -59,7 +57,7 @@ void print_as_text(const BenchReport& speed, const Audits& audits, const std::ve
 }  // namespace
 
 Json report_json(const BenchReport& speed, const std::vector<AuditResult>& quantities,
-                 const std::vector<ContactAudit>& contacts, const std::vector<Replay>& tables) {
+                 const ContactAudits& contacts, const std::vector<Replay>& tables) {
   return {{"audit", audits_json(quantities, contacts, {})},
           {"bench", bench_json(speed)},
           {"tables", tables_json(tables)}};
@@ -71,7 +69,7 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   Progress progress(standard_error(line.has("quiet")));
   // Before the audit, which would build ref's nodes: their cost is measured.
   const BenchReport speed = bench_all({select_quantities({}), bench_groups()}, progress);
-  const Audits audits = run_audits(options, progress);
+  const Audits audits = run_audits(line, options, progress);
   const std::vector<Replay> tables = replay_and_correct(replayable_tables(), progress);
   if (line.json) {
     out << answer_text("report", report_json(speed, audits.quantities, audits.contacts, tables),

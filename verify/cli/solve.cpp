@@ -34,9 +34,11 @@ int digits_of(const CommandLine& line) {
   return static_cast<int>(digits);
 }
 
+/// 1 if something is not as accurate as was asked.
 template <class Number>
-void print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
+int print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
   out << (line.json ? answer_text("solve", solution_json(solution), line.no_times) : solution_text(solution));
+  return solution.missed().empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -48,12 +50,7 @@ int solve_verb(const CommandLine& line, std::ostream& out) {
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
   const int digits = digits_of(line);
   const data::Scene scene = data::load_scene(scene_file_of(line), line.assignments);
-  if (path == "ref") {
-    print(solve_by_ref(scene, digits), line, out);
-  } else {
-    print(solve(scene), line, out);
-  }
-  return 0;
+  return path == "ref" ? print(solve_by_ref(scene, digits), line, out) : print(solve(scene), line, out);
 }
 
 }  // namespace nipref::verify

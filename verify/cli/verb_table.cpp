@@ -32,6 +32,10 @@ const OptionText points_text{
 const OptionText density_option{
     "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
 
+const OptionText scenes_option{"scenes",
+                               "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
+const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
+
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
 const OptionText quiet_flag{"quiet", "tell no progress"};
@@ -77,13 +81,15 @@ const std::array all_verbs{
              {},
              {list_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref tables --list", "nipref tables VII brock2013-1"}},
-    VerbText{"audit",
-             "Largest error of fast against ref, by a search for the worst argument.",
-             "quantity",
-             "names of quantities, or contacts for hard cases of whole contacts (default: all of it)",
-             {points_text, density_option, rtol_option},
-             {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
-             {"nipref audit I1 I6 --points 1e6", "nipref audit --quick"}},
+    VerbText{
+        "audit",
+        "Largest error of fast against ref, by a search for the worst argument.",
+        "quantity",
+        "names of quantities, or contacts for hard cases of whole contacts and random scenes (default: all "
+        "of it)",
+        {points_text, density_option, rtol_option, scenes_option, seed_option},
+        {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref audit I1 I6 --points 1e6", "nipref audit contacts --scenes 20000 --seed 7"}},
     VerbText{
         "bench",
         "Speed against error, beside other libraries.",

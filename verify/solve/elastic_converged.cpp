@@ -6,6 +6,7 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 #include <nipref/verify/solve/internal/symmetry.hpp>
 
 namespace nipref::verify {
@@ -33,7 +34,8 @@ const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const
 
 class Converged : public SolvedContact<Estimate> {
  public:
-  explicit Converged(ConvergedElasticNip contact) : contact_(std::move(contact)) {}
+  Converged(ConvergedElasticNip contact, double roller_radius, double asked)
+      : contact_(std::move(contact)), roller_radius_(roller_radius), asked_(asked) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
@@ -45,10 +47,16 @@ class Converged : public SolvedContact<Estimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
   }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+    const double half = contact_.contact_length().value / 2;
+    return nip_result_size(name, y, {roller_radius_, -half, half, asked_},
+                           [&] { return contact_.pressure(0).value; });
+  }
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
   ConvergedElasticNip contact_;
+  double roller_radius_, asked_;
 };
 
 struct SolveElasticConverged {
@@ -67,7 +75,8 @@ struct SolveElasticConverged {
 
 std::unique_ptr<SolvedContact<Estimate>> solve_converged(const data::ElasticNipProblem& problem,
                                                          double accuracy) {
-  return std::make_unique<Converged>(std::visit(SolveElasticConverged{problem, accuracy}, problem.given));
+  return std::make_unique<Converged>(std::visit(SolveElasticConverged{problem, accuracy}, problem.given),
+                                     problem.nip.roller_radius, accuracy);
 }
 
 }  // namespace nipref::verify

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstddef>
 #include <functional>
@@ -88,6 +89,10 @@ std::string solution_text(const SceneSolution<Number>& solution) {
       append_number<Number>(result, text);
     }
   }
+  if (const auto missed = solution.missed(); !missed.empty()) {
+    text += fmt::format("accuracy {:g} is missed by {}: the best there is\n", solution.accuracy,
+                        fmt::join(missed, ", "));
+  }
   text += fmt::format("work: {}\n", work_text(solution.work));
   if (!is_empty(solution.error_work))
     text += fmt::format("for the error estimates: {}\n", work_text(solution.error_work));
@@ -101,6 +106,7 @@ Json solution_json(const SceneSolution<Number>& solution) {
     results.set(result.what->name, {{"value", values_json(result, &Number::value)},
                                     {"error", values_json(result, &Number::error)},
                                     {"proven", is_proven(result.numbers.front())},
+                                    {"met", result.met()},
                                     {"unit", result.what->unit}});
   }
   const auto& positions = solution.positions;

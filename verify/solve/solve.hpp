@@ -1,4 +1,6 @@
 #pragma once
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,14 +27,30 @@ struct SceneSolution {
   struct Result {
     const data::SceneResult* what;
     std::vector<Number> numbers;  ///< of a profile: one for each of `positions`, otherwise one
+    /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
+    /// is of another kind: that of line loads is their distance to the continuous contact, and the reference
+    /// is asked for digits.
+    std::vector<double> allowed = {};
+    /// Whether each error is as small as was asked, where that was asked. What misses it is the best there is.
+    [[nodiscard]] std::optional<bool> met() const;
   };
 
   std::string title;
+  double accuracy = 0;            ///< that the scene asked for
   std::vector<Result> results;    ///< in the order of the scene's `wanted`
   std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
   fast::Work work;                ///< that the results have cost
   fast::Work error_work;          ///< that the error estimates of line loads have cost, nothing otherwise
   double seconds = 0;             ///< wall clock, for all of it
+
+  /// Names of the results that are not as accurate as was asked.
+  [[nodiscard]] std::vector<std::string_view> missed() const {
+    std::vector<std::string_view> names;
+    for (const Result& result : results) {
+      if (!result.met().value_or(true)) names.push_back(result.what->name);
+    }
+    return names;
+  }
 
   /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted `name`.
   [[nodiscard]] const Number& operator[](std::string_view name) const { return profile(name).front(); }
@@ -43,6 +61,17 @@ struct SceneSolution {
     throw data::BadInput("result", name, "must be among what the scene wants");
   }
 };
+
+template <>
+inline std::optional<bool> SceneSolution<LongEstimate>::Result::met() const {
+  return {};
+}
+template <>
+inline std::optional<bool> SceneSolution<fast::Estimate>::Result::met() const {
+  if (allowed.empty()) return {};
+  return std::ranges::equal(numbers, allowed,
+                            [](const fast::Estimate& number, double most) { return number.error <= most; });
+}
 
 /// Solves the scene in double; only what it wants is computed. Converged results come with the solver's own
 /// error estimate. The results of line loads, whose own error is their distance to the continuous contact,

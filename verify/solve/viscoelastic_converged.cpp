@@ -6,6 +6,7 @@
 
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -36,7 +37,8 @@ const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) 
 
 class Rolling : public SolvedContact<Estimate> {
  public:
-  explicit Rolling(ConvergedViscoelasticNip contact) : contact_(std::move(contact)) {}
+  Rolling(ConvergedViscoelasticNip contact, double roller_radius, double asked)
+      : contact_(std::move(contact)), roller_radius_(roller_radius), asked_(asked) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (name == "peak_shear") return {0, 0};  // without friction
@@ -49,10 +51,16 @@ class Rolling : public SolvedContact<Estimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().value, contact_.leading_length().value};
   }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+    const auto [first, last] = profile_extent();
+    return nip_result_size(name, y, {roller_radius_, first, last, asked_},
+                           [&] { return contact_.pressure(0).value; });
+  }
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
   ConvergedViscoelasticNip contact_;
+  double roller_radius_, asked_;
 };
 
 struct SolveViscoelasticConverged {
@@ -72,7 +80,8 @@ struct SolveViscoelasticConverged {
 std::unique_ptr<SolvedContact<Estimate>> solve_viscoelastic(const data::ViscoelasticNipProblem& problem,
                                                             double accuracy) {
   return std::make_unique<Rolling>(
-      std::visit(SolveViscoelasticConverged{problem.nip, accuracy}, problem.given));
+      std::visit(SolveViscoelasticConverged{problem.nip, accuracy}, problem.given), problem.nip.roller_radius,
+      accuracy);
 }
 
 }  // namespace nipref::verify

@@ -134,7 +134,11 @@ TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name,
 
 TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin,
                           const std::vector<Override>& overrides) {
-  const std::string text = contents_of(file, origin);
+  return parse(contents_of(file, origin), origin, overrides);
+}
+
+TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
+                           const std::vector<Override>& overrides) {
   try {
     auto parsed = std::make_shared<toml::table>(toml::parse(text));
     override_all(*parsed, overrides, origin);

@@ -19,6 +19,9 @@ class TomlTable {
   /// cannot be read or is no TOML (keys given twice included), and what load_scene says of overrides.
   static TomlTable read(const std::filesystem::path& file, SceneOrigin& origin,
                         const std::vector<std::pair<std::string, std::string>>& overrides);
+  /// The same of what a file would hold.
+  static TomlTable parse(const std::string& text, SceneOrigin& origin,
+                         const std::vector<std::pair<std::string, std::string>>& overrides);
 
   /// Refuses all keys but these.
   void allow(std::initializer_list<std::string_view> known) const;

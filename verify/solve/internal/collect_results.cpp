@@ -34,4 +34,17 @@ void refuse_result(const data::Scene& scene, std::size_t wanted) {
                       "must be left out: in this scene it leaves the range of doubles");
 }
 
+std::vector<double> allowed_errors(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
+                                   const SceneSolution<fast::Estimate>::Result& result,
+                                   const std::vector<double>& positions) {
+  std::vector<double> allowed;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+    const double place = result.what->is_profile ? positions[i] : 0;
+    const auto size = contact.least_size(result.what->name, place);
+    if (!size) return {};
+    allowed.push_back(scene.accuracy * std::max(*size, std::fabs(result.numbers[i].value)));
+  }
+  return allowed;
+}
+
 }  // namespace nipref::verify

@@ -40,12 +40,24 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::
   return numbers;
 }
 
+/// What the accuracy allows each number's error to be; empty where that is not what the error is about.
+std::vector<double> allowed_errors(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
+                                   const SceneSolution<fast::Estimate>::Result& result,
+                                   const std::vector<double>& positions);
+/// The reference is asked for digits.
+inline std::vector<double> allowed_errors(const data::Scene&, const SolvedContact<LongEstimate>&,
+                                          const SceneSolution<LongEstimate>::Result&,
+                                          const std::vector<double>&) {
+  return {};
+}
+
 /// Asks the contact for everything that the scene wants, and for nothing else.
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const SolvedContact<Number>& contact) {
   SceneSolution<Number> solution;
   solution.title = scene.title;
+  solution.accuracy = scene.accuracy;
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);
@@ -54,8 +66,10 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
     } else {
       solution.results.push_back({what, {contact.number(name)}});
     }
-    if (!std::ranges::all_of(solution.results.back().numbers, [](const Number& n) { return is_finite(n); }))
+    auto& result = solution.results.back();
+    if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
       refuse_result(scene, solution.results.size() - 1);
+    result.allowed = allowed_errors(scene, contact, result, solution.positions);
   }
   solution.work = contact.work();
   solution.error_work = contact.error_work();

@@ -12,6 +12,7 @@
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/solve/internal/counted_response.hpp>
 #include <nipref/verify/solve/internal/half_space.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -65,6 +66,9 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return {line.coupling, few_roundings * std::max(line.compliance, std::fabs(line.coupling))};
   }
   [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double degrees) const final {
+    return half_space_result_size(name, [&] { return response_(direction_of_degrees(degrees)).compliance; });
+  }
   [[nodiscard]] fast::Work work() const final {
     fast::Work work;
     work.line_responses = response_.evaluations();

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 
 #include <nipref/fast/nip/work.hpp>
@@ -24,6 +25,9 @@ class SolvedContact {
   /// A profile's value at Y, unit of length.
   [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
+  /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
+  /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.
+  [[nodiscard]] virtual std::optional<double> least_size(std::string_view, double) const { return {}; }
   /// Spent so far on the results, and on nothing but their error estimates.
   [[nodiscard]] virtual fast::Work work() const = 0;
   [[nodiscard]] virtual fast::Work error_work() const { return {}; }

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/internal/draw_half_space.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// Those for which Lame's first constant is a product without rounding: see identities.hpp.
+constexpr std::array short_poissons{-0.5, 0.0, 0.25, 0.375, 0.4375};
+
+void set_isotropic(Random& random, const std::string& table, DrawnScene& drawn) {
+  const double poisson = random.chance(0.3)   ? short_poissons[random.index(short_poissons.size())]
+                         : random.chance(0.5) ? random.uniform(-0.9, 0.4999)
+                                              : 0.5 - random.log_uniform(1e-4, 0.3);
+  drawn.set(table + ".shear", random.log_uniform(1e-2, 1e12));
+  drawn.set(table + ".poisson", poisson);
+  drawn.set(table + ".density", random.log_uniform(1e-2, 1e4));
+}
+
+void set_transversely_isotropic(Random& random, DrawnScene& drawn) {
+  const double c11 = random.log_uniform(1e-2, 1e12), c33 = c11 * random.log_uniform(1e-2, 1e2);
+  const double c66 = c11 * random.uniform(0.02, 0.95);
+  drawn.set("half_space.axis", random.chance(0.5) ? "normal" : "in-plane");
+  drawn.set("half_space.c11", c11);
+  drawn.set("half_space.c33", c33);
+  drawn.set("half_space.c66", c66);
+  drawn.set("half_space.c44", std::sqrt(c11 * c33) * random.log_uniform(1e-2, 1));
+  drawn.set("half_space.c13", std::sqrt((c11 - c66) * c33) * random.uniform(-0.9, 0.95));
+  drawn.set("half_space.density", random.log_uniform(1e-2, 1e4));
+}
+
+/// Gives the smallest radius.
+double set_body(Random& random, Body body, DrawnScene& drawn) {
+  const double radius = random.log_uniform(1e-3, 10);
+  if (body == Body::die) {
+    const double ratio = random.chance(0.2) ? 1 : random.log_uniform(1e-4, 1e4);
+    drawn.set("die.radius_along", radius);
+    drawn.set("die.radius_across", radius * ratio);
+    return radius * std::min(1.0, ratio);
+  }
+  if (body == Body::rolling_sphere) {
+    drawn.set("rolling_sphere.radius", radius);
+    return radius;
+  }
+  drawn.set("sphere.radius", radius);
+  set_isotropic(random, "sphere", drawn);
+  if (random.chance(0.5)) drawn.set("sphere.patch", "moving");
+  return radius;
+}
+
+/// Some stiffness of the half-space, about.
+double stiffness(const DrawnScene& drawn) {
+  return drawn.text("half_space.model") == "isotropic" ? drawn.number("half_space.shear")
+                                                       : drawn.number("half_space.c44");
+}
+
+/// 0, anything, or next to the critical speed; 0 where that cannot be had.
+double draw_speed(Random& random, DrawnScene drawn) {
+  const double part = random.chance(0.1)   ? 0
+                      : random.chance(0.5) ? random.uniform()
+                                           : 1 - random.log_uniform(1e-9, 0.5);
+  drawn.set("title", "its critical speed");
+  drawn.set("wanted", std::vector<std::string>{"critical_speed"});
+  try {
+    return part * solve(drawn.scene())["critical_speed"].value;
+  } catch (const data::BadInput&) {
+    return 0;
+  }
+}
+
+std::vector<std::string> results_of(data::ContourRule rule) {
+  std::vector<std::string> wanted{"span_along",     "span_across",   "span_ratio", "normal_force",
+                                  "friction_force", "peak_pressure", "span",       "compliance",
+                                  "coupling",       "critical_speed"};
+  if (rule == data::ContourRule::exact)
+    wanted.insert(wanted.end(), {"axis_ratio", "orientation", "approach"});
+  return wanted;
+}
+
+}  // namespace
+
+DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule) {
+  DrawnScene drawn;
+  const bool isotropic = body == Body::rolling_sphere || random.chance(0.5);
+  drawn.set("half_space.model", isotropic ? "isotropic" : "transversely-isotropic");
+  if (isotropic) {
+    set_isotropic(random, "half_space", drawn);
+  } else {
+    set_transversely_isotropic(random, drawn);
+  }
+  const double radius = set_body(random, body, drawn);
+  drawn.set("method.kind", rule == data::ContourRule::exact ? "exact" : "stationary-force");
+  drawn.set("wanted", results_of(rule));
+  const double angle = random.uniform(-90, 90);
+  drawn.set("profile.positions", std::vector<double>{0, 90, angle, -angle, random.uniform(-90, 90)});
+  if (random.chance(0.5)) {
+    drawn.set("contact.span_along", radius * random.log_uniform(1e-6, 1));
+  } else {
+    const double half = radius * random.log_uniform(1e-6, 0.3);
+    drawn.set("load.normal_force", stiffness(drawn) * half * half * half / radius);
+  }
+  const std::string motion = body == Body::rolling_sphere ? "rolling" : "sliding";
+  drawn.set(motion + ".speed", 0.0);
+  if (body != Body::rolling_sphere) {
+    drawn.set("sliding.direction",
+              random.chance(0.2) ? 90 * (static_cast<double>(random.index(3)) - 1) : random.uniform(-90, 90));
+    if (rule == data::ContourRule::stationary_force && random.chance(0.7))
+      drawn.set("sliding.friction", random.uniform(0, 1));
+  }
+  drawn.set(motion + ".speed", draw_speed(random, drawn));
+  return drawn;
+}
+
+}  // namespace nipref::verify

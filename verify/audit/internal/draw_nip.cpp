@@ -1,0 +1,216 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/internal/draw_nip.hpp>
+
+namespace nipref::verify {
+namespace {
+
+struct Size {
+  double thickness, radius, length;
+};
+
+Size draw_size(Random& random) {
+  const double ratio = random.log_uniform(1e-4, 1e3);
+  const double thickness = random.log_uniform(1e-3, 10);
+  return {thickness, thickness * random.log_uniform(std::max(1.0, 1.01 * ratio), 1.2e4), thickness * ratio};
+}
+
+double draw_poisson(Random& random) {
+  return random.chance(0.5) ? random.uniform(-0.9, 0.4999) : 0.5 - random.log_uniform(1e-4, 0.3);
+}
+
+double draw_modulus(Random& random) { return random.log_uniform(1e-2, 1e7); }
+
+/// In the contact, at and next to its ends, outside, on both sides.
+std::vector<double> draw_positions(Random& random, double length) {
+  const double half = length / 2;
+  std::vector<double> positions{0, half * random.uniform(), half * (1 - random.log_uniform(1e-8, 0.1)),
+                                half * (1 + random.log_uniform(1e-8, 0.1)),
+                                half * random.log_uniform(1, 100)};
+  const std::size_t inside = positions.size();
+  for (std::size_t i = 1; i < inside; ++i) positions.push_back(-positions[i]);
+  return positions;
+}
+
+DrawnScene of_size(Random& random, const Size& size) {
+  DrawnScene drawn;
+  drawn.set("roller.radius", size.radius);
+  drawn.set("sheet.thickness", size.thickness);
+  drawn.set("contact.length", size.length);
+  drawn.set("method.kind", "converged");
+  drawn.set("profile.positions", draw_positions(random, size.length));
+  drawn.set("wanted",
+            std::vector<std::string>{"contact_length", "leading_length", "trailing_length", "load",
+                                     "indentation", "edge_displacement", "trailing_displacement",
+                                     "rolling_resistance", "creep_ratio", "peak_pressure", "peak_shear",
+                                     "pressure", "shear", "normal_displacement", "tangential_displacement"});
+  return drawn;
+}
+
+/// The load that goes about with the length: that on half-spaces and on independent springs together.
+double about_load(const Size& size, double half_space_compliance, double spring_compliance) {
+  const double half = size.length / 2;
+  return std::numbers::pi / 2 * half * half / (size.radius * half_space_compliance) +
+         8.0 / 3 * half * half * half / (size.radius * size.thickness * spring_compliance);
+}
+
+void give_load(DrawnScene& drawn, double load) {
+  drawn.remove("contact.length");
+  drawn.set("load.per_length", load);
+}
+
+double long_or_short(Random& random, const data::MaterialFunction& function) {
+  return random.chance(0.5) ? function.instantaneous : function.long_time();
+}
+
+/// Relaxation time for a relaxation length of 1e-8 to 1e8 contact lengths.
+double draw_time(Random& random, const Size& size, double speed) {
+  return random.log_uniform(1e-8, 1e8) * size.length / speed;
+}
+
+double bulk_of(double shear, double poisson) { return shear * 2 * (1 + poisson) / (3 * (1 - 2 * poisson)); }
+
+void draw_standard_linear(Random& random, const Size& size, DrawnScene& drawn) {
+  const double speed = drawn.number("rolling.speed");
+  const double shear = draw_modulus(random), bulk = bulk_of(shear, draw_poisson(random));
+  if (random.chance(0.6)) {
+    drawn.set("material.model", random.chance(0.8) ? "standard-linear-solid" : "thesis-misprint");
+    drawn.set("material.shear", shear);
+    drawn.set("material.bulk", bulk);
+    drawn.set("material.relaxation_time", draw_time(random, size, speed));
+    return;
+  }
+  drawn.set("material.model", "standard-linear-solid");
+  drawn.set("material.shear_1", shear);
+  drawn.set("material.bulk_1", bulk);
+  for (const auto& [name, modulus] : {std::pair{"shear", shear}, std::pair{"bulk", bulk}}) {
+    const double second = modulus * random.log_uniform(1e-2, 1e2);
+    drawn.set(std::string("material.") + name + "_2", second);
+    drawn.set(std::string("material.") + name + "_viscosity", second * draw_time(random, size, speed));
+  }
+}
+
+/// theta2 is a part of theta1, so that Poisson's ratio is constant, or has rates of its own, which a
+/// material that is not physical may come of.
+void draw_prony(Random& random, const Size& size, DrawnScene& drawn) {
+  const double speed = drawn.number("rolling.speed");
+  const double compliance = 1 / draw_modulus(random), part = 1 - 2 * draw_poisson(random);
+  const auto set = [&](const std::string& name, double instantaneous, const std::vector<double>& amplitudes,
+                       const std::vector<double>& rates) {
+    drawn.set("material." + name + "_instantaneous", instantaneous);
+    drawn.set("material." + name + "_amplitudes", amplitudes);
+    drawn.set("material." + name + "_rates", rates);
+  };
+  const auto draw_rates = [&] {
+    std::vector<double> rates(1 + random.index(3));
+    for (double& rate : rates) rate = 1 / draw_time(random, size, speed);
+    return rates;
+  };
+  const auto draw_amplitudes = [&](const std::vector<double>& rates, double least, double most) {
+    std::vector<double> amplitudes;
+    for (const double rate : rates) amplitudes.push_back(compliance * random.log_uniform(least, most) * rate);
+    return amplitudes;
+  };
+  drawn.set("material.model", "prony");
+  const auto rates = draw_rates();
+  const auto amplitudes = draw_amplitudes(rates, 1e-3, 1e2);
+  set("theta1", compliance, amplitudes, rates);
+  if (random.chance(0.7)) {
+    auto parts = amplitudes;
+    for (double& amplitude : parts) amplitude *= part;
+    set("theta2", part * compliance, parts, rates);
+  } else {
+    const auto own = draw_rates();
+    set("theta2", part * compliance, draw_amplitudes(own, 1e-4, 1e-1), own);
+  }
+}
+
+/// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates, whose damping
+/// is larger than its frequency, at a constant Poisson's ratio.
+void draw_operators(Random& random, const Size& size, DrawnScene& drawn) {
+  const double speed = drawn.number("rolling.speed");
+  const double shear = draw_modulus(random), bulk = bulk_of(shear, draw_poisson(random));
+  const auto set = [&](const char* name, const std::vector<double>& coefficients) {
+    drawn.set(std::string("material.") + name, coefficients);
+  };
+  drawn.set("material.model", "operators");
+  const double damping = 1 / draw_time(random, size, speed), softer = random.log_uniform(1e-2, 1e2);
+  const std::size_t variant = random.index(3);
+  if (variant < 2) {
+    set("P", {(1 + softer) * damping, 1});
+    set("Q", {shear * damping, shear});
+    const double own = 1 / draw_time(random, size, speed);
+    set("P_dilatation", variant == 0 ? std::vector<double>{1} : std::vector<double>{(1 + softer) * own, 1});
+    set("Q_dilatation", variant == 0 ? std::vector<double>{bulk} : std::vector<double>{bulk * own, bulk});
+    return;
+  }
+  const double frequency = damping * random.uniform(0.05, 0.95);
+  const double square = damping * damping + frequency * frequency;
+  const double amplitude = softer * damping;
+  const std::vector<double> q{square, 2 * damping, 1};
+  const auto times = [&](double factor) {
+    std::vector<double> product = q;
+    for (double& coefficient : product) coefficient *= factor;
+    return product;
+  };
+  const std::vector<double> p{square + amplitude * damping, 2 * damping + amplitude, 1};
+  set("P", p);
+  set("Q", times(shear));
+  set("P_dilatation", p);
+  set("Q_dilatation", times(bulk));
+}
+
+void draw_material(Random& random, RollingMaterial material, const Size& size, DrawnScene& drawn) {
+  if (material == RollingMaterial::standard_linear) return draw_standard_linear(random, size, drawn);
+  if (material == RollingMaterial::prony) return draw_prony(random, size, drawn);
+  if (material == RollingMaterial::operators) return draw_operators(random, size, drawn);
+  drawn.set("material.model", "elastic");
+  drawn.set("material.young", draw_modulus(random));
+  drawn.set("material.poisson", draw_poisson(random));
+}
+
+}  // namespace
+
+DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
+  const Size size = draw_size(random);
+  DrawnScene drawn = of_size(random, size);
+  const data::ElasticMaterial material{draw_modulus(random), draw_poisson(random)};
+  const bool grips = friction == data::Friction::full;
+  drawn.set("material.model", "elastic");
+  drawn.set("material.young", material.young);
+  drawn.set("material.poisson", material.poisson);
+  drawn.set("friction.model", grips ? "full" : "none");
+  if (random.chance(0.5)) {
+    // What is gripped cannot widen.
+    const double confined =
+        2 * (1 + material.poisson) * (1 - 2 * material.poisson) / ((1 - material.poisson) * material.young);
+    give_load(drawn, about_load(size, material.normal_compliance(),
+                                grips ? confined : material.normal_compliance()));
+  }
+  return drawn;
+}
+
+DrawnScene draw_rolling_nip(Random& random, RollingMaterial material) {
+  const Size size = draw_size(random);
+  DrawnScene drawn = of_size(random, size);
+  drawn.set("friction.model", "none");
+  drawn.set("rolling.speed", random.log_uniform(1e-2, 1e2));
+  draw_material(random, material, size, drawn);
+  if (!random.chance(0.5)) return drawn;
+  try {
+    drawn.set("title", "its material");
+    const auto problem = std::get<data::ViscoelasticNipProblem>(drawn.scene().system);
+    const double compliance = long_or_short(random, problem.nip.material.normal_compliance());
+    give_load(drawn, about_load(size, compliance, compliance));
+  } catch (const data::BadInput&) {
+    // Whoever reads the scene is told.
+  }
+  return drawn;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <cmath>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/audit/internal/draw_half_space.hpp>
+#include <nipref/verify/audit/internal/draw_nip.hpp>
+#include <nipref/verify/audit/internal/drawn_scene.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// So that a product with a few small whole numbers has no rounding.
+constexpr int short_bits = 34;
+
+double shortened(double number) {
+  int exponent = 0;
+  const double mantissa = std::frexp(number, &exponent);
+  return std::ldexp(std::round(std::ldexp(mantissa, short_bits)), exponent - short_bits);
+}
+
+struct Shorten {
+  void operator()(double& number) const { number = shortened(number); }
+  void operator()(std::vector<double>& numbers) const {
+    for (double& number : numbers) number = shortened(number);
+  }
+  void operator()(const auto&) const {}
+};
+
+/// As TOML writes it: a number without point and exponent would be a whole one.
+struct TomlText {
+  std::string operator()(double number) const {
+    std::string text = fmt::format("{}", number);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  }
+  std::string operator()(const std::string& text) const { return fmt::format("\"{}\"", text); }
+  template <class Item>
+  std::string operator()(const std::vector<Item>& items) const {
+    std::vector<std::string> texts;
+    for (const Item& item : items) texts.push_back((*this)(item));
+    return fmt::format("[{}]", fmt::join(texts, ", "));
+  }
+};
+
+struct Kind {
+  std::string_view name;
+  DrawnScene (*draw)(Random& random);
+};
+
+constexpr std::array kinds{
+    Kind{"elastic, no friction", draw_elastic<data::Friction::none>},
+    Kind{"elastic, full friction", draw_elastic<data::Friction::full>},
+    Kind{"rolling, elastic", draw_rolling<RollingMaterial::elastic>},
+    Kind{"rolling, standard linear solid", draw_rolling<RollingMaterial::standard_linear>},
+    Kind{"rolling, Prony series", draw_rolling<RollingMaterial::prony>},
+    Kind{"rolling, operators", draw_rolling<RollingMaterial::operators>},
+    Kind{"die, exact", draw_half_space<Body::die, data::ContourRule::exact>},
+    Kind{"die, papers' rule", draw_half_space<Body::die, data::ContourRule::stationary_force>},
+    Kind{"rolling sphere", draw_half_space<Body::rolling_sphere, data::ContourRule::stationary_force>},
+    Kind{"sphere, exact", draw_half_space<Body::sphere, data::ContourRule::exact>},
+    Kind{"sphere, papers' rule", draw_half_space<Body::sphere, data::ContourRule::stationary_force>},
+};
+
+}  // namespace
+
+std::string DrawnScene::toml() const {
+  std::string top, tables, table;
+  for (const auto& [key, value] : keys_) {
+    const std::size_t dot = key.find('.');
+    const std::string text = std::visit(TomlText{}, value);
+    if (dot == std::string::npos) {
+      top += fmt::format("{} = {}\n", key, text);
+      continue;
+    }
+    if (key.substr(0, dot) != table) {
+      table = key.substr(0, dot);
+      tables += fmt::format("[{}]\n", table);
+    }
+    tables += fmt::format("{} = {}\n", key.substr(dot + 1), text);
+  }
+  return top + tables;
+}
+
+data::Scene DrawnScene::scene() const { return data::parse_scene(toml(), text("title")); }
+
+const std::vector<std::string_view>& drawn_kinds() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Kind& kind : kinds) all.push_back(kind.name);
+    return all;
+  }();
+  return names;
+}
+
+DrawnScene draw_scene(const std::string& seed, std::uint64_t index) {
+  Random random(fmt::format("scene {} of {}", index, seed));
+  const Kind& kind = kinds[index % kinds.size()];
+  DrawnScene drawn = kind.draw(random);
+  drawn.set("title", fmt::format("{}, scene {} of seed {}", kind.name, index, seed));
+  drawn.set("accuracy", random.log_uniform(1e-13, 1e-2));
+  if (index / kinds.size() % 2 == 0) {
+    for (auto& [key, value] : drawn.keys()) std::visit(Shorten{}, value);
+    drawn.set("accuracy", std::max(1e-13, drawn.number("accuracy")));
+  }
+  return drawn;
+}
+
+}  // namespace nipref::verify

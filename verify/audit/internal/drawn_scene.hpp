@@ -1,0 +1,54 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include <nipref/data/scene/scene.hpp>
+
+namespace nipref::verify {
+
+/// A scene as the keys of its TOML file, so that it can be changed key by key, written out, and read exactly
+/// as `solve` reads it.
+class DrawnScene {
+ public:
+  using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
+
+  /// "TABLE.KEY", or "KEY".
+  void set(const std::string& key, Value value) { keys_.insert_or_assign(key, std::move(value)); }
+  void remove(const std::string& key) { keys_.erase(key); }
+  [[nodiscard]] bool has(const std::string& key) const { return keys_.contains(key); }
+  /// What the key holds, which must be of that type.
+  [[nodiscard]] double number(const std::string& key) const { return std::get<double>(keys_.at(key)); }
+  [[nodiscard]] std::string text(const std::string& key) const {
+    return std::get<std::string>(keys_.at(key));
+  }
+  [[nodiscard]] std::vector<double> numbers(const std::string& key) const {
+    return std::get<std::vector<double>>(keys_.at(key));
+  }
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key) const {
+    return std::get<std::vector<std::string>>(keys_.at(key));
+  }
+  [[nodiscard]] std::map<std::string, Value>& keys() { return keys_; }
+
+  [[nodiscard]] std::string toml() const;
+  /// BadInput for what load_scene refuses.
+  [[nodiscard]] data::Scene scene() const;
+
+ private:
+  std::map<std::string, Value> keys_;
+};
+
+/// The kinds of scenes that are drawn, by name; scene `index` of any seed is of kind index modulo their number.
+const std::vector<std::string_view>& drawn_kinds();
+
+/// Scene number `index` of `seed`, always the same one. Ends of the domain: L/B 1e-4 to 1e3, R/B 1 to 1e4,
+/// Poisson's ratio -0.9 to 0.4999, relaxation lengths 1e-8 to 1e8 contact lengths, speeds to 1 - 1e-9 of the
+/// critical one, ratios of curvatures 1e-4 to 1e4, accuracies 1e-2 to 1e-13; everything wanted that the kind
+/// has. Every other scene has numbers of 34 bits, see identities.hpp. Some may be refused when they are read
+/// or solved.
+DrawnScene draw_scene(const std::string& seed, std::uint64_t index);
+
+}  // namespace nipref::verify

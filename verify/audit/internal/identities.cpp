@@ -1,0 +1,242 @@
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include <nipref/verify/audit/internal/identities.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::Estimate;
+
+/// Exponents of length, stress and time.
+struct Dimension {
+  int length = 0, stress = 0, time = 0;
+};
+
+constexpr Dimension of_length{1, 0, 0}, of_stress{0, 1, 0}, of_time{0, 0, 1};
+
+/// By the last part of the key, units as in data/scene/file.hpp; a list counts the powers of p if `per_power`.
+struct KeyUnit {
+  std::string_view key;
+  Dimension unit;
+  bool per_power = false;
+};
+constexpr std::array key_units{
+    KeyUnit{"radius", of_length},
+    KeyUnit{"radius_along", of_length},
+    KeyUnit{"radius_across", of_length},
+    KeyUnit{"thickness", of_length},
+    KeyUnit{"length", of_length},
+    KeyUnit{"span_along", of_length},
+    KeyUnit{"per_length", {1, 1, 0}},
+    KeyUnit{"normal_force", {2, 1, 0}},
+    KeyUnit{"speed", {1, 0, -1}},
+    KeyUnit{"density", {-2, 1, 2}},
+    KeyUnit{"young", of_stress},
+    KeyUnit{"bulk", of_stress},
+    KeyUnit{"bulk_1", of_stress},
+    KeyUnit{"bulk_2", of_stress},
+    KeyUnit{"shear", of_stress},
+    KeyUnit{"shear_1", of_stress},
+    KeyUnit{"shear_2", of_stress},
+    KeyUnit{"c11", of_stress},
+    KeyUnit{"c33", of_stress},
+    KeyUnit{"c13", of_stress},
+    KeyUnit{"c44", of_stress},
+    KeyUnit{"c66", of_stress},
+    KeyUnit{"shear_viscosity", {0, 1, 1}},
+    KeyUnit{"bulk_viscosity", {0, 1, 1}},
+    KeyUnit{"relaxation_time", of_time},
+    KeyUnit{"theta1_instantaneous", {0, -1, 0}},
+    KeyUnit{"theta2_instantaneous", {0, -1, 0}},
+    KeyUnit{"theta1_amplitudes", {0, -1, -1}},
+    KeyUnit{"theta2_amplitudes", {0, -1, -1}},
+    KeyUnit{"theta1_rates", {0, 0, -1}},
+    KeyUnit{"theta2_rates", {0, 0, -1}},
+    KeyUnit{"P", {}, true},
+    KeyUnit{"P_dilatation", {}, true},
+    KeyUnit{"Q", of_stress, true},
+    KeyUnit{"Q_dilatation", of_stress, true},
+};
+
+const std::map<std::string_view, Dimension> result_units{{"length", of_length},
+                                                         {"force/length", {1, 1, 0}},
+                                                         {"force", {2, 1, 0}},
+                                                         {"stress", of_stress},
+                                                         {"1/stress", {0, -1, 0}},
+                                                         {"speed", {1, 0, -1}},
+                                                         {"1", {}},
+                                                         {"degree", {}}};
+
+/// Factors of the units.
+struct Units {
+  double length, stress, time;
+
+  [[nodiscard]] double operator()(const Dimension& unit) const {
+    return std::pow(length, unit.length) * std::pow(stress, unit.stress) * std::pow(time, unit.time);
+  }
+};
+
+bool is_prony(const DrawnScene& drawn) {
+  return drawn.has("material.model") && drawn.text("material.model") == "prony";
+}
+bool is_half_space(const DrawnScene& drawn) { return drawn.has("half_space.model"); }
+
+/// Such that every key's factor is whole: what is a stress, a compliance, a time or a rate is the kind's own.
+Units draw_units(const DrawnScene& drawn, Random& random) {
+  const auto odd = [&] { return 3 + 2 * static_cast<double>(random.index(4)); };
+  const double a = odd(), b = odd(), c = odd();
+  if (is_half_space(drawn)) return {a, b * c * c, a / c};
+  if (is_prony(drawn)) return {a * b, 1 / b, 1 / c};
+  return {a * c, b, c};
+}
+
+/// Nothing where that rounds.
+std::optional<double> exact_product(double factor, double number) {
+  const double whole = std::round(factor), product = whole * number;
+  if (std::fabs(factor - whole) > 1e-9 || std::fma(whole, number, -product) != 0) return {};
+  return product;
+}
+
+bool multiply(DrawnScene::Value& value, const Units& units, const KeyUnit& unit) {
+  std::vector<double*> numbers;
+  if (auto* number = std::get_if<double>(&value)) numbers.push_back(number);
+  if (auto* list = std::get_if<std::vector<double>>(&value)) {
+    for (double& number : *list) numbers.push_back(&number);
+  }
+  Dimension power = unit.unit;
+  for (double* const number : numbers) {
+    const auto product = exact_product(units(power), *number);
+    if (!product) return false;
+    *number = *product;
+    if (unit.per_power) ++power.time;
+  }
+  return true;
+}
+
+/// A number computed from another with a rounding or two.
+Estimate rounded(double value, double error) { return {value, error + 0x1p-51 * std::fabs(value)}; }
+
+std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
+  const Units units = draw_units(drawn, random);
+  Variant variant{"units", drawn, [units](const data::SceneResult& what, const Estimate& number) {
+                    const double factor = units(result_units.at(what.unit));
+                    return rounded(number.value / factor, number.error / factor);
+                  }};
+  for (auto& [key, value] : variant.scene.keys()) {
+    const std::string_view last = std::string_view(key).substr(key.find('.') + 1);
+    for (const KeyUnit& unit : key_units) {
+      if (unit.key == last && !multiply(value, units, unit)) return {};
+    }
+    if (last == "positions" && !is_half_space(drawn) && !multiply(value, units, {"", of_length})) return {};
+  }
+  return variant;
+}
+
+struct GivenPair {
+  const char *found_key, *found, *given_key, *given;
+  /// The answer's relative change over that of what is given is at most this.
+  double condition;
+};
+constexpr std::array given_pairs{
+    GivenPair{"contact.length", "load", "load.per_length", "contact_length", 1},
+    GivenPair{"load.per_length", "contact_length", "contact.length", "load", 5},
+    GivenPair{"contact.span_along", "normal_force", "load.normal_force", "span_along", 1},
+    GivenPair{"load.normal_force", "span_along", "contact.span_along", "normal_force", 3}};
+
+std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<Estimate>& solved) {
+  for (const GivenPair& pair : given_pairs) {
+    if (!drawn.has(pair.found_key)) continue;
+    const Estimate found = solved[pair.found];
+    if (!(found.value > 0)) return {};
+    const double more = pair.condition * found.error / found.value;
+    Variant variant{"given back", drawn, [more](const data::SceneResult&, const Estimate& number) {
+                      return rounded(number.value, number.error + more * std::fabs(number.value));
+                    }};
+    variant.scene.remove(pair.found_key);
+    variant.scene.set(pair.given_key, found.value);
+    variant.scene.set("wanted", std::vector<std::string>{pair.given});
+    return variant;
+  }
+  return {};
+}
+
+std::optional<Variant> not_rolling(const DrawnScene& drawn) {
+  if (!drawn.has("rolling.speed") || !drawn.has("material.young")) return {};
+  Variant variant{"elastic limit", drawn,
+                  [](const data::SceneResult&, const Estimate& number) { return number; }};
+  variant.scene.remove("rolling.speed");
+  return variant;
+}
+
+std::vector<double> negated(std::vector<double> numbers) {
+  for (double& number : numbers) number = -number;
+  return numbers;
+}
+
+std::optional<Variant> mirrored(const DrawnScene& drawn) {
+  if (drawn.has("rolling.speed")) return {};
+  Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
+                    const bool is_odd = what.name == "shear" || what.name == "tangential_displacement" ||
+                                        what.name == "orientation";
+                    return Estimate{is_odd ? -number.value : number.value, number.error};
+                  }};
+  variant.scene.set("profile.positions", negated(drawn.numbers("profile.positions")));
+  if (drawn.has("sliding.direction"))
+    variant.scene.set("sliding.direction", -drawn.number("sliding.direction"));
+  return variant;
+}
+
+std::optional<Variant> turned_motion(const DrawnScene& drawn, Random& random) {
+  if (!drawn.has("sliding.direction")) return {};
+  if (drawn.has("half_space.axis") && drawn.text("half_space.axis") != "normal") return {};
+  const double from = drawn.number("sliding.direction"), to = random.uniform(-90, 90);
+  Variant variant{"turned", drawn, [turn = from - to](const data::SceneResult& what, const Estimate& number) {
+                    if (what.name != "orientation") return number;
+                    return Estimate{number.value + turn, number.error + 0x1p-51 * 180};
+                  }};
+  variant.scene.set("sliding.direction", to);
+  return variant;
+}
+
+std::optional<Variant> as_transversely_isotropic(const DrawnScene& drawn, Random& random) {
+  if (!is_half_space(drawn) || drawn.has("rolling_sphere.radius")) return {};
+  if (drawn.text("half_space.model") != "isotropic") return {};
+  const double shear = drawn.number("half_space.shear"), poisson = drawn.number("half_space.poisson");
+  const double lame = 2 * shear * poisson / (1 - 2 * poisson), stiff = lame + 2 * shear;
+  const bool is_exact = std::fma(lame, 1 - 2 * poisson, -2 * shear * poisson) == 0 &&
+                        std::fma(shear, poisson, -(shear * poisson)) == 0 && stiff - lame == 2 * shear &&
+                        stiff - 2 * shear == lame;
+  if (!is_exact) return {};
+  Variant variant{"isotropic limit", drawn,
+                  [](const data::SceneResult&, const Estimate& number) { return number; }};
+  variant.scene.remove("half_space.shear");
+  variant.scene.remove("half_space.poisson");
+  variant.scene.set("half_space.model", "transversely-isotropic");
+  variant.scene.set("half_space.axis", random.chance(0.5) ? "normal" : "in-plane");
+  variant.scene.set("half_space.c11", stiff);
+  variant.scene.set("half_space.c33", stiff);
+  variant.scene.set("half_space.c13", lame);
+  variant.scene.set("half_space.c44", shear);
+  variant.scene.set("half_space.c66", shear);
+  return variant;
+}
+
+}  // namespace
+
+std::vector<Variant> variants_of(const DrawnScene& drawn, const SceneSolution<Estimate>& solved,
+                                 Random& random) {
+  std::vector<Variant> variants;
+  for (const auto& variant :
+       {in_other_units(drawn, random), given_back(drawn, solved), not_rolling(drawn), mirrored(drawn),
+        turned_motion(drawn, random), as_transversely_isotropic(drawn, random)}) {
+    if (variant) variants.push_back(*variant);
+  }
+  return variants;
+}
+
+}  // namespace nipref::verify

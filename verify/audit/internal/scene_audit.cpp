@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <exception>
+#include <limits>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/internal/identities.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::Estimate;
+using Solution = SceneSolution<Estimate>;
+
+constexpr double best_accuracy = 1e-13;
+constexpr int ref_digits = 20;
+constexpr double longest_by_ref = 20;  // L/B
+
+/// What a number is compared with.
+struct Other {
+  long double value;
+  double error;
+  bool is_truth;  ///< and not an identity
+};
+
+/// The numbers of one solved scene, and what every comparison says about them.
+class Comparisons {
+ public:
+  Comparisons(SceneFindings& findings, const Solution& solved) : findings_(findings), solved_(solved) {
+    for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
+  }
+
+  /// other_of(result, i) for each number of each result that both have.
+  void against(const std::string& name, const std::vector<std::string>& results, const auto& other_of) {
+    for (std::size_t k = 0; k < solved_.results.size(); ++k) {
+      const Solution::Result& result = solved_.results[k];
+      if (std::ranges::find(results, result.what->name) == results.end()) continue;
+      for (std::size_t i = 0; i < result.numbers.size(); ++i) compare(name, k, i, other_of(result, i));
+    }
+  }
+
+  /// Fills in what is counted by number.
+  void finish() {
+    for (std::size_t k = 0; k < checked_.size(); ++k) {
+      const Solution::Result& result = solved_.results[k];
+      findings_.numbers += result.numbers.size();
+      for (std::size_t i = 0; i < checked_[k].size(); ++i) {
+        const Checked& checked = checked_[k][i];
+        if (!checked.at_all) ++findings_.unchecked;
+        if (checked.uncovered) ++findings_.uncovered;
+        if (checked.missed) ++findings_.missed_unsaid;
+        if (!result.allowed.empty() && !(result.numbers[i].error <= result.allowed[i]))
+          ++findings_.missed_said;
+        if (checked.overestimate) findings_.overestimates.push_back(*checked.overestimate);
+      }
+    }
+  }
+
+ private:
+  struct Checked {
+    bool at_all = false, uncovered = false, missed = false;
+    std::optional<double> overestimate;
+  };
+
+  void compare(const std::string& name, std::size_t k, std::size_t i, const Other& other) {
+    const Solution::Result& result = solved_.results[k];
+    const Estimate& mine = result.numbers[i];
+    Checked& checked = checked_[k][i];
+    const double difference = distance(*result.what, mine.value, other.value);
+    const double both = mine.error + other.error;
+    const bool covered = difference <= both;
+    if (!covered) checked.uncovered = true;
+    if (!covered || other.error <= mine.error) checked.at_all = true;
+    if (!result.allowed.empty() && mine.error <= result.allowed[i] &&
+        difference - other.error > result.allowed[i])
+      checked.missed = true;
+    // The first truth is the best one.
+    if (other.is_truth && !checked.overestimate && mine.error > 0 && other.error <= 0.1 * mine.error) {
+      const double least = std::max(other.error, 0x1p-53 * std::fabs(mine.value));
+      checked.overestimate = mine.error / std::max(difference, least);
+    }
+    note_largest(covered && difference == 0 ? 0 : difference / both, name, result, i, other);
+  }
+
+  static double distance(const data::SceneResult& what, long double mine, long double other) {
+    const long double difference = mine - other;
+    return static_cast<double>(
+        std::fabs(what.name == "orientation" ? std::remainder(difference, 180.0L) : difference));
+  }
+
+  void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
+                    const Other& other) {
+    if (ratio <= findings_.largest_ratio) return;
+    findings_.largest_ratio = ratio;
+    const Estimate& mine = result.numbers[i];
+    findings_.where =
+        fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}", result.what->name,
+                    result.what->is_profile ? fmt::format(" at {}", solved_.positions[i]) : "", mine.value,
+                    mine.error, name, static_cast<double>(other.value), other.error);
+  }
+
+  SceneFindings& findings_;
+  const Solution& solved_;
+  std::vector<std::vector<Checked>> checked_;
+};
+
+/// A contact's numbers by name and place.
+struct OtherOf {
+  const Solution& solution;
+  const Variant* variant = nullptr;  ///< null: the truth
+
+  Other operator()(const Solution::Result& result, std::size_t i) const {
+    const Estimate number = solution.profile(result.what->name)[i];
+    if (variant == nullptr) return {number.value, number.error, true};
+    const Estimate back = variant->back(*result.what, number);
+    return {back.value, back.error, false};
+  }
+};
+
+/// The reference, where it has the contact and that takes no longer than a second.
+void compare_with_ref(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
+                      const SceneSolvers& solvers) {
+  if (!drawn.has("friction.model") || drawn.has("rolling.speed") || drawn.text("friction.model") != "none")
+    return;
+  if (drawn.text("material.model") != "elastic") return;
+  if (solved["contact_length"].value > longest_by_ref * drawn.number("sheet.thickness")) return;
+  DrawnScene for_ref = drawn;
+  const std::vector<std::string> known{"contact_length",    "load",          "indentation",
+                                       "edge_displacement", "peak_pressure", "pressure"};
+  for_ref.set("wanted", known);
+  const auto truth = solvers.ref(for_ref.scene(), ref_digits);
+  comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
+    const LongEstimate& number = truth.profile(result.what->name)[i];
+    return Other{std::strtold(number.value.c_str(), nullptr), std::strtod(number.error.c_str(), nullptr),
+                 true};
+  });
+}
+
+void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolvers& solvers) {
+  drawn.set("accuracy", best_accuracy);
+  const Solution best = solvers.fast(drawn.scene());
+  comparisons.against("the same at 1e-13", drawn.texts("wanted"), OtherOf{best});
+}
+
+void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
+                           Random& random, const SceneSolvers& solvers) {
+  for (const Variant& variant : variants_of(drawn, solved, random)) {
+    try {
+      const Solution other = solvers.fast(variant.scene.scene());
+      comparisons.against(variant.name, variant.scene.texts("wanted"), OtherOf{other, &variant});
+    } catch (const data::BadInput&) {
+      // At the very end of a domain the variant may be beyond it.
+    }
+  }
+}
+
+void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& random,
+                 const SceneSolvers& solvers) {
+  Solution solved;
+  try {
+    solved = solvers.fast(drawn.scene());
+  } catch (const data::BadInput& error) {
+    findings.refused = error.what();
+    return;
+  }
+  findings.seconds = solved.seconds;
+  Comparisons comparisons(findings, solved);
+  compare_with_ref(comparisons, drawn, solved, solvers);
+  if (!drawn.has("half_space.model")) compare_at_best(comparisons, drawn, solvers);
+  compare_with_variants(comparisons, drawn, solved, random, solvers);
+  comparisons.finish();
+}
+
+}  // namespace
+
+SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers) {
+  SceneFindings findings;
+  findings.index = index;
+  Random random(fmt::format("identities of scene {} of {}", index, seed));
+  try {
+    const DrawnScene drawn = draw_scene(seed, index);
+    findings.toml = drawn.toml();
+    audit_drawn(findings, drawn, random, solvers);
+  } catch (const std::exception& error) {
+    findings.failed = error.what();
+  }
+  return findings;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/support/internal/or_dash.hpp>
+
+namespace nipref::verify {
+namespace {
+
+std::string row(const SceneTally& tally) {
+  return fmt::format("{:30}{:>7}{:>8}{:>9}{:>10}{:>12}{:>11.3g}{:>10}{:>8}{:>8}{:>10.2g}  {}\n", tally.kind,
+                     tally.scenes, tally.refused, tally.numbers, tally.unchecked, tally.uncovered,
+                     tally.worst.largest_ratio, or_dash(tally.median_overestimate, 3), tally.missed_said,
+                     tally.missed_unsaid, tally.slowest.seconds, tally.kept() ? "kept" : "BROKEN");
+}
+
+std::string worst_text(const SceneTally& tally) {
+  std::string text = fmt::format("\n{}: error over estimate {:.3g}: {}\n", tally.kind,
+                                 tally.worst.largest_ratio, tally.worst.where);
+  if (tally.failed > 0)
+    text += fmt::format("{} scenes failed, the first with: {}\n", tally.failed, tally.failure);
+  return text + tally.worst.toml;
+}
+
+}  // namespace
+
+std::string scene_tally_text(const std::vector<SceneTally>& tallies) {
+  std::string text = fmt::format("{:30}{:>7}{:>8}{:>9}{:>10}{:>12}{:>11}{:>10}{:>8}{:>8}{:>10}  {}\n",
+                                 "random scenes", "scenes", "refused", "numbers", "unchecked", "not covered",
+                                 "err/est", "est/err", "missed", "unsaid", "slowest/s", "verdict");
+  for (const SceneTally& tally : tallies) text += row(tally);
+  for (const SceneTally& tally : tallies) {
+    if (!tally.kept()) text += worst_text(tally);
+  }
+  return text;
+}
+
+Json scene_tally_json(const std::vector<SceneTally>& tallies) {
+  return json_list(tallies, [](const SceneTally& tally) {
+    return Json{
+        {"kind", tally.kind},
+        {"scenes", tally.scenes},
+        {"refused", tally.refused},
+        {"first_refusal", Json::unless_empty(tally.refusal)},
+        {"failed", tally.failed},
+        {"first_failure", Json::unless_empty(tally.failure)},
+        {"numbers", tally.numbers},
+        {"unchecked", tally.unchecked},
+        {"not_covered", tally.uncovered},
+        {"missed_said", tally.missed_said},
+        {"missed_unsaid", tally.missed_unsaid},
+        {"median_overestimate", tally.median_overestimate},
+        {"largest_error_over_estimate", tally.worst.largest_ratio},
+        {"worst",
+         {{"index", tally.worst.index},
+          {"where", Json::unless_empty(tally.worst.where)},
+          {"scene", Json::unless_empty(tally.worst.toml)}}},
+        {"kept", tally.kept()},
+        {"times", {{"slowest_seconds", tally.slowest.seconds}, {"slowest_scene", tally.slowest.toml}}}};
+  });
+}
+
+}  // namespace nipref::verify
