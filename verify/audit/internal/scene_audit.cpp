@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/internal/half_space_truth.hpp>
 #include <nipref/verify/audit/internal/identities.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 
@@ -23,8 +24,7 @@ constexpr double longest_by_ref = 20;  // L/B
 
 /// What a number is compared with.
 struct Other {
-  long double value;
-  double error;
+  Truth number;
   bool is_truth;  ///< and not an identity
 };
 
@@ -35,12 +35,14 @@ class Comparisons {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// other_of(result, i) for each number of each result that both have.
+  /// other_of(result, i), if there is one, for each number of these results.
   void against(const std::string& name, const std::vector<std::string>& results, const auto& other_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
       if (std::ranges::find(results, result.what->name) == results.end()) continue;
-      for (std::size_t i = 0; i < result.numbers.size(); ++i) compare(name, k, i, other_of(result, i));
+      for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+        if (const std::optional<Other> other = other_of(result, i)) compare(name, k, i, *other);
+      }
     }
   }
 
@@ -67,7 +69,8 @@ class Comparisons {
     std::optional<double> overestimate;
   };
 
-  void compare(const std::string& name, std::size_t k, std::size_t i, const Other& other) {
+  void compare(const std::string& name, std::size_t k, std::size_t i, const Other& with) {
+    const Truth& other = with.number;
     const Solution::Result& result = solved_.results[k];
     const Estimate& mine = result.numbers[i];
     Checked& checked = checked_[k][i];
@@ -80,7 +83,7 @@ class Comparisons {
         difference - other.error > result.allowed[i])
       checked.missed = true;
     // The first truth is the best one.
-    if (other.is_truth && !checked.overestimate && mine.error > 0 && other.error <= 0.1 * mine.error) {
+    if (with.is_truth && !checked.overestimate && mine.error > 0 && other.error <= 0.1 * mine.error) {
       const double least = std::max(other.error, 0x1p-53 * std::fabs(mine.value));
       checked.overestimate = mine.error / std::max(difference, least);
     }
@@ -94,7 +97,7 @@ class Comparisons {
   }
 
   void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
-                    const Other& other) {
+                    const Truth& other) {
     if (ratio <= findings_.largest_ratio) return;
     findings_.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
@@ -114,20 +117,27 @@ struct OtherOf {
   const Solution& solution;
   const Variant* variant = nullptr;  ///< null: the truth
 
-  Other operator()(const Solution::Result& result, std::size_t i) const {
+  std::optional<Other> operator()(const Solution::Result& result, std::size_t i) const {
     const Estimate number = solution.profile(result.what->name)[i];
-    if (variant == nullptr) return {number.value, number.error, true};
+    if (variant == nullptr) return Other{{number.value, number.error}, true};
     const Estimate back = variant->back(*result.what, number);
-    return {back.value, back.error, false};
+    return Other{{back.value, back.error}, false};
   }
 };
 
 /// The reference, where it has the contact and that takes no longer than a second.
 void compare_with_ref(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
                       const SceneSolvers& solvers) {
-  if (!drawn.has("friction.model") || drawn.has("rolling.speed") || drawn.text("friction.model") != "none")
+  const data::Scene scene = drawn.scene();
+  if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
+    const HalfSpaceTruth truth(*problem);
+    comparisons.against("ref", scene.wanted, [&](const Solution::Result& result, std::size_t i) {
+      const auto number = truth.of(result.what->name, result.what->is_profile ? solved.positions[i] : 0);
+      return number ? std::optional(Other{*number, true}) : std::nullopt;
+    });
     return;
-  if (drawn.text("material.model") != "elastic") return;
+  }
+  if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
   if (solved["contact_length"].value > longest_by_ref * drawn.number("sheet.thickness")) return;
   DrawnScene for_ref = drawn;
   const std::vector<std::string> known{"contact_length",    "load",          "indentation",

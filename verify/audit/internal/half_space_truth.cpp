@@ -1,0 +1,169 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+#include <variant>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/response.hpp>
+#include <nipref/ref/half_space/rolling_sphere.hpp>
+#include <nipref/ref/half_space/sliding.hpp>
+#include <nipref/verify/audit/internal/half_space_truth.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using ref::Exact;
+using ref::SurfaceDirection;
+
+constexpr int truth_digits = 20;
+
+Truth as_truth(const std::string& value, const std::string& error) {
+  // A long double has 19 digits.
+  const long double number = std::strtold(value.c_str(), nullptr);
+  return {number, std::strtod(error.c_str(), nullptr) + 1e-19 * std::fabs(static_cast<double>(number))};
+}
+Truth as_truth(const ref::Enclosure& number) { return as_truth(number.value_text(), number.bound_text()); }
+Truth as_truth(const ref::Estimated& number) { return as_truth(number.value_text(), number.error_text()); }
+
+Truth scaled(long double factor, const Truth& truth) {
+  const double rounding = 1e-18 * std::fabs(static_cast<double>(factor * truth.value));
+  return {factor * truth.value, std::fabs(static_cast<double>(factor)) * truth.error + rounding};
+}
+
+ref::Real sum(const ref::Real& a, const ref::Real& b, int sign) {
+  ref::Real total = a;
+  if (sign > 0) {
+    mpfr_add(total.get(), a.get(), b.get(), MPFR_RNDN);
+  } else {
+    mpfr_sub(total.get(), a.get(), b.get(), MPFR_RNDN);
+  }
+  return total;
+}
+
+/// A solid that is touched, and how fast the contact moves over it.
+struct Surface {
+  ref::ExactStiffness solid;
+  Exact speed;
+  double direction;
+
+  [[nodiscard]] ref::LineResponse along(const Exact& from_motion, int digits) const {
+    const Exact psi(mpq_class(from_motion.value() + Exact(direction).value()));
+    return ref::line_response(solid, speed, SurfaceDirection::of_degrees(Exact(direction)),
+                              SurfaceDirection::of_degrees(psi), digits);
+  }
+};
+
+struct SolidOf {
+  ref::ExactStiffness operator()(const data::IsotropicSolid& solid) const {
+    return ref::sagittal_stiffness(ref::ExactTransverse(solid));
+  }
+  ref::ExactStiffness operator()(const data::TransverselyIsotropicBody& body) const {
+    const ref::ExactTransverse solid(body.solid);
+    return body.axis == data::SymmetryAxis::normal ? ref::sagittal_stiffness(solid)
+                                                   : ref::exact_stiffness(solid, body.axis);
+  }
+};
+
+struct CurvatureOf {
+  long double degrees;
+
+  long double operator()(const data::RigidDie& die) const {
+    const long double psi = degrees * std::numbers::pi_v<long double> / 180;
+    const long double across = std::fabs(degrees) == 90 ? 0 : std::cos(psi) * std::cos(psi);
+    return across / die.radius_along + std::sin(psi) * std::sin(psi) / die.radius_across;
+  }
+  long double operator()(const auto& sphere) const { return 1 / static_cast<long double>(sphere.radius); }
+};
+
+}  // namespace
+
+struct HalfSpaceTruth::Implementation {
+  data::HalfSpaceProblem problem;
+  Surface half_space;
+  std::optional<Surface> body;  ///< none: rigid
+
+  [[nodiscard]] ref::LineAnswer answer(const Exact& degrees, int digits) const {
+    const ref::LineResponse below = half_space.along(degrees, digits);
+    if (!body)
+      return {below.compliance.value, below.coupling.value, below.coupling_across.value, below.in_line.value};
+    const ref::LineResponse above = body->along(degrees, digits);
+    return {sum(below.compliance.value, above.compliance.value, 1),
+            sum(below.coupling.value, above.coupling.value, -1),
+            sum(below.coupling_across.value, above.coupling_across.value, -1), below.in_line.value};
+  }
+  [[nodiscard]] Truth line(double degrees, ref::Enclosure ref::LineResponse::*member, int sign) const {
+    const Exact psi(degrees);
+    Truth truth = as_truth(half_space.along(psi, truth_digits).*member);
+    if (body) {
+      const Truth above = as_truth(body->along(psi, truth_digits).*member);
+      truth.value += sign * above.value;
+      truth.error += above.error + 1e-19 * std::fabs(static_cast<double>(above.value));
+    }
+    return truth;
+  }
+  /// Over that along the motion.
+  [[nodiscard]] Truth span_ratio(double degrees) const {
+    const ref::SurfaceAnswer surface = [this](const Exact& psi, int digits) { return answer(psi, digits); };
+    if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
+      return as_truth(ref::rolling_span_ratio(surface, Exact(degrees), truth_digits));
+    const Truth weighted =
+        as_truth(ref::sliding_span_ratio(surface, Exact(problem.friction), Exact(degrees), truth_digits));
+    return scaled(std::visit(CurvatureOf{0}, problem.body) / std::visit(CurvatureOf{degrees}, problem.body),
+                  weighted);
+  }
+  [[nodiscard]] std::optional<Truth> span(double degrees) const {
+    const auto* given = std::get_if<data::GivenSpan>(&problem.given);
+    if (given == nullptr) return {};
+    return scaled(given->along, span_ratio(degrees));
+  }
+  [[nodiscard]] static Truth critical(const Surface& surface, bool is_isotropic) {
+    const SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(surface.direction));
+    if (is_isotropic)
+      return as_truth(ref::surface_wave_speed(surface.solid, motion, motion, truth_digits).value());
+    return as_truth(ref::critical_speed(surface.solid, motion, truth_digits).speed);
+  }
+  [[nodiscard]] Truth critical_speed() const {
+    const Truth below = critical(half_space, std::holds_alternative<data::IsotropicSolid>(problem.half_space));
+    const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body);
+    if (sphere == nullptr || !sphere->moving_patch) return below;
+    const Truth above = critical(*body, true);
+    return above.value < below.value ? above : below;
+  }
+  [[nodiscard]] std::optional<Truth> of(std::string_view name, double degrees) const {
+    if (name == "compliance") return line(degrees, &ref::LineResponse::compliance, 1);
+    if (name == "coupling") return line(degrees, &ref::LineResponse::coupling, -1);
+    if (name == "critical_speed") return critical_speed();
+    if (problem.rule == data::ContourRule::exact) return {};
+    if (name == "span_ratio") return span_ratio(90);
+    if (name == "span_along") return span(0);
+    if (name == "span_across") return span(90);
+    if (name == "span") return span(degrees);
+    return {};
+  }
+};
+
+HalfSpaceTruth::HalfSpaceTruth(const data::HalfSpaceProblem& problem) {
+  Implementation made{problem,
+                      {std::visit(SolidOf{}, problem.half_space), Exact(problem.speed), problem.direction},
+                      {}};
+  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
+    made.body =
+        Surface{SolidOf{}(sphere->solid), Exact(sphere->moving_patch ? problem.speed : 0.0), problem.direction};
+  }
+  implementation_ = std::make_unique<const Implementation>(std::move(made));
+}
+
+HalfSpaceTruth::~HalfSpaceTruth() = default;
+
+std::optional<Truth> HalfSpaceTruth::of(std::string_view name, double degrees) const {
+  try {
+    return implementation_->of(name, degrees);
+  } catch (const data::BadInput&) {
+    return {};  // where no proof is found
+  }
+}
+
+}  // namespace nipref::verify
