@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
@@ -18,7 +19,9 @@ namespace {
 using ref::Exact;
 using ref::SurfaceDirection;
 
-constexpr int truth_digits = 20;
+constexpr int truth_digits = 20, ellipse_digits = 16;
+/// Beyond these the ellipse takes thousands of lines.
+constexpr double most_slender = 10, fastest_with_ellipse = 0.7;
 
 Truth as_truth(const std::string& value, const std::string& error) {
   // A long double has 19 digits.
@@ -84,6 +87,7 @@ struct HalfSpaceTruth::Implementation {
   data::HalfSpaceProblem problem;
   Surface half_space;
   std::optional<Surface> body;  ///< none: rigid
+  bool dear;
 
   [[nodiscard]] ref::LineAnswer answer(const Exact& degrees, int digits) const {
     const ref::LineResponse below = half_space.along(degrees, digits);
@@ -104,13 +108,15 @@ struct HalfSpaceTruth::Implementation {
     }
     return truth;
   }
+  [[nodiscard]] ref::SurfaceAnswer surface() const {
+    return [this](const Exact& psi, int digits) { return answer(psi, digits); };
+  }
   /// Over that along the motion.
   [[nodiscard]] Truth span_ratio(double degrees) const {
-    const ref::SurfaceAnswer surface = [this](const Exact& psi, int digits) { return answer(psi, digits); };
     if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
-      return as_truth(ref::rolling_span_ratio(surface, Exact(degrees), truth_digits));
+      return as_truth(ref::rolling_span_ratio(surface(), Exact(degrees), truth_digits));
     const Truth weighted =
-        as_truth(ref::sliding_span_ratio(surface, Exact(problem.friction), Exact(degrees), truth_digits));
+        as_truth(ref::sliding_span_ratio(surface(), Exact(problem.friction), Exact(degrees), truth_digits));
     return scaled(std::visit(CurvatureOf{0}, problem.body) / std::visit(CurvatureOf{degrees}, problem.body),
                   weighted);
   }
@@ -119,6 +125,34 @@ struct HalfSpaceTruth::Implementation {
     if (given == nullptr) return {};
     return scaled(given->along, span_ratio(degrees));
   }
+  /// The body's curvature across the motion over that along it, and the mean radius of curvature.
+  [[nodiscard]] Exact curvature_ratio() const {
+    const auto* die = std::get_if<data::RigidDie>(&problem.body);
+    if (die == nullptr) return Exact(1.0);
+    return Exact(mpq_class(Exact(die->radius_along).value() / Exact(die->radius_across).value()));
+  }
+  [[nodiscard]] long double mean_radius() const {
+    return 2 / (std::visit(CurvatureOf{0}, problem.body) + std::visit(CurvatureOf{90}, problem.body));
+  }
+  /// Of the ellipse; the approach by F = stiffness sqrt(R) approach^(3/2).
+  [[nodiscard]] std::optional<Truth> of_ellipse(std::string_view name) const {
+    const double ratio = curvature_ratio().value().get_d();
+    if (!dear || std::max(ratio, 1 / ratio) > most_slender ||
+        problem.speed > fastest_with_ellipse * critical_speed().value)
+      return {};
+    if (name == "axis_ratio")
+      return as_truth(ref::elliptic_axis_ratio(surface(), curvature_ratio(), ellipse_digits));
+    const auto* given = std::get_if<data::GivenNormalForce>(&problem.given);
+    if (name != "approach" || given == nullptr) return {};
+    const Truth stiffness = as_truth(ref::elliptic_stiffness(surface(), curvature_ratio(), ellipse_digits));
+    const long double approach =
+        std::pow(given->force / (stiffness.value * std::sqrt(mean_radius())), 2.0L / 3);
+    const auto size = static_cast<double>(approach);
+    return Truth{approach, size * (stiffness.error / static_cast<double>(stiffness.value) + 1e-18)};
+  }
+  [[nodiscard]] bool is_isotropic() const {
+    return std::holds_alternative<data::IsotropicSolid>(problem.half_space);
+  }
   [[nodiscard]] static Truth critical(const Surface& surface, bool is_isotropic) {
     const SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(surface.direction));
     if (is_isotropic)
@@ -126,7 +160,7 @@ struct HalfSpaceTruth::Implementation {
     return as_truth(ref::critical_speed(surface.solid, motion, truth_digits).speed);
   }
   [[nodiscard]] Truth critical_speed() const {
-    const Truth below = critical(half_space, std::holds_alternative<data::IsotropicSolid>(problem.half_space));
+    const Truth below = critical(half_space, is_isotropic());
     const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body);
     if (sphere == nullptr || !sphere->moving_patch) return below;
     const Truth above = critical(*body, true);
@@ -135,8 +169,8 @@ struct HalfSpaceTruth::Implementation {
   [[nodiscard]] std::optional<Truth> of(std::string_view name, double degrees) const {
     if (name == "compliance") return line(degrees, &ref::LineResponse::compliance, 1);
     if (name == "coupling") return line(degrees, &ref::LineResponse::coupling, -1);
-    if (name == "critical_speed") return critical_speed();
-    if (problem.rule == data::ContourRule::exact) return {};
+    if (name == "critical_speed" && (dear || is_isotropic())) return critical_speed();
+    if (problem.rule == data::ContourRule::exact) return of_ellipse(name);
     if (name == "span_ratio") return span_ratio(90);
     if (name == "span_along") return span(0);
     if (name == "span_across") return span(90);
@@ -145,10 +179,11 @@ struct HalfSpaceTruth::Implementation {
   }
 };
 
-HalfSpaceTruth::HalfSpaceTruth(const data::HalfSpaceProblem& problem) {
+HalfSpaceTruth::HalfSpaceTruth(const data::HalfSpaceProblem& problem, bool dear) {
   Implementation made{problem,
                       {std::visit(SolidOf{}, problem.half_space), Exact(problem.speed), problem.direction},
-                      {}};
+                      {},
+                      dear};
   if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
     made.body =
         Surface{SolidOf{}(sphere->solid), Exact(sphere->moving_patch ? problem.speed : 0.0), problem.direction};

@@ -14,11 +14,12 @@ struct Truth {
 };
 
 /// The reference about a body on a half-space, from the scene's doubles, taken exactly: what the lines answer,
-/// when they are critical, and how the spans of the papers' rule go with the angle. Nothing of what takes
-/// integrals over all lines: forces and ellipses.
+/// when those of isotropic solids are critical, and how the spans of the papers' rule go with the angle. If it
+/// may be `dear`, seconds, the critical speed of the others too and, where curvatures are no farther apart than
+/// 1 to 10 and the speed is at most 0.7 of the critical one, axis ratio and approach of the exact ellipse.
 class HalfSpaceTruth {
  public:
-  explicit HalfSpaceTruth(const data::HalfSpaceProblem& problem);
+  HalfSpaceTruth(const data::HalfSpaceProblem& problem, bool dear);
   ~HalfSpaceTruth();
   HalfSpaceTruth(const HalfSpaceTruth&) = delete;
   HalfSpaceTruth& operator=(const HalfSpaceTruth&) = delete;
