@@ -53,7 +53,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
     {"verify",
      {{"support", {}},
       {"catalogue", {"support"}},
-      {"audit", {"support", "catalogue"}},
+      {"audit", {"support", "catalogue", "solve"}},
       {"solve", {"support", "catalogue"}},
       {"replay", {"support", "catalogue"}},
       {"bench", {"support", "catalogue", "replay"}},

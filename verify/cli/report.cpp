@@ -8,6 +8,7 @@
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -65,6 +66,7 @@ Json report_json(const BenchReport& speed, const std::vector<AuditResult>& quant
 
 int report_verb(const CommandLine& line, std::ostream& out) {
   const AuditOptions options = audit_options(line);
+  static_cast<void>(scenes_option(line));  // refused before anything is done
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   // Before the audit, which would build ref's nodes: their cost is measured.

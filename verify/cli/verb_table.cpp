@@ -103,7 +103,7 @@ const std::array all_verbs{
              "Audit, bench and tables on a page or two.",
              "",
              "",
-             {density_option},
+             {density_option, scenes_option, seed_option},
              {quick_flag, thorough_flag, strict_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref report --quick", "nipref report --json >report.json"}},
 };

@@ -275,3 +275,15 @@ TEST_CASE("a scene made in C++ is refused by its keys, with no file") {
   problem.creep_ratio = 1e-3;
   CHECK_THROWS_AS(scene.check(), data::BadInput);
 }
+
+TEST_CASE("a scene's text is read as a file is, its name standing for the file's in refusals") {
+  const ScratchFile file(good);
+  const data::Scene from_file = data::load_scene(file.path()), from_text = data::parse_scene(good, "a text");
+  CHECK(from_text.title == from_file.title);
+  CHECK(from_text.wanted == from_file.wanted);
+  CHECK(from_text.accuracy == from_file.accuracy);
+  CHECK_THROWS_WITH_AS((void)data::parse_scene(replaced(good, "radius = 6", "radius = 0"), "a text"),
+                       doctest::Contains("a text:5: roller.radius = 0"), data::BadInput);
+  CHECK_THROWS_WITH_AS((void)data::parse_scene("title = ", "a text"), doctest::Contains("a text:1: syntax"),
+                       data::BadInput);
+}

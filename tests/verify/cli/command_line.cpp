@@ -148,6 +148,24 @@ TEST_CASE("eval as JSON gives both paths, each with its error") {
         doctest::Approx(std::stod(ref.at("value").get<std::string>())).epsilon(1e-15));
 }
 
+TEST_CASE("eval says, to people and machines, that fast answers for the doubles nearest to its arguments") {
+  const auto caveat = [](const std::string& options) {
+    return json::parse(run("eval I1 alpha=0.73 " + options + " --json").out).at("caveat");
+  };
+  CHECK(caveat("").get<std::string>().find("nearest double") != std::string::npos);
+  CHECK(caveat("path=fast") == caveat(""));
+  CHECK(caveat("path=ref").is_null());
+  CHECK(run("eval I1 alpha=0.73").out.find(caveat("").get<std::string>()) != std::string::npos);
+}
+
+TEST_CASE("an audit's random scenes are asked for with contacts only, and counted in whole numbers") {
+  check_call_refused("audit I1 scenes=5", "scenes = 5: has an effect on contacts only");
+  check_call_refused("audit I1 --seed 5", "seed = 5: has an effect on contacts only");
+  check_call_refused("audit contacts --scenes 0", "scenes = 0: must be a whole number from 1 to 1000000");
+  check_call_refused("audit contacts --scenes 1.5", "scenes = 1.5: must be a whole number");
+  check_call_refused("report --scenes 2000000", "scenes = 2000000: must be a whole number");
+}
+
 TEST_CASE("options may be written as name=value") {
   const json answer = json::parse(run("eval I4 eta=0x1p-1 digits=40 path=ref --json").out);
   REQUIRE(answer.at("results").size() == 1);

@@ -134,6 +134,14 @@ struct HalfSpaceTruth::Implementation {
   [[nodiscard]] long double mean_radius() const {
     return 2 / (std::visit(CurvatureOf{0}, problem.body) + std::visit(CurvatureOf{90}, problem.body));
   }
+  /// The surface in units in which its compliances are about 1: the ellipse's digits count from there.
+  [[nodiscard]] ref::SurfaceAnswer in_units(int exponent) const {
+    return [this, exponent](const Exact& psi, int digits) {
+      ref::LineAnswer line = answer(psi, digits);
+      mpfr_mul_2si(line.compliance.get(), line.compliance.get(), exponent, MPFR_RNDN);
+      return line;
+    };
+  }
   /// Of the ellipse; the approach by F = stiffness sqrt(R) approach^(3/2).
   [[nodiscard]] std::optional<Truth> of_ellipse(std::string_view name) const {
     const double ratio = curvature_ratio().value().get_d();
@@ -144,9 +152,11 @@ struct HalfSpaceTruth::Implementation {
       return as_truth(ref::elliptic_axis_ratio(surface(), curvature_ratio(), ellipse_digits));
     const auto* given = std::get_if<data::GivenNormalForce>(&problem.given);
     if (name != "approach" || given == nullptr) return {};
-    const Truth stiffness = as_truth(ref::elliptic_stiffness(surface(), curvature_ratio(), ellipse_digits));
-    const long double approach =
-        std::pow(given->force / (stiffness.value * std::sqrt(mean_radius())), 2.0L / 3);
+    const int exponent = -std::ilogb(line(0, &ref::LineResponse::compliance, 1).value);
+    const Truth stiffness =
+        as_truth(ref::elliptic_stiffness(in_units(exponent), curvature_ratio(), ellipse_digits));
+    const long double force = std::ldexp(static_cast<long double>(given->force), -exponent);
+    const long double approach = std::pow(force / (stiffness.value * std::sqrt(mean_radius())), 2.0L / 3);
     const auto size = static_cast<double>(approach);
     return Truth{approach, size * (stiffness.error / static_cast<double>(stiffness.value) + 1e-18)};
   }
@@ -185,8 +195,8 @@ HalfSpaceTruth::HalfSpaceTruth(const data::HalfSpaceProblem& problem, bool dear)
                       {},
                       dear};
   if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
-    made.body =
-        Surface{SolidOf{}(sphere->solid), Exact(sphere->moving_patch ? problem.speed : 0.0), problem.direction};
+    made.body = Surface{SolidOf{}(sphere->solid), Exact(sphere->moving_patch ? problem.speed : 0.0),
+                        problem.direction};
   }
   implementation_ = std::make_unique<const Implementation>(std::move(made));
 }

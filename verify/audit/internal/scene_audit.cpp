@@ -93,13 +93,21 @@ class Comparisons {
       const double least = std::max(other.error, 0x1p-53 * std::fabs(mine.value));
       checked.overestimate = mine.error / std::max(difference, least);
     }
-    note_largest(covered && difference == 0 ? 0 : difference / both, name, result, i, other);
+    note_largest(ratio_of(difference, both, mine.value, covered), name, result, i, other);
   }
 
   static double distance(const data::SceneResult& what, long double mine, long double other) {
     const long double difference = mine - other;
     return static_cast<double>(
         std::fabs(what.name == "orientation" ? std::remainder(difference, 180.0L) : difference));
+  }
+
+  /// Over a rounding of the value where the estimates are less, so that those of 0 can be told apart.
+  static double ratio_of(double difference, double both, double value, bool covered) {
+    if (difference == 0) return 0;
+    if (std::isnan(difference)) return std::numeric_limits<double>::infinity();
+    const double ratio = difference / std::max(both, 0x1p-53 * std::fabs(value));
+    return covered ? ratio : std::max(ratio, 1.0);
   }
 
   void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
@@ -133,8 +141,8 @@ struct OtherOf {
 };
 
 /// The reference, where it has the contact and that takes no longer than a second.
-void compare_with_ref(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
-                      bool dear, const SceneSolvers& solvers) {
+void compare_with_ref(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved, bool dear,
+                      const SceneSolvers& solvers) {
   const data::Scene scene = drawn.scene();
   if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
     const HalfSpaceTruth truth(*problem, dear);

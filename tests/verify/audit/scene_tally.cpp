@@ -1,0 +1,107 @@
+#include <doctest/doctest.h>
+
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <nipref/verify/audit/internal/scene_tally.hpp>
+
+#include "support/json_schema.hpp"
+#include "support/paths.hpp"
+
+using namespace nipref;
+
+namespace {
+
+verify::SceneFindings findings(std::uint64_t index, double ratio, double seconds) {
+  verify::SceneFindings found;
+  found.index = index;
+  found.numbers = 40;
+  found.unchecked = 2;
+  found.largest_ratio = ratio;
+  found.where = "load";
+  found.toml = "scene " + std::to_string(index) + "\n";
+  found.seconds = seconds;
+  found.overestimates = {3, 5};
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("findings are summed by kind, with the worst and the slowest scene of each") {
+  const std::uint64_t kinds = verify::drawn_kinds().size();
+  verify::SceneFindings refused, uncovered = findings(1 + kinds, 7, 0.1);
+  refused.index = 2 * kinds;
+  refused.refused = "must not";
+  uncovered.uncovered = 3;
+  const auto tallies = verify::tally(
+      {findings(0, 0.5, 0.1), findings(kinds, 0.9, 0.2), refused, findings(1, 0.1, 0.3), uncovered});
+  REQUIRE(tallies.size() == 2);
+  CHECK(tallies[0].kind == verify::drawn_kinds()[0]);
+  CHECK(tallies[0].scenes == 3);
+  CHECK(tallies[0].refused == 1);
+  CHECK(tallies[0].refusal == "must not");
+  CHECK(tallies[0].numbers == 80);
+  CHECK(tallies[0].unchecked == 4);
+  CHECK(tallies[0].median_overestimate == 5);
+  CHECK(tallies[0].worst.index == kinds);
+  CHECK(tallies[0].slowest.index == kinds);
+  CHECK(tallies[0].kept());
+  CHECK(tallies[1].uncovered == 3);
+  CHECK(tallies[1].worst.index == 1 + kinds);
+  CHECK(tallies[1].slowest.index == 1);
+  CHECK_FALSE(tallies[1].kept());
+  CHECK_FALSE(verify::all_kept(tallies));
+}
+
+TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its accuracy without saying so") {
+  const auto kept_with = [](auto change) {
+    verify::SceneFindings found = findings(0, 0.5, 0.1);
+    change(found);
+    return verify::all_kept(verify::tally({found}));
+  };
+  CHECK(kept_with([](auto&) {}));
+  CHECK(kept_with([](auto& found) { found.missed_said = 9; }));
+  CHECK_FALSE(kept_with([](auto& found) { found.missed_unsaid = 1; }));
+  CHECK_FALSE(kept_with([](auto& found) { found.uncovered = 1; }));
+  CHECK_FALSE(kept_with([](auto& found) { found.failed = "broken"; }));
+}
+
+TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved again") {
+  verify::SceneFindings uncovered = findings(1, std::numeric_limits<double>::infinity(), 0.1);
+  uncovered.uncovered = 1;
+  const auto tallies = verify::tally({findings(0, 0.5, 0.1), uncovered});
+  const std::string text = verify::scene_tally_text(tallies);
+  CHECK(text.find("kept") != std::string::npos);
+  CHECK(text.find("BROKEN") != std::string::npos);
+  CHECK(text.find("scene 1\n") != std::string::npos);
+  CHECK(text.find("scene 0\n") == std::string::npos);
+
+  const auto json = nlohmann::json::parse(verify::scene_tally_json(tallies).text());
+  const JsonSchema schema(
+      nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
+  for (const auto& row : json) CHECK(schema.misfit(row, "scene_row") == "");
+  CHECK(json[1]["largest_error_over_estimate"].is_null());
+  CHECK(json[1]["worst"]["scene"] == "scene 1\n");
+  CHECK(json[0]["kept"] == true);
+}
+
+TEST_CASE("a few random scenes of each kind are audited on all cores, each as it is by itself") {
+  const std::size_t kinds = verify::drawn_kinds().size();
+  verify::SceneSolvers solvers;
+  solvers.fast = [](const data::Scene& scene) -> verify::SceneSolution<fast::Estimate> {
+    throw data::BadInput("scene", scene.title, "must be another");
+  };
+  double part = 0;
+  const auto tallies = verify::audit_scenes(
+      2 * kinds, "few", [&](double done) { part = done; }, solvers);
+  REQUIRE(tallies.size() == kinds);
+  CHECK(part == 1);
+  for (std::size_t k = 0; k < kinds; ++k) {
+    CHECK(tallies[k].kind == verify::drawn_kinds()[k]);
+    CHECK(tallies[k].scenes == 2);
+    CHECK(tallies[k].refused == 2);
+    CHECK(tallies[k].refusal == verify::audit_scene("few", k, solvers).refused);
+  }
+}

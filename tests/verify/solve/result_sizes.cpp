@@ -1,0 +1,107 @@
+// What relative accuracies are relative to, and what meeting them means.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include <nipref/verify/solve/internal/result_sizes.hpp>
+#include <nipref/verify/solve/render.hpp>
+
+#include "support/run_nipref.hpp"
+#include "support/solved_scene.hpp"
+
+using namespace nipref;
+
+namespace {
+
+/// L = 2, R = 4, pressure 10 in the middle.
+double size_of(const std::string& name, double y = 0, double accuracy = 1e-6) {
+  return verify::nip_result_size(name, y, {4, -1, 1, accuracy}, [] { return 10.0; });
+}
+
+std::string scene(const std::string& friction, double length, double accuracy) {
+  return "title = \"thin\"\nwanted = [\"contact_length\", \"load\", \"peak_shear\", \"pressure\"]\naccuracy = " +
+         std::to_string(accuracy) + "\n[roller]\nradius = 1.0\n[sheet]\nthickness = 1e-4\n[material]\n" +
+         "model = \"elastic\"\nyoung = 1.0\npoisson = 0.3\n[contact]\nlength = " + std::to_string(length) +
+         "\n[friction]\nmodel = \"" + friction +
+         "\"\n[method]\nkind = \"converged\"\n[profile]\npositions = [0.0]\n";
+}
+
+}  // namespace
+
+TEST_CASE("what may be 0 is measured by the size of its kind, everything else by itself") {
+  for (const char* itself : {"contact_length", "load", "indentation", "peak_pressure"})
+    CHECK(size_of(itself) == 0);
+  for (const char* displacement : {"edge_displacement", "trailing_displacement", "normal_displacement"})
+    CHECK(size_of(displacement) == 1.0 / 8);  // (L/2)^2/(2R)
+  CHECK(size_of("leading_length") == 1);
+  CHECK(size_of("creep_ratio") == 1.0 / 8);  // L/(4R)
+  CHECK(size_of("tangential_displacement", 0.5) == 0.5 / 8);
+  CHECK(size_of("tangential_displacement", -30) == 1.0 / 8);
+  CHECK(size_of("peak_shear") == 1);
+  CHECK(size_of("rolling_resistance") == doctest::Approx(1e-8 / 4));
+  CHECK(size_of("rolling_resistance", 0, 1e-13) == doctest::Approx(0.1 / 4));
+  CHECK(verify::half_space_result_size("orientation", [] { return 3.0; }) * std::acos(-1) ==
+        doctest::Approx(180));
+  CHECK(verify::half_space_result_size("coupling", [] { return 3.0; }) == 3);
+  CHECK(verify::half_space_result_size("compliance", [] { return 3.0; }) == 0);
+}
+
+TEST_CASE("next to an end a traction may be off by what moving that end by the accuracy changes") {
+  const double accuracy = 1e-6;
+  const auto semicircle = [](double e) { return e > 0 ? 10 * std::sqrt(e * (2 - e)) : 0; };
+  for (const double e : {0.0, 1e-9, 1e-6, 1e-4, 1e-2}) {
+    CAPTURE(e);
+    const double change = semicircle(e + accuracy) - semicircle(e);
+    for (const double y : {1 - e, e - 1})
+      CHECK(accuracy * size_of("pressure", y, accuracy) == doctest::Approx(change).epsilon(0.01));
+    CHECK(size_of("shear", 1 - e, accuracy) == doctest::Approx(0.1 * size_of("pressure", 1 - e, accuracy)));
+  }
+  CHECK(size_of("pressure", 0) == 10);
+}
+
+TEST_CASE("a result meets the accuracy if each of its errors is no larger than it allows") {
+  auto solution = solved(scene("none", 1e-3, 1e-6));
+  REQUIRE(solution.results.size() == 4);
+  for (const auto& result : solution.results) CHECK(result.met() == true);
+  const fast::Estimate load = solution["load"];
+  CHECK(solution.results[1].allowed.front() == doctest::Approx(1e-6 * load.value));
+  CHECK(verify::solution_text(solution).find("missed") == std::string::npos);
+  solution.results[1].numbers.front().error = 1.001e-6 * load.value;
+  CHECK(solution.results[1].met() == false);
+  solution.results[3].numbers.front().error = std::nan("");
+  CHECK(solution.results[3].met() == false);
+  CHECK(verify::solution_text(solution).find(
+            "accuracy 1e-06 is missed by load, pressure: the best there is") != std::string::npos);
+  const auto results = nlohmann::json::parse(verify::solution_json(solution).text()).at("results");
+  CHECK(results["contact_length"]["met"] == true);
+  CHECK(results["load"]["met"] == false);
+}
+
+TEST_CASE("half-spaces say whether they meet the accuracy, line loads and ref's digits are not about it") {
+  for (const char* name : {"half-space-sliding-die-exact", "half-space-rolling-sphere"}) {
+    for (const auto& result : verify::solve(data::load_scene(data::example_scene(name))).results)
+      CHECK(result.met() == true);
+  }
+  for (const char* name : {"thick-frictionless-line-loads", "viscoelastic-thesis-line-loads"}) {
+    for (const auto& result : verify::solve(data::load_scene(data::example_scene(name))).results)
+      CHECK_FALSE(result.met().has_value());
+  }
+  const auto by_ref = verify::solve_by_ref(data::load_scene(data::example_scene("thick-frictionless")), 16);
+  CHECK_FALSE(by_ref.results.front().met().has_value());
+}
+
+TEST_CASE("what double cannot give is given as well as it can, and the status says so") {
+  // Rounding of a gripped sheet as thin as this is far more than what is asked.
+  std::string text = scene("full", 0.9, 1e-6);
+  const std::string asked = "accuracy = " + std::to_string(1e-6);
+  text.replace(text.find(asked), asked.size(), "accuracy = 1e-13");
+  const ScratchFile file(text);
+  const Outcome outcome = run("solve --json " + file.path());
+  CHECK(outcome.status == 1);
+  const auto results = nlohmann::json::parse(outcome.out).at("results");
+  CHECK(results["contact_length"]["value"] == 0.9);
+  CHECK(results["load"]["met"] == false);
+  CHECK(results["load"]["error"] < 1e-3 * results["load"]["value"].get<double>());
+}
