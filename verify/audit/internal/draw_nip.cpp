@@ -17,7 +17,7 @@ struct Size {
 Size draw_size(Random& random) {
   const double ratio = random.log_uniform(1e-4, 1e3);
   const double thickness = random.log_uniform(1e-3, 10);
-  return {thickness, thickness * random.log_uniform(std::max(1.0, 1.01 * ratio), 1.2e4), thickness * ratio};
+  return {thickness, thickness * random.log_uniform(std::max(1.0, 1.01 * ratio), 1e4), thickness * ratio};
 }
 
 double draw_poisson(Random& random) {
@@ -95,39 +95,25 @@ void draw_standard_linear(Random& random, const Size& size, DrawnScene& drawn) {
   }
 }
 
-/// theta2 is a part of theta1, so that Poisson's ratio is constant, or has rates of its own, which a
-/// material that is not physical may come of.
+/// theta2 is a part of theta1, so that Poisson's ratio is constant, or has about such a part of each term, which
+/// may be of no physical material.
 void draw_prony(Random& random, const Size& size, DrawnScene& drawn) {
   const double speed = drawn.number("rolling.speed");
   const double compliance = 1 / draw_modulus(random), part = 1 - 2 * draw_poisson(random);
-  const auto set = [&](const std::string& name, double instantaneous, const std::vector<double>& amplitudes,
-                       const std::vector<double>& rates) {
-    drawn.set("material." + name + "_instantaneous", instantaneous);
-    drawn.set("material." + name + "_amplitudes", amplitudes);
-    drawn.set("material." + name + "_rates", rates);
-  };
-  const auto draw_rates = [&] {
-    std::vector<double> rates(1 + random.index(3));
-    for (double& rate : rates) rate = 1 / draw_time(random, size, speed);
-    return rates;
-  };
-  const auto draw_amplitudes = [&](const std::vector<double>& rates, double least, double most) {
-    std::vector<double> amplitudes;
-    for (const double rate : rates) amplitudes.push_back(compliance * random.log_uniform(least, most) * rate);
-    return amplitudes;
-  };
-  drawn.set("material.model", "prony");
-  const auto rates = draw_rates();
-  const auto amplitudes = draw_amplitudes(rates, 1e-3, 1e2);
-  set("theta1", compliance, amplitudes, rates);
-  if (random.chance(0.7)) {
-    auto parts = amplitudes;
-    for (double& amplitude : parts) amplitude *= part;
-    set("theta2", part * compliance, parts, rates);
-  } else {
-    const auto own = draw_rates();
-    set("theta2", part * compliance, draw_amplitudes(own, 1e-4, 1e-1), own);
+  const bool constant_ratio = random.chance(0.7);
+  std::vector<double> rates(1 + random.index(3)), amplitudes, parts;
+  for (double& rate : rates) {
+    rate = 1 / draw_time(random, size, speed);
+    amplitudes.push_back(compliance * random.log_uniform(1e-3, 1e2) * rate);
+    parts.push_back(part * amplitudes.back() * (constant_ratio ? 1 : random.uniform(0.9, 1.1)));
   }
+  drawn.set("material.model", "prony");
+  drawn.set("material.theta1_instantaneous", compliance);
+  drawn.set("material.theta1_amplitudes", amplitudes);
+  drawn.set("material.theta1_rates", rates);
+  drawn.set("material.theta2_instantaneous", part * compliance);
+  drawn.set("material.theta2_amplitudes", parts);
+  drawn.set("material.theta2_rates", rates);
 }
 
 /// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates, whose damping

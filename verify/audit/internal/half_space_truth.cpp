@@ -23,13 +23,8 @@ constexpr int truth_digits = 20, ellipse_digits = 16;
 /// Beyond these the ellipse takes thousands of lines.
 constexpr double most_slender = 10, fastest_with_ellipse = 0.7;
 
-Truth as_truth(const std::string& value, const std::string& error) {
-  // A long double has 19 digits.
-  const long double number = std::strtold(value.c_str(), nullptr);
-  return {number, std::strtod(error.c_str(), nullptr) + 1e-19 * std::fabs(static_cast<double>(number))};
-}
-Truth as_truth(const ref::Enclosure& number) { return as_truth(number.value_text(), number.bound_text()); }
-Truth as_truth(const ref::Estimated& number) { return as_truth(number.value_text(), number.error_text()); }
+Truth as_truth(const ref::Enclosure& number) { return truth_of(number.value_text(), number.bound_text()); }
+Truth as_truth(const ref::Estimated& number) { return truth_of(number.value_text(), number.error_text()); }
 
 Truth scaled(long double factor, const Truth& truth) {
   const double rounding = 1e-18 * std::fabs(static_cast<double>(factor * truth.value));
@@ -82,6 +77,12 @@ struct CurvatureOf {
 };
 
 }  // namespace
+
+Truth truth_of(const std::string& value, const std::string& error) {
+  // A long double has 19 digits.
+  const long double number = std::strtold(value.c_str(), nullptr);
+  return {number, std::strtod(error.c_str(), nullptr) + 1e-19 * std::fabs(static_cast<double>(number))};
+}
 
 struct HalfSpaceTruth::Implementation {
   data::HalfSpaceProblem problem;

@@ -1,6 +1,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include <nipref/data/problem/half_space.hpp>
@@ -12,6 +13,9 @@ struct Truth {
   long double value;
   double error;
 };
+
+/// Of the reference's decimal text, the rounding to a long double in the error.
+Truth truth_of(const std::string& value, const std::string& error);
 
 /// The reference about a body on a half-space, from the scene's doubles, taken exactly: what the lines answer,
 /// when those of isotropic solids are critical, and how the spans of the papers' rule go with the angle. If it

@@ -140,29 +140,27 @@ struct OtherOf {
   }
 };
 
-/// The reference, where it has the contact and that takes no longer than a second.
-void compare_with_ref(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved, bool dear,
+void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
+                      const std::vector<std::string>& wanted, const Solution& solved, bool dear) {
+  const HalfSpaceTruth truth(problem, dear);
+  comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
+    const auto number = truth.of(result.what->name, result.what->is_profile ? solved.positions[i] : 0);
+    return number ? std::optional(Other{*number, true}) : std::nullopt;
+  });
+}
+
+/// A nip as the reference has it, and no other where it takes longer than a second.
+void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
                       const SceneSolvers& solvers) {
-  const data::Scene scene = drawn.scene();
-  if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
-    const HalfSpaceTruth truth(*problem, dear);
-    comparisons.against("ref", scene.wanted, [&](const Solution::Result& result, std::size_t i) {
-      const auto number = truth.of(result.what->name, result.what->is_profile ? solved.positions[i] : 0);
-      return number ? std::optional(Other{*number, true}) : std::nullopt;
-    });
-    return;
-  }
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
   if (solved["contact_length"].value > longest_by_ref * drawn.number("sheet.thickness")) return;
-  DrawnScene for_ref = drawn;
   const std::vector<std::string> known{"contact_length",    "load",          "indentation",
                                        "edge_displacement", "peak_pressure", "pressure"};
-  for_ref.set("wanted", known);
-  const auto truth = solvers.ref(for_ref.scene(), ref_digits);
+  drawn.set("wanted", known);
+  const auto truth = solvers.ref(drawn.scene(), ref_digits);
   comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
     const LongEstimate& number = truth.profile(result.what->name)[i];
-    return Other{std::strtold(number.value.c_str(), nullptr), std::strtod(number.error.c_str(), nullptr),
-                 true};
+    return std::optional(Other{truth_of(number.value, number.error), true});
   });
 }
 
@@ -195,17 +193,23 @@ std::vector<std::string_view> given_results(const DrawnScene& drawn) {
 
 void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& random,
                  const SceneSolvers& solvers) {
+  data::Scene scene;
   Solution solved;
   try {
-    solved = solvers.fast(drawn.scene());
+    scene = drawn.scene();
+    solved = solvers.fast(scene);
   } catch (const data::BadInput& error) {
     findings.refused = error.what();
     return;
   }
   findings.seconds = solved.seconds;
   Comparisons comparisons(findings, solved, given_results(drawn));
-  compare_with_ref(comparisons, drawn, solved, random.chance(dear_share), solvers);
-  if (!drawn.has("half_space.model")) compare_at_best(comparisons, drawn, solvers);
+  if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
+    compare_with_ref(comparisons, *problem, scene.wanted, solved, random.chance(dear_share));
+  } else {
+    compare_with_ref(comparisons, drawn, solved, solvers);
+    compare_at_best(comparisons, drawn, solvers);
+  }
   compare_with_variants(comparisons, drawn, solved, random, solvers);
   comparisons.finish();
 }
