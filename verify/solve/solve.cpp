@@ -58,7 +58,7 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   SceneSolution<fast::Estimate> solution;
   const auto solve_system = [&](const auto& problem) {
-    solution = collect_results(scene, problem.profile, *SolveSystem{scene}(problem));
+    solution = collect_results(scene, problem.profile, *SolveSystem{scene}(problem), scene.accuracy);
   };
   const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
   solution.seconds = seconds;

@@ -1,5 +1,6 @@
 #pragma once
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,15 +29,15 @@ struct SceneSolution {
     const data::SceneResult* what;
     std::vector<Number> numbers;  ///< of a profile: one for each of `positions`, otherwise one
     /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
-    /// is of another kind: that of line loads is their distance to the continuous contact, and the reference
-    /// is asked for digits.
-    std::vector<double> allowed = {};
+    /// is of another kind: that of line loads is their distance to the continuous contact. The reference's
+    /// digits are of the result, of a profile the largest of its numbers.
+    std::vector<long double> allowed = {};
     /// Whether each error is as small as was asked, where that was asked. What misses it is the best there is.
     [[nodiscard]] std::optional<bool> met() const;
   };
 
   std::string title;
-  double accuracy = 0;            ///< that the scene asked for
+  long double accuracy = 0;       ///< that was asked for, by the scene or in digits
   std::vector<Result> results;    ///< in the order of the scene's `wanted`
   std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
   fast::Work work;                ///< that the results have cost
@@ -62,15 +63,16 @@ struct SceneSolution {
   }
 };
 
-template <>
-inline std::optional<bool> SceneSolution<LongEstimate>::Result::met() const {
-  return {};
+inline long double error_of(const fast::Estimate& number) { return number.error; }
+inline long double error_of(const LongEstimate& number) {
+  return std::strtold(number.error.c_str(), nullptr);
 }
-template <>
-inline std::optional<bool> SceneSolution<fast::Estimate>::Result::met() const {
+
+template <class Number>
+std::optional<bool> SceneSolution<Number>::Result::met() const {
   if (allowed.empty()) return {};
   return std::ranges::equal(numbers, allowed,
-                            [](const fast::Estimate& number, double most) { return number.error <= most; });
+                            [](const Number& number, long double most) { return error_of(number) <= most; });
 }
 
 /// Solves the scene in double; only what it wants is computed. Converged results come with the solver's own

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -46,7 +47,8 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
 SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
                                           int digits) {
   std::visit(CheckMethod{scene, problem}, problem.method);
-  return collect_results(scene, problem.profile, *solve_named(scene, problem, digits));
+  return collect_results(scene, problem.profile, *solve_named(scene, problem, digits),
+                         std::pow(10.0L, -digits));
 }
 
 struct SolveSystem {

@@ -181,7 +181,7 @@ TEST_CASE("a result that is no number is refused by its name") {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const fast::Estimate estimate : {fast::Estimate{infinity, 1}, {1, infinity}, {std::nan(""), 1}}) {
     try {
-      (void)verify::collect_results(scene, {}, NoNumber(estimate));
+      (void)verify::collect_results(scene, {}, NoNumber(estimate), scene.accuracy);
       FAIL("accepted");
     } catch (const data::BadInput& error) {
       CAPTURE(error.what());

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
@@ -34,17 +35,26 @@ void refuse_result(const data::Scene& scene, std::size_t wanted) {
                       "must be left out: in this scene it leaves the range of doubles");
 }
 
-std::vector<double> allowed_errors(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
-                                   const SceneSolution<fast::Estimate>::Result& result,
-                                   const std::vector<double>& positions) {
-  std::vector<double> allowed;
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
+                                        const SceneSolution<fast::Estimate>::Result& result,
+                                        const std::vector<double>& positions) {
+  std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
     const double place = result.what->is_profile ? positions[i] : 0;
     const auto size = contact.least_size(result.what->name, place);
     if (!size) return {};
-    allowed.push_back(scene.accuracy * std::max(*size, std::fabs(result.numbers[i].value)));
+    allowed.push_back(accuracy * std::max(*size, std::fabs(result.numbers[i].value)));
   }
   return allowed;
+}
+
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>&,
+                                        const SceneSolution<LongEstimate>::Result& result,
+                                        const std::vector<double>&) {
+  long double largest = 0;
+  for (const LongEstimate& number : result.numbers)
+    largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));
+  return std::vector<long double>(result.numbers.size(), accuracy * largest);
 }
 
 }  // namespace nipref::verify

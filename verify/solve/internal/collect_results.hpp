@@ -40,24 +40,22 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::
   return numbers;
 }
 
-/// What the accuracy allows each number's error to be; empty where that is not what the error is about.
-std::vector<double> allowed_errors(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
-                                   const SceneSolution<fast::Estimate>::Result& result,
-                                   const std::vector<double>& positions);
-/// The reference is asked for digits.
-inline std::vector<double> allowed_errors(const data::Scene&, const SolvedContact<LongEstimate>&,
-                                          const SceneSolution<LongEstimate>::Result&,
-                                          const std::vector<double>&) {
-  return {};
-}
+/// What the scene's accuracy allows each number's error to be; empty where that is not what the error is about.
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
+                                        const SceneSolution<fast::Estimate>::Result& result,
+                                        const std::vector<double>& positions);
+/// The reference's digits likewise.
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
+                                        const SceneSolution<LongEstimate>::Result& result,
+                                        const std::vector<double>& positions);
 
-/// Asks the contact for everything that the scene wants, and for nothing else.
+/// Asks the contact for everything that the scene wants, and for nothing else. `accuracy`: what was asked for.
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
-                                      const SolvedContact<Number>& contact) {
+                                      const SolvedContact<Number>& contact, long double accuracy) {
   SceneSolution<Number> solution;
   solution.title = scene.title;
-  solution.accuracy = scene.accuracy;
+  solution.accuracy = accuracy;
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);
@@ -69,7 +67,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
     auto& result = solution.results.back();
     if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
       refuse_result(scene, solution.results.size() - 1);
-    result.allowed = allowed_errors(scene, contact, result, solution.positions);
+    result.allowed = allowed_errors(accuracy, contact, result, solution.positions);
   }
   solution.work = contact.work();
   solution.error_work = contact.error_work();
