@@ -26,12 +26,12 @@ constexpr double most_slender = 10, fastest_with_ellipse = 0.7;
 Truth as_truth(const ref::Enclosure& number) { return truth_of(number.value_text(), number.bound_text()); }
 Truth as_truth(const ref::Estimated& number) { return truth_of(number.value_text(), number.error_text()); }
 
-Truth scaled(long double factor, const Truth& truth) {
+Truth multiplied(long double factor, const Truth& truth) {
   const double rounding = 1e-18 * std::fabs(static_cast<double>(factor * truth.value));
   return {factor * truth.value, std::fabs(static_cast<double>(factor)) * truth.error + rounding};
 }
 
-ref::Real sum(const ref::Real& a, const ref::Real& b, int sign) {
+ref::Real joined(const ref::Real& a, const ref::Real& b, int sign) {
   ref::Real total = a;
   if (sign > 0) {
     mpfr_add(total.get(), a.get(), b.get(), MPFR_RNDN);
@@ -95,9 +95,9 @@ struct HalfSpaceTruth::Implementation {
     if (!body)
       return {below.compliance.value, below.coupling.value, below.coupling_across.value, below.in_line.value};
     const ref::LineResponse above = body->along(degrees, digits);
-    return {sum(below.compliance.value, above.compliance.value, 1),
-            sum(below.coupling.value, above.coupling.value, -1),
-            sum(below.coupling_across.value, above.coupling_across.value, -1), below.in_line.value};
+    return {joined(below.compliance.value, above.compliance.value, 1),
+            joined(below.coupling.value, above.coupling.value, -1),
+            joined(below.coupling_across.value, above.coupling_across.value, -1), below.in_line.value};
   }
   [[nodiscard]] Truth line(double degrees, ref::Enclosure ref::LineResponse::*member, int sign) const {
     const Exact psi(degrees);
@@ -118,13 +118,13 @@ struct HalfSpaceTruth::Implementation {
       return as_truth(ref::rolling_span_ratio(surface(), Exact(degrees), truth_digits));
     const Truth weighted =
         as_truth(ref::sliding_span_ratio(surface(), Exact(problem.friction), Exact(degrees), truth_digits));
-    return scaled(std::visit(CurvatureOf{0}, problem.body) / std::visit(CurvatureOf{degrees}, problem.body),
-                  weighted);
+    return multiplied(
+        std::visit(CurvatureOf{0}, problem.body) / std::visit(CurvatureOf{degrees}, problem.body), weighted);
   }
   [[nodiscard]] std::optional<Truth> span(double degrees) const {
     const auto* given = std::get_if<data::GivenSpan>(&problem.given);
     if (given == nullptr) return {};
-    return scaled(given->along, span_ratio(degrees));
+    return multiplied(given->along, span_ratio(degrees));
   }
   /// The body's curvature across the motion over that along it, and the mean radius of curvature.
   [[nodiscard]] Exact curvature_ratio() const {

@@ -7,7 +7,7 @@
 namespace nipref::verify {
 namespace {
 
-std::optional<double> median(std::vector<double> numbers) {
+std::optional<double> middle_of(std::vector<double> numbers) {
   if (numbers.empty()) return {};
   const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
   std::ranges::nth_element(numbers, middle);
@@ -41,7 +41,7 @@ std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings) {
   }
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     tallies[k].kind = kinds[k];
-    tallies[k].median_overestimate = median(std::move(overestimates[k]));
+    tallies[k].median_overestimate = middle_of(std::move(overestimates[k]));
   }
   std::erase_if(tallies, [](const SceneTally& one) { return one.scenes == 0; });
   return tallies;
