@@ -67,7 +67,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
   }
   [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
   [[nodiscard]] std::optional<double> least_size(std::string_view name, double degrees) const final {
-    return half_space_result_size(name, [&] { return response_(direction_of_degrees(degrees)).compliance; });
+    return half_space_result_size(name, [&] { return response_(Direction::of_degrees(degrees)).compliance; });
   }
   [[nodiscard]] fast::Work work() const final {
     fast::Work work;
