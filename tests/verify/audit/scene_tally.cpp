@@ -71,12 +71,15 @@ TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its a
 TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved again") {
   verify::SceneFindings uncovered = findings(1, std::numeric_limits<double>::infinity(), 0.1);
   uncovered.uncovered = 1;
-  const auto tallies = verify::tally({findings(0, 0.5, 0.1), uncovered});
+  verify::SceneFindings failed = findings(2, 0, 0.1);
+  failed.failed = "a fault";
+  const auto tallies = verify::tally({findings(0, 0.5, 0.1), uncovered, failed});
   const std::string text = verify::scene_tally_text(tallies);
   CHECK(text.find("kept") != std::string::npos);
   CHECK(text.find("BROKEN") != std::string::npos);
   CHECK(text.find("scene 1\n") != std::string::npos);
   CHECK(text.find("scene 0\n") == std::string::npos);
+  CHECK(text.find("a fault\nscene 2\n") != std::string::npos);
 
   const auto json = nlohmann::json::parse(verify::scene_tally_json(tallies).text());
   const JsonSchema schema(
@@ -85,6 +88,8 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   CHECK(json[1]["largest_error_over_estimate"].is_null());
   CHECK(json[1]["worst"]["scene"] == "scene 1\n");
   CHECK(json[0]["kept"] == true);
+  CHECK(json[0]["first_failure"].is_null());
+  CHECK(json[2]["first_failure"] == nlohmann::json{{"message", "a fault"}, {"scene", "scene 2\n"}});
 }
 
 TEST_CASE("a few random scenes of each kind are audited on all cores, each as it is by itself") {

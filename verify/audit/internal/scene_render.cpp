@@ -14,11 +14,21 @@ std::string row(const SceneTally& tally) {
 }
 
 std::string worst_text(const SceneTally& tally) {
-  std::string text = fmt::format("\n{}: error over estimate {:.3g}: {}\n", tally.kind,
-                                 tally.worst.largest_ratio, tally.worst.where);
-  if (tally.failed > 0)
-    text += fmt::format("{} scenes failed, the first with: {}\n", tally.failed, tally.failure);
-  return text + tally.worst.toml;
+  std::string text;
+  if (tally.failed > 0) {
+    text += fmt::format("\n{}: {} scenes failed, the first with: {}\n{}", tally.kind, tally.failed,
+                        tally.failure.failed, tally.failure.toml);
+  }
+  if (tally.worst.largest_ratio > 0) {
+    text += fmt::format("\n{}: error over estimate {:.3g}: {}\n{}", tally.kind, tally.worst.largest_ratio,
+                        tally.worst.where, tally.worst.toml);
+  }
+  return text;
+}
+
+Json failure_json(const SceneTally& tally) {
+  if (tally.failed == 0) return {};
+  return {{"message", tally.failure.failed}, {"scene", tally.failure.toml}};
 }
 
 }  // namespace
@@ -42,7 +52,7 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"refused", tally.refused},
         {"first_refusal", Json::unless_empty(tally.refusal)},
         {"failed", tally.failed},
-        {"first_failure", Json::unless_empty(tally.failure)},
+        {"first_failure", failure_json(tally)},
         {"numbers", tally.numbers},
         {"unchecked", tally.unchecked},
         {"not_covered", tally.uncovered},

@@ -18,7 +18,7 @@ void add(SceneTally& tally, const SceneFindings& findings) {
   if (tally.scenes == 0) tally.worst = tally.slowest = findings;
   ++tally.scenes;
   if (!findings.refused.empty() && tally.refused++ == 0) tally.refusal = findings.refused;
-  if (!findings.failed.empty() && tally.failed++ == 0) tally.failure = findings.failed;
+  if (!findings.failed.empty() && tally.failed++ == 0) tally.failure = findings;
   tally.numbers += findings.numbers;
   tally.unchecked += findings.unchecked;
   tally.uncovered += findings.uncovered;

@@ -19,8 +19,9 @@ struct SceneTally {
   std::size_t refused = 0, failed = 0;
   std::size_t numbers = 0, unchecked = 0, uncovered = 0, missed_said = 0, missed_unsaid = 0;
   std::optional<double> median_overestimate;
-  std::string refusal, failure;  ///< the first ones
-  SceneFindings worst;           ///< that with the largest ratio of error to estimate
+  std::string refusal;    ///< the first one
+  SceneFindings failure;  ///< likewise
+  SceneFindings worst;    ///< that with the largest ratio of error to estimate
   SceneFindings slowest;
 
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && missed_unsaid == 0; }
