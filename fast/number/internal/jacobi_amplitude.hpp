@@ -6,41 +6,50 @@
 
 namespace nipref::fast {
 
-/// Jacobi's elliptic functions for the complementary modulus k' (0 < k' <= 1), k^2 + k'^2 = 1, by the
-/// arithmetic-geometric mean, which takes k' itself and so keeps its digits for k -> 1.
+/// Jacobi's elliptic functions for the complementary modulus k' (0 < k' <= 1), k^2 + k'^2 = 1, from k' itself,
+/// which keeps its digits for k -> 1.
 class JacobiAmplitude {
  public:
   struct Values {
     double sn, cn, dn;
   };
 
+  /// K(k) by the arithmetic-geometric mean, and Landen's moduli from k' down.
   explicit JacobiAmplitude(double complementary_modulus) : complement_(complementary_modulus) {
     double mean = 1, geometric = complement_;
-    // Each level left out would move the amplitude by half the difference.
-    while (std::fabs(mean - geometric) > 1e-16 * mean && levels_ < ratios_.size()) {
+    while (mean - geometric > 1e-12 * mean) {
       const double next = (mean + geometric) / 2;
-      ratios_[levels_++] = (mean - geometric) / (2 * next);
       geometric = std::sqrt(mean * geometric);
       mean = next;
     }
-    mean_ = mean;
+    quarter_ = std::numbers::pi / (mean + geometric);
+    for (double modulus = complement_; modulus < 1 && levels_ < moduli_.size();) {
+      modulus = std::pow(modulus / (1 + std::sqrt((1 - modulus) * (1 + modulus))), 2);
+      if (modulus < 1e-17) break;
+      moduli_[levels_++] = modulus;
+    }
   }
 
   /// K(k), the quarter period.
-  [[nodiscard]] double quarter_period() const { return std::numbers::pi / (2 * mean_); }
+  [[nodiscard]] double quarter_period() const { return quarter_; }
 
-  /// 0 <= u <= K/2, where all three are far from their zeros but sn at 0: to a few ulp, cn to eps/sqrt(k').
+  /// 0 <= u <= K/2, each to a few ulp of itself: where cn is as small as sqrt(k'), its digits tell how far the
+  /// amplitude is from 90 degrees. By Landen's descending transformation of sn on the imaginary axis, sc(u, k) =
+  /// -i sn(iu, k').
   [[nodiscard]] Values operator()(double u) const {
-    double amplitude = std::ldexp(mean_ * u, static_cast<int>(levels_));
+    if (complement_ == 1) return {std::sin(u), std::cos(u), 1};
+    double argument = u;
+    for (std::size_t level = 0; level < levels_; ++level) argument /= 1 + moduli_[level];
+    double sc = std::sinh(argument);
     for (std::size_t level = levels_; level-- > 0;)
-      amplitude = (amplitude + std::asin(ratios_[level] * std::sin(amplitude))) / 2;
-    const double sn = std::sin(amplitude), cn = std::cos(amplitude);
-    return {sn, cn, std::hypot(cn, complement_ * sn)};
+      sc = (1 + moduli_[level]) * sc / (1 - moduli_[level] * sc * sc);
+    const double secant = std::hypot(1, sc);
+    return {sc / secant, 1 / secant, std::hypot(1, complement_ * sc) / secant};
   }
 
  private:
-  double complement_, mean_ = 1;
-  std::array<double, 16> ratios_{};
+  double complement_, quarter_ = 0;
+  std::array<double, 16> moduli_{};
   std::size_t levels_ = 0;
 };
 

@@ -13,7 +13,9 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 
 #include "support/half_space.hpp"
 
@@ -101,6 +103,35 @@ TEST_CASE("elliptic: Jacobi's functions, whatever the modulus") {
     }
   }
   CHECK(worst < 1e-14);
+  // cn(K/2) = sqrt(k'/(1 + k')), small against 1 and yet to its own digits but for those of K.
+  for (const double complement : {1., 0.9, 0.1, 1e-4, 1e-12}) {
+    const fast::JacobiAmplitude jacobi(complement);
+    CHECK(jacobi(jacobi.quarter_period() / 2).cn ==
+          doctest::Approx(std::sqrt(complement / (1 + complement))).scale(0).epsilon(5e-14));
+  }
+}
+
+TEST_CASE("elliptic: a slender body across the motion, next to the critical speed") {
+  // Where the compliance has its peak, the amplitude is near 90 degrees.
+  const double poisson = 0x1.556be6b69a274p-2, limit = fast::isotropic_rayleigh_speed(poisson);
+  const ref::Exact unit(1.0), nu(poisson), ratio(3e-10);
+  const auto solid = ref::sagittal_stiffness(ref::ExactTransverse::isotropic(unit, nu, unit));
+  for (const double gap : {1e-4, 1e-6}) {
+    const double speed = (1 - gap) * limit;
+    const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
+    const ref::SurfaceAnswer exactly = [&](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
+      const auto answer = ref::line_response(solid, ref::Exact(speed), motion,
+                                             ref::SurfaceDirection::of_degrees(degrees), digits);
+      return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
+              answer.in_line.value};
+    };
+    const SurfaceResponse in_double = [&](Direction psi) {
+      return fast::isotropic_response({1, poisson, 1}, speed, psi);
+    };
+    const auto [value, error] = EllipticContact(in_double, {1, 3e-10}).axis_ratio();
+    CHECK(std::fabs(ref::elliptic_axis_ratio(exactly, ratio, 18).error_of(value)) <= error);
+    CHECK(error < 2e-14 * value);
+  }
 }
 
 TEST_CASE("elliptic: Hertz's ellipse by complete elliptic integrals, slender to 1e-5") {
