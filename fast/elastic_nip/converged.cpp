@@ -40,23 +40,22 @@ struct ConvergedElasticNip::Implementation {
     return ladder.estimate([](const HalfContact& contact) { return contact.half_length; });
   }
   /// Distance of y >= 0 from the contact's end; without loss where that is given.
-  [[nodiscard]] double from_end(const HalfContact& contact, double y) const {
+  [[nodiscard]] double from_end(double y) const {
     if (given_length) return (*given_length / 2 - y) / units.length;
-    return contact.half_length - y / units.length;
+    return half_length() - y / units.length;
   }
   [[nodiscard]] Estimate traction_at(double y, double Traction::*component, double scale) const {
     const double position = checked_position(y);
-    const auto traction = [&](const HalfContact& contact, double moved) {
-      const double e = std::min(from_end(contact, position) + moved, contact.half_length);
-      return e > 0 ? contact.traction(e).*component : 0;
+    const auto traction = [&](const HalfContact& contact, double e) {
+      return e > 0 ? contact.traction(std::min(e, contact.half_length)).*component : 0;
     };
-    const bool inside = from_end(ladder.last(), position) > 0;
+    // At its distance from each level's own end the traction is smooth; then it matters how well the end is known.
+    const double e = from_end(position);
     Estimate estimate =
-        ladder.estimate([&](const HalfContact& contact) { return traction(contact, 0); }, inside ? scale : 0);
-    // Near the end it matters how well the length is known.
+        ladder.estimate([&](const HalfContact& contact) { return traction(contact, e); }, e > 0 ? scale : 0);
     const double unsure = given_length ? 0 : half_length_estimate().error;
-    for (const double moved : {-unsure, unsure})
-      estimate.error += std::fabs(traction(ladder.last(), moved) - traction(ladder.last(), 0));
+    for (const double moved : {e - unsure, e + unsure})
+      estimate.error += std::fabs(traction(ladder.last(), moved) - estimate.value);
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
   }
   /// Twice the ladder's: it finds levels alike by chance more often where the place of the maximum moves.

@@ -118,15 +118,13 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto pressure = [](const ViscoelasticPressure& contact, const ContactPlace& place) {
     return place.e > 0 ? contact.pressure({place.half, std::min(place.e, contact.half_length())}) : 0;
   };
-  const auto at = [&](const ViscoelasticPressure& contact) {
-    return pressure(contact, contact.place(position));
-  };
+  // At its distance from each level's own end the pressure is smooth; then it matters how well the end is known.
   const ContactPlace place = ladder.last().place(position);
+  const auto at = [&](const ViscoelasticPressure& contact) { return pressure(contact, place); };
   const double half_length = implementation_->half_length();
   const double middle = ladder.last().pressure({Half::leading, half_length});
   Estimate solved = ladder.estimate(at, place.e > 0 ? middle : 0);
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
-  // Near an end it matters how well its place is known.
   const double unsure = implementation_->unsure_end(place.half);
   for (const double moved : {place.e - unsure, place.e + unsure})
     solved.error += std::fabs(pressure(ladder.last(), {place.half, moved}) - solved.value);
@@ -148,7 +146,8 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   const double lever = units.length / radius, half_length = implementation_->half_length();
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
-  return times(lever, {solved.value, solved.error + sheet.neglected(half_length) * half_length});
+  // Twice: its two parts, offset and moment, cancel.
+  return times(lever, {solved.value, 2 * solved.error + sheet.neglected(half_length) * half_length});
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {

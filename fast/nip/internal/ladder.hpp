@@ -170,7 +170,7 @@ class Ladder {
   /// Each solution lacks about what it differs by from the next; of that the last one lacks the less, the more its
   /// expansion has left behind (`remainders_`), or by the rate of the last two differences if that is slower.
   [[nodiscard]] double expansion_error(const Functional& functional) const {
-    constexpr double safety = 4;
+    constexpr double safety = 6;
     std::vector<double> values, changes;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
     for (std::size_t i = 1; i < values.size(); ++i) changes.push_back(std::fabs(values[i] - values[i - 1]));

@@ -25,8 +25,7 @@ ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near,
   for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / std::abs(term.rate));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-  // Measured: 5 a term and more.
-  return {panels, terms, std::pow(5.0, -terms)};
+  return {panels, terms, std::pow(3 + std::sqrt(8.0), -terms)};
 }
 
 std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_length,

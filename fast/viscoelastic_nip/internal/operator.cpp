@@ -172,6 +172,8 @@ std::complex<double> ViscoelasticOperator::trail(ContactPlace place, std::comple
        {-ahead, 5 - ahead, -5 - ahead, reach_ - ahead, -reach_ - ahead, 10 / rate.real()}) {
     if (0 < cut && cut < last) ends.push_back(cut);
   }
+  // Before the trail the kernel is singular at -ahead: near it pieces are as long as they are far.
+  for (double cut = ahead; cut > 0 && cut < std::min(last, 5.0); cut *= 4) ends.push_back(cut);
   std::ranges::sort(ends);
   std::vector<double> weight, alpha, way;
   for (std::size_t i = 1; i < ends.size(); ++i) {

@@ -86,7 +86,8 @@ SolutionAndTwins ViscoelasticPressure::solutions(const std::vector<TermMemory>& 
     matrix(i, rows - 1) = -2 * d;
   }
   kernels.count_system(static_cast<int>(rows));
-  return solution_and_twins(matrix, matrix, gap);
+  // Entries with memory are sums over panels and trail, of which large parts cancel (measured).
+  return solution_and_twins(matrix, terms.empty() ? matrix : Eigen::MatrixXd(2 * matrix), gap);
 }
 
 Eigen::VectorXd ViscoelasticPressure::coefficients(std::size_t panel) const {
