@@ -166,11 +166,12 @@ double contraction(const Symmetric& a, const Symmetric& b) {
   return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
 }
 
-/// Newton with these panels from `ellipse`, improved in place; the length of the first step.
-double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
-             const std::vector<internal::Panel>& panels) {
-  constexpr int most_steps = 12;  // where old panels let it wander, new ones go on
-  Balance here = balance(ellipse, body, response, panels);
+/// Newton from `ellipse`, improved in place; the length of the first step, or infinity where it has not
+/// converged. balance_at: of an ellipse.
+template <class BalanceAt>
+double solve(Ellipse& ellipse, const BalanceAt& balance_at) {
+  constexpr int most_steps = 12;
+  Balance here = balance_at(ellipse);
   double first = 0;
   for (int count = 0; count < most_steps; ++count) {
     const Symmetric step = newton_step(here);
@@ -182,7 +183,7 @@ double solve(Ellipse& ellipse, const Indenter& body, const SurfaceResponse& resp
     }
     for (double part = std::min(1.0, 1 / length);; part /= 2) {
       const Ellipse there = moved(ellipse, {part * step.e11, part * step.e12, part * step.e22});
-      const Balance next = balance(there, body, response, panels);
+      const Balance next = balance_at(there);
       const double rounding = 1e-13 * std::fabs(here.objective());
       if (next.objective() >= here.objective() + 0.1 * part * slope - rounding || part < 1. / 64) {
         ellipse = there;
@@ -248,10 +249,16 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   Ellipse ellipse = first_shape(body);
   Mesh mesh = adapted_mesh(ellipse, response);
   ellipse = of_fitting_size(ellipse, body, mesh);
-  double change = solve(ellipse, body, response, mesh.panels);
+  const auto on_panels = [&](const Ellipse& at) { return balance(at, body, response, mesh.panels); };
+  double change = solve(ellipse, on_panels);
   for (int meshes = 1; meshes < most_meshes && !(change < rounding); ++meshes) {
+    // Panels follow the ellipse; a peak of the compliance that does not turn with it leaves them.
+    if (meshes > 2 && std::isinf(change))
+      solve(ellipse, [&](const Ellipse& at) {
+        return balance(at, body, response, adapted_mesh(at, response).panels);
+      });
     mesh = adapted_mesh(ellipse, response);
-    change = solve(ellipse, body, response, mesh.panels);
+    change = solve(ellipse, on_panels);
   }
   major_length_ = ellipse.a;
   minor_length_ = ellipse.b;

@@ -25,7 +25,7 @@ class JacobiAmplitude {
     quarter_ = std::numbers::pi / (mean + geometric);
     for (double modulus = complement_; modulus < 1 && levels_ < moduli_.size();) {
       modulus = std::pow(modulus / (1 + std::sqrt((1 - modulus) * (1 + modulus))), 2);
-      if (modulus < 1e-17) break;
+      if (modulus < 1e-17 * complement_) break;  // sc^2 grows up to 1/k'
       moduli_[levels_++] = modulus;
     }
   }

@@ -134,6 +134,17 @@ TEST_CASE("elliptic: a slender body across the motion, next to the critical spee
   }
 }
 
+TEST_CASE(
+    "elliptic: a body that is slender across a sharply peaked compliance, which makes it long along that") {
+  const double poisson = 0.43968265359691439;
+  const double speed = (1 - 3.64e-8) * fast::isotropic_rayleigh_speed(poisson);
+  const SurfaceResponse response = [&](Direction psi) {
+    return fast::isotropic_response({1, poisson, 1}, speed, psi);
+  };
+  const auto [value, error] = EllipticContact(response, {1, 5e-4}).axis_ratio();
+  CHECK(error < 1e-12 * value);
+}
+
 TEST_CASE("elliptic: Hertz's ellipse by complete elliptic integrals, slender to 1e-5") {
   // (Johnson, Contact Mechanics, 4.26-4.28) for a = 1 and p0 = E*, in Carlson's integrals, which keep their
   // digits for circle and line alike: (K - E)/k^2 = R_D(0, k'^2, 1)/3, (E/k'^2 - K)/k^2 = R_D(0, 1, k'^2)/3.
