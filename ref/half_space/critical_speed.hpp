@@ -33,9 +33,10 @@ struct CriticalSpeed {
 
 /// Minimum over psi of the surface wave's speed, or the limiting one where there is no surface wave. Loads
 /// slower than this are subcritical. The value is proven to be no less than the minimum, to its digits; that
-/// it is the global one rests on a scan of 1 degree, finer in its valleys, and the error of the minimiser is estimated from the
-/// curvature. digits: 16 to 508. BadInput "motion" where the minimum is not smooth, as where surface waves of
-/// some lines end in the limiting speed. (brock2013, end of sec. 4)
+/// it is the global one rests on a scan of 1 degree, halved wherever the speed could be lower in between, and
+/// the error of the minimiser is estimated from the curvature. digits: 16 to 508. BadInput "motion" where the
+/// minimum is not smooth, as where surface waves of some lines end in the limiting speed. (brock2013, end of
+/// sec. 4)
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits);
 
 /// BadInput "speed", with what is allowed, unless lines of the direction psi are proven to be subcritical at

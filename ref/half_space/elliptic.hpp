@@ -7,14 +7,15 @@ namespace nipref::ref {
 // The exact frictionless contact of a smooth rigid body in multiprecision, from what the surface answers
 // along lines; errors are estimated.
 //
-//   curvature_ratio   the body's curvature across the motion over that along it, > 0; 1 for a sphere.
-//                     BadInput otherwise
+//   curvature_ratio   the body's curvature across the motion over that along it, 1e-12 to 1e12; 1 for a
+//                     sphere. BadInput otherwise
 //   digits            16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they
-//                     are not, as for ellipses slenderer than about 1/100, which need more lines than are
-//                     tried
+//                     are not, as for slender ellipses that are oblique to a peak of the compliance, which need
+//                     more lines than are tried. Along or across it they may be as slender as 1e-7, and the
+//                     speed 1 - 1e-9 of the critical one
 
 /// Minor over major axis: of the ellipse whose half-widths w make int K n n/w^3 dpsi proportional to the
-/// curvatures. By Newton's method for w^2 = 1 + e cos(2 psi) + f sin(2 psi).
+/// curvatures. By Newton's method for the logarithm of the ratio and the angle.
 Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
 /// F/(sqrt(R) delta^(3/2)) of that contact, 1/R the mean of the two curvatures and delta the approach: (8
