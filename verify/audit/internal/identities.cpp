@@ -179,7 +179,7 @@ std::vector<double> negated(std::vector<double> numbers) {
 }
 
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
-  if (drawn.has("rolling.speed")) return {};
+  if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
   Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
                     const bool is_odd = what.name == "shear" || what.name == "tangential_displacement" ||
                                         what.name == "orientation";

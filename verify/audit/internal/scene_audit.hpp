@@ -37,7 +37,8 @@ struct SceneFindings {
 
 /// Solves scene `index` of `seed` as `solve` does, and compares each number with the reference (elastic
 /// contact without friction, L/B up to 20; what HalfSpaceTruth has), with the same nip at 1e-13, and with its
-/// identities. A comparison with something that is not more accurate says nothing, unless it contradicts.
+/// identities. A comparison with a truth of larger estimate, or an identity of twice the estimate, says
+/// nothing, unless it contradicts.
 SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);
 
 }  // namespace nipref::verify
