@@ -149,11 +149,11 @@ struct HalfSpaceTruth::Implementation {
     if (!dear || std::max(ratio, 1 / ratio) > most_slender ||
         problem.speed > fastest_with_ellipse * critical_speed().value)
       return {};
+    const int exponent = -std::ilogb(line(0, &ref::LineResponse::compliance, 1).value);
     if (name == "axis_ratio")
-      return as_truth(ref::elliptic_axis_ratio(surface(), curvature_ratio(), ellipse_digits));
+      return as_truth(ref::elliptic_axis_ratio(in_units(exponent), curvature_ratio(), ellipse_digits));
     const auto* given = std::get_if<data::GivenNormalForce>(&problem.given);
     if (name != "approach" || given == nullptr) return {};
-    const int exponent = -std::ilogb(line(0, &ref::LineResponse::compliance, 1).value);
     const Truth stiffness =
         as_truth(ref::elliptic_stiffness(in_units(exponent), curvature_ratio(), ellipse_digits));
     const long double force = std::ldexp(static_cast<long double>(given->force), -exponent);
