@@ -35,6 +35,8 @@ struct ToyLevels {
   std::vector<int>* solves;  ///< one entry for each solution: its terms
   double noise = 0;
   int most_terms = 1000;
+  int lucky_terms = 0;  ///< a solution with so many terms is as good as with half as many again
+  double rounding = 0;  ///< of the twins, relative
 
   [[nodiscard]] static Resolution resolution(double, int level) {
     const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
@@ -45,8 +47,14 @@ struct ToyLevels {
     CHECK(tolerance == std::max(1e-4 * resolution.remainder, 1e-16));
     kernels.count_system(resolution.terms);
     solves->push_back(resolution.terms);
-    const double wrong = std::pow(factor, -resolution.terms) + (solves->size() % 2 == 0 ? noise : -noise);
-    return std::make_unique<ToyContact>(half_length, half_length * half_length * (1 + wrong));
+    const double terms = resolution.terms == lucky_terms ? 1.5 * lucky_terms : resolution.terms;
+    const double wrong = std::pow(factor, -terms) + (solves->size() % 2 == 0 ? noise : -noise);
+    const auto with = [&](double relative) {
+      return std::make_unique<ToyContact>(half_length, half_length * half_length * (1 + relative));
+    };
+    auto contact = with(wrong);
+    for (const double sign : {-1.0, 1.0}) contact->twins.push_back(with(wrong + sign * rounding));
+    return contact;
   }
   [[nodiscard]] static std::vector<Judged<ToyContact>> judged(const ToyContact&, double) {
     return {{&ToyContact::load}, {&ToyContact::half_length}};
@@ -108,7 +116,7 @@ TEST_CASE("ladder: it ends where more terms twice do not help, and says what is 
   CHECK(solves.size() == 5);
   const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
   CHECK(std::fabs(load.value - 1) <= load.error);
-  CHECK(load.error < 1e-8);
+  CHECK(load.error < 2e-8);
 }
 
 TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
@@ -125,4 +133,26 @@ TEST_CASE("ladder: what is no number stops it") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(Ladder<ToyLevels>::at_half_length({nan, &solves}, 1, 1e-6), nipref::data::BadInput);
   CHECK_THROWS_AS(Ladder<ToyLevels>::at_load({nan, &solves}, 1, 1e-6), nipref::data::BadInput);
+}
+
+TEST_CASE("ladder: levels that agree by chance do not hide what the last one lacks") {
+  for (const int lucky : {4, 6}) {
+    std::vector<int> solves;
+    const auto ladder = Ladder<ToyLevels>::at_half_length({6, &solves, 0, 1000, lucky}, 1, 1e-3);
+    const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+    CHECK(std::fabs(load.value - 1) <= load.error);
+    CHECK(load.error < 1e-3);
+  }
+}
+
+TEST_CASE("ladder: rounding is what the twins differ by, and where it rules no more terms are tried") {
+  std::vector<int> solves;
+  const auto ladder = Ladder<ToyLevels>::at_half_length({1e3, &solves, 0, 1000, 0, 1e-10}, 1, 1e-13);
+  CHECK(solves.size() == 3);
+  const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+  CHECK(load.error >= 1e-10);
+  CHECK(load.error < 1e-8);
+  // A length found for a load is as unsure as the load that is found at it.
+  const auto loaded = Ladder<ToyLevels>::at_load({1e3, &solves, 0, 1000, 0, 1e-10}, 25, 1e-13);
+  CHECK(loaded.estimate([](const ToyContact& contact) { return contact.half_length; }).error >= 0.5e-10);
 }

@@ -80,7 +80,7 @@ TEST_CASE("a result meets the accuracy if each of its errors is no larger than i
 }
 
 TEST_CASE(
-    "half-spaces say whether they meet the accuracy, ref its digits; line loads' errors are not about it") {
+    "half-spaces say whether they meet the accuracy, ref its digits, and line loads' errors are not about it") {
   for (const char* name : {"half-space-sliding-die-exact", "half-space-rolling-sphere"}) {
     for (const auto& result : verify::solve(data::load_scene(data::example_scene(name))).results)
       CHECK(result.met() == true);
