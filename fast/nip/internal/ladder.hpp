@@ -152,11 +152,9 @@ class Ladder {
       return contact;
     }
   }
-  /// The first level is only compared with the next: it need not meet the load better than its expansion
-  /// meets the pressure.
+  /// A level need not meet the load better than its expansion meets the pressure.
   [[nodiscard]] double load_tolerance(double near, int level) const {
-    const double first = level == 0 ? 1e-2 * levels_.resolution(near, level).remainder : 0;
-    return std::max({1e-2 * accuracy_, first, 1e-14});
+    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).remainder, 1e-14});
   }
 
   /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
