@@ -49,10 +49,16 @@ struct ConvergedElasticNip::Implementation {
     const auto traction = [&](const HalfContact& contact, double e) {
       return e > 0 ? contact.traction(std::min(e, contact.half_length)).*component : 0;
     };
-    // At its distance from each level's own end the traction is smooth; then it matters how well the end is known.
+    // At its distance from each level's own end the traction is smooth; levels that agree there by chance do not beside
+    // it. Then it matters how well the end is known.
     const double e = from_end(position);
-    Estimate estimate =
-        ladder.estimate([&](const HalfContact& contact) { return traction(contact, e); }, e > 0 ? scale : 0);
+    const auto at = [&](double place) {
+      return ladder.estimate([&, place](const HalfContact& contact) { return traction(contact, place); },
+                             e > 0 ? scale : 0);
+    };
+    Estimate estimate = at(e);
+    for (const double beside : {0.8 * e, 1.25 * e})
+      estimate.error = std::max(estimate.error, at(beside).error);
     const double unsure = given_length ? 0 : half_length_estimate().error;
     for (const double moved : {e - unsure, e + unsure})
       estimate.error += std::fabs(traction(ladder.last(), moved) - estimate.value);

@@ -118,12 +118,21 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto pressure = [](const ViscoelasticPressure& contact, const ContactPlace& place) {
     return place.e > 0 ? contact.pressure({place.half, std::min(place.e, contact.half_length())}) : 0;
   };
-  // At its distance from each level's own end the pressure is smooth; then it matters how well the end is known.
+  // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
+  // it. Then it matters how well the end is known.
   const ContactPlace place = ladder.last().place(position);
-  const auto at = [&](const ViscoelasticPressure& contact) { return pressure(contact, place); };
   const double half_length = implementation_->half_length();
   const double middle = ladder.last().pressure({Half::leading, half_length});
-  Estimate solved = ladder.estimate(at, place.e > 0 ? middle : 0);
+  const auto at = [&](double e) {
+    return ladder.estimate(
+        [&, e](const ViscoelasticPressure& contact) {
+          return pressure(contact, {place.half, e});
+        },
+        e > 0 ? middle : 0);
+  };
+  Estimate solved = at(place.e);
+  for (const double beside : {0.8 * place.e, 1.25 * place.e})
+    solved.error = std::max(solved.error, at(beside).error);
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
   for (const double moved : {place.e - unsure, place.e + unsure})

@@ -153,6 +153,8 @@ TEST_CASE("error estimates cover the error, and hardly ever by more than a thous
         CHECK(error <= estimate.error + exact.error);
         if (index != 1 && index != 3 && index != 6 && index != 8)
           continue;  // L, d0, middle, peak: none near 0
+        // Where it is as good as the truth, which may then be the very same solution, nothing is told.
+        if (estimate.error <= 2 * exact.error) continue;
         worst_error = std::max(worst_error, error / std::fabs(exact.value));
         worst_estimate = std::max(worst_estimate, estimate.error / std::fabs(exact.value));
       }
