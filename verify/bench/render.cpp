@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
@@ -33,6 +34,15 @@ std::string ratios_text(const std::vector<BenchRatio>& ratios) {
 }
 
 Json bench_json(const BenchReport& report) {
+  const auto ratios = [&](bool of_errors) {
+    std::vector<BenchRatio> these;
+    std::ranges::copy_if(report.ratios, std::back_inserter(these),
+                         [=](const BenchRatio& ratio) { return ratio.of_errors == of_errors; });
+    return json_list(these, [](const BenchRatio& ratio) {
+      return Json{
+          {"what", ratio.what}, {"ratio", ratio.measured}, {"wanted", ratio.target}, {"met", ratio.met()}};
+    });
+  };
   return {{"rows", json_list(report.rows,
                              [](const BenchRow& row) {
                                return Json{
@@ -43,12 +53,8 @@ Json bench_json(const BenchReport& report) {
                                    {"max_relative_error", row.max_relative_error},
                                    {"times", {{"nanoseconds", row.nanoseconds}, {"ratio", row.ratio}}}};
                              })},
-          {"times", {{"ratios", json_list(report.ratios, [](const BenchRatio& ratio) {
-                        return Json{{"what", ratio.what},
-                                    {"ratio", ratio.measured},
-                                    {"wanted", ratio.target},
-                                    {"met", ratio.met()}};
-                      })}}}};
+          {"error_ratios", ratios(true)},
+          {"times", {{"ratios", ratios(false)}}}};
 }
 
 }  // namespace nipref::verify

@@ -131,6 +131,7 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
   CHECK(rows[1]["kept"] == false);
   for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
     CHECK(rows[1].at(infinite).is_null());
+  CHECK(answer["bench"]["error_ratios"].empty());
   CHECK(answer["bench"]["times"]["ratios"][0] ==
         json{{"what", "what"}, {"ratio", 2.0}, {"wanted", 3.0}, {"met", false}});
   const json timeless = json::parse(verify::answer_text("report", report, true));
