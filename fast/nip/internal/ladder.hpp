@@ -25,10 +25,11 @@ struct Judged {
 /// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
 /// of anything computed from it is estimated from two sides:
 /// - what the expansion leaves out: each solution lacks about what it differs by from the next, and the last one
-///   lacks that less by the rate at which the expansions converge, known and measured. All solutions are asked,
-///   for two in succession may be near each other, or near the truth, by chance;
+///   lacks that less by the rate at which the expansions converge, known and measured. Several differences are
+///   asked, for two solutions in succession may be near each other, or near the truth, by chance;
 /// - rounding: how much it changes on the last solution's twins, whose equations differ from its own by what
-///   rounding and the kernels' tolerance may do to them.
+///   rounding may do to them.
+/// The factors of safety are those with which random contacts of all kinds were covered.
 ///
 /// Levels is a kind of nip, all dimensionless as in HalfContact:
 ///   Contact            its solution, with half_length, load and twins, solutions of the same half length
