@@ -9,8 +9,8 @@ namespace nipref::ref {
 /// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 1000; digits 16 to
 /// 1000. Every function promises an Enclosure: error_bound <= 10^-digits min(1, |truth|), near zeros of the
 /// kernel too. The bound is proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its
-/// rounding; closed forms are in interval arithmetic. Arguments and digits outside their domain throw
-/// data::BadInput.
+/// rounding, residues.hpp for the series at large arguments; closed forms and the series are in interval
+/// arithmetic. Arguments and digits outside their domain throw data::BadInput.
 
 /// int_0^inf 2 sinh^2 x cos(alpha x)/(x S) dx; alpha != 0. (thesis 4.9, AI.1)
 Enclosure I1(const Exact& alpha, int digits);

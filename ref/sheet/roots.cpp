@@ -7,6 +7,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/roots.hpp>
 
 namespace nipref::ref {
@@ -85,15 +86,18 @@ Interval bracket(const Real& x, long n) {
 
 }  // namespace
 
+ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision) {
+  const Interval twice_z = bracket(approximate(n, precision + 64), n);
+  return {twice_z / 2, phase(twice_z, n).y / 2};
+}
+
 SheetRoot sheet_root(long n, int digits) {
   if (n < 1 || n > largest_index) {
     throw data::BadInput("n", std::to_string(n), "must be a whole number from 1 to 1000000000");
   }
-  const auto twice_z = [&](double nats) {
-    return bracket(approximate(n, working_precision(nats, 1) + 64), n);
-  };
-  return {enclose(digits, 0, [&](double nats) { return twice_z(nats) / 2; }),
-          enclose(digits, 0, [&](double nats) { return phase(twice_z(nats), n).y / 2; })};
+  const auto root = [&](double nats) { return sheet_root_interval(n, working_precision(nats, 1)); };
+  return {enclose(digits, 0, [&](double nats) { return root(nats).real; }),
+          enclose(digits, 0, [&](double nats) { return root(nats).imag; })};
 }
 
 }  // namespace nipref::ref

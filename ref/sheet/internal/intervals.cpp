@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
 namespace nipref::ref {
@@ -18,8 +19,14 @@ Interval log_coth(const Exact& a, double nats) {
   return log1p(2 / expm1(exponent));
 }
 
+/// The transform of a symbol other than `normal` at x >= 0, by the cheaper of the two ways.
+Interval cheaper_transform(Symbol symbol, const Exact& x, double nats) {
+  return residues_are_cheaper(x.approximate(), nats) ? residue_series(symbol, x, nats)
+                                                     : transform(symbol, x, nats);
+}
+
 Interval odd(Symbol symbol, const Exact& x, double nats) {
-  const Interval value = transform(symbol, x.magnitude(), nats);
+  const Interval value = cheaper_transform(symbol, x.magnitude(), nats);
   return x.sign() < 0 ? -value : value;
 }
 
@@ -31,6 +38,7 @@ mpfr_prec_t working_precision(double nats, double size) {
 
 Interval I1_interval(const Exact& alpha, double nats) {
   const Exact a = alpha.magnitude();
+  if (residues_are_cheaper(a.approximate(), nats)) return residue_series(Symbol::normal, a, nats);
   return log_coth(a, nats) + transform(Symbol::normal, a, nats);
 }
 
@@ -42,9 +50,11 @@ Interval I2_interval(const Exact& alpha, double nats) {
 Interval I3_interval(const Exact& alpha, double nats) { return odd(Symbol::I3, alpha, nats); }
 Interval I4_interval(const Exact& eta, double nats) { return odd(Symbol::I4, eta, nats); }
 Interval I5_interval(const Exact& eta, double nats) { return odd(Symbol::I5, eta, nats); }
-Interval I7_interval(const Exact& eta, double nats) { return transform(Symbol::I7, eta.magnitude(), nats); }
+Interval I7_interval(const Exact& eta, double nats) {
+  return cheaper_transform(Symbol::I7, eta.magnitude(), nats);
+}
 Interval I6_eta_interval(const Exact& eta, double nats) {
-  return transform(Symbol::I6_eta, eta.magnitude(), nats);
+  return cheaper_transform(Symbol::I6_eta, eta.magnitude(), nats);
 }
 
 Interval I6_interval(const Exact& alpha, const Exact& eta, double nats) {
@@ -55,7 +65,8 @@ Interval I6_interval(const Exact& alpha, const Exact& eta, double nats) {
   Interval difference(precision);
   mpfi_set_q(difference.get(), longer.get_mpq_t());
   const Interval growth = Interval::pi(precision) / 4 * difference;
-  return growth + (I1_interval(a, nats) + transform(Symbol::I6_alpha, a, nats)) - I6_eta_interval(e, nats);
+  return growth + (I1_interval(a, nats) + cheaper_transform(Symbol::I6_alpha, a, nats)) -
+         I6_eta_interval(e, nats);
 }
 
 }  // namespace nipref::ref

@@ -1,0 +1,37 @@
+#pragma once
+#include <mpfr.h>
+
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/sheet/internal/symbols.hpp>
+
+namespace nipref::ref {
+
+/// Whether the residue series gives the transform at x to e^{-nats} with so few terms that it costs less than
+/// the trapezoidal rule. False for x < 1.
+bool residues_are_cheaper(double x, double nats);
+
+/// The Fourier transform of a symbol at x >= 1, given exactly, within an interval of half-width about
+/// e^{-nats}, from the roots z_n of S in the first quadrant: what transform() gives by summation, but for
+/// `normal`, whose poles of tanh are left out, all of I1.
+///
+///     even    -2 pi Im sum_n c_n e^{i x z_n}
+///     odd     pi/4 + 2 pi Re sum_n c_n e^{i x z_n}        (pi/4: half the residue 1/2 of the pole at 0)
+///
+/// The lines Im z = k pi, k = 1, 2, ..., lie between the roots; there |S| >= max(2 k pi, |sinh 2 Re z|), so
+/// that the integral around -k < Re z < k below such a line tends to that along the real axis, and the series
+/// is exact. As S' = 4 cosh^2 z and sinh z = -z/cosh z at a root,
+///
+///     normal    z/(2 cosh^4 z)     I3  1/(2 cosh^2 z)     I4  -1/(2 cosh^3 z)     I5  1/(2 cosh z)
+///     I6_alpha  1/(2 z cosh^2 z)   I6_eta  1/(2 z cosh z)                         I7  -z/(2 cosh^3 z)
+///
+/// are the c_n. They are below 1: cosh 2z = +-sqrt(1 + 4 z^2) makes |cosh^2 z| >= f(|z|) with f(r) =
+/// (sqrt(4 r^2 - 1) - 1)/2; as |z| > pi/2 (SheetRoot), f(pi/2) > 0.98 and f' >= 1, f >= 0.98 and |z|/f <=
+/// 1.61. With Im z_n > (n - 1/2) pi the terms beyond N then sum to less than 2 pi e^{-(N+1/2) pi x}/(1 - e^{-pi x})
+/// <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
+Interval residue_series(Symbol symbol, const Exact& x, double nats);
+
+/// z_n to about `precision` bits: proven as sheet_root() says.
+ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision);
+
+}  // namespace nipref::ref
