@@ -91,24 +91,16 @@ class Recurrence {
 };
 
 /// Runs the recurrence from the last node down to j = 1.
-Recurrence recur(const Nodes& nodes, const Angle& angle, Limbs NodeBlock::*part) {
+Recurrence recur(const Nodes& nodes, const Angle& angle) {
   Recurrence recurrence(angle.half_sine_square, nodes.blocks.front().limbs);
   for (auto block = nodes.blocks.rbegin(); block != nodes.blocks.rend(); ++block) {
     recurrence.lengthen(block->limbs);
-    const mp_limb_t* values = ((*block).*part).data();
+    const mp_limb_t* values = block->values.data();
     const std::size_t stop = block->first == 0 ? 1 : 0;
     for (std::size_t k = block->size(); k-- > stop;) recurrence.step(values + k * block->limbs);
     recurrence.check_size(nodes.key.fraction_bits + block->magnitude + 2);
   }
   return recurrence;
-}
-
-/// sin(theta) b_1.
-Real sine_part(const Recurrence& recurrence, const Nodes& nodes, const Angle& angle) {
-  Real result(angle.sine.precision());
-  mpfr_mul(result.get(), recurrence.fourfold(nodes.key.fraction_bits).get(), angle.sine.get(), MPFR_RNDN);
-  mpfr_div_2ui(result.get(), result.get(), 2, MPFR_RNDN);
-  return result;
 }
 
 }  // namespace
@@ -128,28 +120,29 @@ mpfr_prec_t angle_precision(const Nodes& nodes) {
   return static_cast<mpfr_prec_t>(nodes.blocks.front().limbs) * GMP_NUMB_BITS + 16;
 }
 
-Real wave_sum(const Nodes& nodes, const Angle& angle) {
+Real cosine_sum(const Nodes& nodes, const Angle& angle) {
   const long bits = nodes.key.fraction_bits;
-  const Recurrence real = recur(nodes, angle, &NodeBlock::real);
+  const Recurrence recurrence = recur(nodes, angle);
   // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
   Real sum(angle.sine.precision());
-  mpfr_mul(sum.get(), angle.half_sine_square.get(), real.fourfold(bits).get(), MPFR_RNDN);
+  mpfr_mul(sum.get(), angle.half_sine_square.get(), recurrence.fourfold(bits).get(), MPFR_RNDN);
   mpfr_div_2ui(sum.get(), sum.get(), 1, MPFR_RNDN);
-  mpfr_sub(sum.get(), real.difference(bits).get(), sum.get(), MPFR_RNDN);
+  mpfr_sub(sum.get(), recurrence.difference(bits).get(), sum.get(), MPFR_RNDN);
   const NodeBlock& block = nodes.blocks.front();
-  const mpz_class first = signed_integer(block.real.data(), block.limbs);
+  const mpz_class first = signed_integer(block.values.data(), block.limbs);
   Real first_node(sum.precision());
   mpfr_set_z_2exp(first_node.get(), first.get_mpz_t(), -bits, MPFR_RNDN);
   mpfr_add(sum.get(), sum.get(), first_node.get(), MPFR_RNDN);
-  if (nodes.key.line != Line::real_axis) {
-    const Real imaginary = sine_part(recur(nodes, angle, &NodeBlock::imag), nodes, angle);
-    mpfr_sub(sum.get(), sum.get(), imaginary.get(), MPFR_RNDN);
-  }
   return sum;
 }
 
+// sin(theta) b_1
 Real sine_sum(const Nodes& nodes, const Angle& angle) {
-  return sine_part(recur(nodes, angle, &NodeBlock::real), nodes, angle);
+  Real result(angle.sine.precision());
+  const Real fourfold = recur(nodes, angle).fourfold(nodes.key.fraction_bits);
+  mpfr_mul(result.get(), fourfold.get(), angle.sine.get(), MPFR_RNDN);
+  mpfr_div_2ui(result.get(), result.get(), 2, MPFR_RNDN);
+  return result;
 }
 
 }  // namespace nipref::ref

@@ -16,7 +16,7 @@ struct Angle {
 /// Precision an Angle needs for the sums over `nodes`.
 mpfr_prec_t angle_precision(const Nodes& nodes);
 
-/// sum_{j=0}^{last} Re(g_j e^{i j theta}) by Clenshaw's recurrence b_j = g_j + 2 cos(theta) b_{j+1} -
+/// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence b_j = g_j + 2 cos(theta) b_{j+1} -
 /// b_{j+2}, in Reinsch's form and in fixed point: with d_j = b_j - b_{j+1}, B_j = 4 b_j and kappa =
 /// sin^2(theta/2)
 ///
@@ -25,15 +25,14 @@ mpfr_prec_t angle_precision(const Nodes& nodes);
 /// An error made in d_j acts on the sum as a change of g_j by the same amount. In units of 2^-F one step
 /// makes less than 4: the product is cut (less than 1), kappa is cut to as many bits as B has, by which the
 /// product loses less than 1, and the node is off by at most 1. Additions are exact. Hence |error| <= 4 (last
-/// + 3) units a recurrence (one on the real axis, two off it), the last steps and the rounding of the Angle
-/// included.
-Real wave_sum(const Nodes& nodes, const Angle& angle);
+/// + 3) units, the last steps and the rounding of the Angle included.
+Real cosine_sum(const Nodes& nodes, const Angle& angle);
 
-/// sum_{j=1}^{last} Re(g_j) sin(j theta) for symbols on the real axis; |error| <= 4 min(last + 3, theta (last
+/// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last
 /// + 3)^2) units.
 Real sine_sum(const Nodes& nodes, const Angle& angle);
 
-/// Error bound of a recurrence is this many units a node, see wave_sum.
+/// Error bound of a recurrence is this many units a node, see cosine_sum.
 constexpr long rounding_units = 4;
 
 }  // namespace nipref::ref

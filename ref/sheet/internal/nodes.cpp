@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nipref/ref/number/internal/complex.hpp>
 #include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/number/real.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
@@ -35,19 +34,18 @@ long last_node(const NodeKey& key) {
   return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
-/// Evaluates h G(z) along a line, from powers of e^{-z} that are stepped by one real factor a node.
+/// Evaluates h G(x) at equidistant x, from powers of e^{-x} that are stepped by one factor a node.
 ///
 /// Rounding, in units of 2^-w with w the working precision: an exponential that starts a block is good to 2,
-/// each of at most 31 steps adds 2, so |d(e^{-z})| <= 70 and |d(e^{-2z})| <= 145 relative. Q = 1 - e^{-4z} +
-/// 4 z e^{-2z} is then off by at most 1500 absolutely, |Q| >= 1/2 on the shifted lines and Q >= min(1, 4 x)
-/// on the real axis, so a quotient by Q is good to 2^12/h relatively, and the difference of two such in
-/// `normal`, divided by z, to 2^13/h^2 absolutely. w exceeds the block's precision by more than that: see
-/// guard_bits.
+/// each of at most 31 steps adds 2, so |d(e^{-x})| <= 70 and |d(e^{-2x})| <= 145 relative. Q = 1 - e^{-4x} +
+/// 4 x e^{-2x} is then off by at most 1500 absolutely and Q >= min(1, 4 x), so a quotient by Q is good to
+/// 2^12/h relatively, and the difference of two such in `normal`, divided by x, to 2^13/h^2 absolutely. w
+/// exceeds the block's precision by more than that: see guard_bits.
 class SymbolLine {
  public:
   SymbolLine(const NodeKey& key, mpfr_prec_t precision)
       : key_(key),
-        z_(precision),
+        x_(precision),
         e1_(precision),
         u_(precision),
         step1_(precision),
@@ -63,34 +61,33 @@ class SymbolLine {
 
   void start(long j) {
     place(j);
-    mpc_neg(e1_.get(), z_.get(), MPC_RNDNN);
-    mpc_exp(e1_.get(), e1_.get(), MPC_RNDNN);
+    mpfr_neg(e1_.get(), x_.get(), MPFR_RNDN);
+    mpfr_exp(e1_.get(), e1_.get(), MPFR_RNDN);
     if (key_.symbol != Symbol::normal) return;
-    mpc_mul_si(u_.get(), z_.get(), -3, MPC_RNDNN);
-    mpc_div_2ui(u_.get(), u_.get(), 1, MPC_RNDNN);
-    mpc_exp(u_.get(), u_.get(), MPC_RNDNN);
+    mpfr_mul_d(u_.get(), x_.get(), -1.5, MPFR_RNDN);
+    mpfr_exp(u_.get(), u_.get(), MPFR_RNDN);
   }
 
   void advance(long j) {
     place(j);
-    mpc_mul_fr(e1_.get(), e1_.get(), step1_.get(), MPC_RNDNN);
-    if (key_.symbol == Symbol::normal) mpc_mul_fr(u_.get(), u_.get(), step_u_.get(), MPC_RNDNN);
+    mpfr_mul(e1_.get(), e1_.get(), step1_.get(), MPFR_RNDN);
+    if (key_.symbol == Symbol::normal) mpfr_mul(u_.get(), u_.get(), step_u_.get(), MPFR_RNDN);
   }
 
-  /// h G(z) at the present z, z != 0.
-  mpc_srcptr value() {
-    mpc_sqr(b_.get(), e1_.get(), MPC_RNDNN);  // e^{-2z}
+  /// h G(x) at the present x > 0.
+  const Real& value() {
+    mpfr_sqr(b_.get(), e1_.get(), MPFR_RNDN);  // e^{-2x}
     denominator();
     switch (key_.symbol) {
       case Symbol::normal:
         normal();
         break;
       case Symbol::I3:
-        mpc_mul_ui(a_.get(), b_.get(), 4, MPC_RNDNN);
+        mpfr_mul_ui(a_.get(), b_.get(), 4, MPFR_RNDN);
         break;
       case Symbol::I4:
         cosh_like(-1);
-        mpc_div(a_.get(), a_.get(), z_.get(), MPC_RNDNN);
+        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
         break;
       case Symbol::I5:
         cosh_like(+1);
@@ -99,71 +96,68 @@ class SymbolLine {
         cosh_like(-1);
         break;
       case Symbol::I6_alpha:
-        mpc_mul_ui(a_.get(), b_.get(), 4, MPC_RNDNN);
-        mpc_div(a_.get(), a_.get(), z_.get(), MPC_RNDNN);
+        mpfr_mul_ui(a_.get(), b_.get(), 4, MPFR_RNDN);
+        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
         break;
       case Symbol::I6_eta:
         cosh_like(+1);
-        mpc_div(a_.get(), a_.get(), z_.get(), MPC_RNDNN);
+        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
         break;
     }
-    mpc_div(a_.get(), a_.get(), q_.get(), MPC_RNDNN);
-    mpfr_mul_d(mpc_realref(a_.get()), mpc_realref(a_.get()), key_.step, MPFR_RNDN);
-    mpfr_mul_d(mpc_imagref(a_.get()), mpc_imagref(a_.get()), key_.step, MPFR_RNDN);
-    return a_.get();
+    mpfr_div(a_.get(), a_.get(), q_.get(), MPFR_RNDN);
+    mpfr_mul_d(a_.get(), a_.get(), key_.step, MPFR_RNDN);
+    return a_;
   }
 
  private:
-  void place(long j) {
-    mpc_set_d_d(z_.get(), static_cast<double>(j) * key_.step, height(key_.line), MPC_RNDNN);
-  }
+  void place(long j) { mpfr_set_d(x_.get(), static_cast<double>(j) * key_.step, MPFR_RNDN); }
 
-  /// q = 1 - e^{-4z} + 4 z e^{-2z} = 2 e^{-2z} S.
+  /// q = 1 - e^{-4x} + 4 x e^{-2x} = 2 e^{-2x} S.
   void denominator() {
-    mpc_mul(q_.get(), z_.get(), b_.get(), MPC_RNDNN);
-    mpc_mul_ui(q_.get(), q_.get(), 4, MPC_RNDNN);
-    mpc_sqr(a_.get(), b_.get(), MPC_RNDNN);
-    mpc_ui_sub(a_.get(), 1, a_.get(), MPC_RNDNN);
-    mpc_add(q_.get(), q_.get(), a_.get(), MPC_RNDNN);
+    mpfr_mul(q_.get(), x_.get(), b_.get(), MPFR_RNDN);
+    mpfr_mul_ui(q_.get(), q_.get(), 4, MPFR_RNDN);
+    mpfr_sqr(a_.get(), b_.get(), MPFR_RNDN);
+    mpfr_ui_sub(a_.get(), 1, a_.get(), MPFR_RNDN);
+    mpfr_add(q_.get(), q_.get(), a_.get(), MPFR_RNDN);
   }
 
-  /// a = 2 e^{-z} (1 + sign e^{-2z}), the numerator of 2 cosh z/S or 2 sinh z/S over q.
+  /// a = 2 e^{-x} (1 + sign e^{-2x}), the numerator of 2 cosh x/S or 2 sinh x/S over q.
   void cosh_like(int sign) {
     if (sign > 0) {
-      mpc_add_ui(a_.get(), b_.get(), 1, MPC_RNDNN);
+      mpfr_add_ui(a_.get(), b_.get(), 1, MPFR_RNDN);
     } else {
-      mpc_ui_sub(a_.get(), 1, b_.get(), MPC_RNDNN);
+      mpfr_ui_sub(a_.get(), 1, b_.get(), MPFR_RNDN);
     }
-    mpc_mul(a_.get(), a_.get(), e1_.get(), MPC_RNDNN);
-    mpc_mul_ui(a_.get(), a_.get(), 2, MPC_RNDNN);
+    mpfr_mul(a_.get(), a_.get(), e1_.get(), MPFR_RNDN);
+    mpfr_mul_ui(a_.get(), a_.get(), 2, MPFR_RNDN);
   }
 
-  /// a/q = [(1 - tanh(3z/4)) - (1 - 2 sinh^2 z/S)]/z = [2u/(1+u) - 2 e^{-2z} (1 + 2z - e^{-2z})/q]/z with u =
-  /// e^{-3z/2}.
+  /// a/q = [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)]/x = [2u/(1+u) - 2 e^{-2x} (1 + 2x - e^{-2x})/q]/x with u =
+  /// e^{-3x/2}.
   void normal() {
-    mpc_mul_ui(a_.get(), z_.get(), 2, MPC_RNDNN);
-    mpc_add_ui(a_.get(), a_.get(), 1, MPC_RNDNN);
-    mpc_sub(a_.get(), a_.get(), b_.get(), MPC_RNDNN);
-    mpc_mul(a_.get(), a_.get(), b_.get(), MPC_RNDNN);
-    mpc_add_ui(b_.get(), u_.get(), 1, MPC_RNDNN);
-    mpc_div(b_.get(), u_.get(), b_.get(), MPC_RNDNN);
-    mpc_mul(b_.get(), b_.get(), q_.get(), MPC_RNDNN);
-    mpc_sub(a_.get(), b_.get(), a_.get(), MPC_RNDNN);
-    mpc_mul_ui(a_.get(), a_.get(), 2, MPC_RNDNN);
-    mpc_div(a_.get(), a_.get(), z_.get(), MPC_RNDNN);
+    mpfr_mul_ui(a_.get(), x_.get(), 2, MPFR_RNDN);
+    mpfr_add_ui(a_.get(), a_.get(), 1, MPFR_RNDN);
+    mpfr_sub(a_.get(), a_.get(), b_.get(), MPFR_RNDN);
+    mpfr_mul(a_.get(), a_.get(), b_.get(), MPFR_RNDN);
+    mpfr_add_ui(b_.get(), u_.get(), 1, MPFR_RNDN);
+    mpfr_div(b_.get(), u_.get(), b_.get(), MPFR_RNDN);
+    mpfr_mul(b_.get(), b_.get(), q_.get(), MPFR_RNDN);
+    mpfr_sub(a_.get(), b_.get(), a_.get(), MPFR_RNDN);
+    mpfr_mul_ui(a_.get(), a_.get(), 2, MPFR_RNDN);
+    mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
   }
 
   const NodeKey& key_;
-  Complex z_, e1_, u_;
+  Real x_, e1_, u_;
   Real step1_, step_u_;
-  Complex a_, b_, q_;
+  Real a_, b_, q_;
 };
 
 mpfr_prec_t guard_bits(const NodeKey& key) {
   return 20 + 2 * static_cast<mpfr_prec_t>(std::ceil(std::max(0.0, -std::log2(key.step))));
 }
 
-/// g_0 on the real axis, see Nodes.
+/// g_0, see Nodes.
 void set_origin(Real& value, const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
   mpfr_set_zero(value.get(), 1);
@@ -181,9 +175,9 @@ void set_origin(Real& value, const NodeKey& key) {
 }
 
 /// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
-void append(std::vector<mp_limb_t>& limbs, std::size_t count, mpfr_srcptr value, const NodeKey& key) {
-  Real scaled(mpfr_get_prec(value));
-  mpfr_mul_2si(scaled.get(), value, key.fraction_bits, MPFR_RNDN);
+void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Real& value, const NodeKey& key) {
+  Real scaled(value.precision());
+  mpfr_mul_2si(scaled.get(), value.get(), key.fraction_bits, MPFR_RNDN);
   mpz_class integer;
   mpfr_get_z(integer.get_mpz_t(), scaled.get(), MPFR_RNDN);
   const std::size_t size = mpz_size(integer.get_mpz_t());
@@ -195,34 +189,24 @@ void append(std::vector<mp_limb_t>& limbs, std::size_t count, mpfr_srcptr value,
 }
 
 NodeBlock make_block(const NodeKey& key, long first, long end) {
-  const bool shifted = key.line != Line::real_axis;
   const long magnitude = clenshaw_magnitude(key, first);
   const long bits = std::max(
       1L, key.fraction_bits + magnitude + 4);  // b_j is held fourfold, with a sign and a bit to spare
-  NodeBlock block{
-      first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}, {}};
+  NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
   SymbolLine line(key, precision);
-  Real real(precision);
+  Real origin(precision);
   for (long j = first; j < end; ++j) {
     j == first ? line.start(j) : line.advance(j);
-    if (j == 0 && !shifted) {
-      set_origin(real, key);
-      append(block.real, block.limbs, real.get(), key);
-      continue;
-    }
-    const mpc_srcptr value = line.value();
-    mpfr_div_2ui(real.get(), mpc_realref(value), j == 0 ? 1 : 0, MPFR_RNDN);
-    append(block.real, block.limbs, real.get(), key);
-    if (shifted) append(block.imag, block.limbs, mpc_imagref(value), key);
+    if (j == 0) set_origin(origin, key);
+    append(block.values, block.limbs, j == 0 ? origin : line.value(), key);
   }
   return block;
 }
 
 std::size_t size_in_bytes(const Nodes& nodes) {
   std::size_t bytes = 0;
-  for (const NodeBlock& block : nodes.blocks)
-    bytes += (block.real.size() + block.imag.size()) * sizeof(mp_limb_t);
+  for (const NodeBlock& block : nodes.blocks) bytes += block.values.size() * sizeof(mp_limb_t);
   return bytes;
 }
 
@@ -239,9 +223,7 @@ mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs) {
 
 double effective_amplitude(const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
-  const double amplitude = symbol.amplitude[static_cast<std::size_t>(key.line)];
-  const int order = key.line == Line::real_axis ? static_cast<int>(symbol.origin) : 0;
-  return amplitude / std::pow(key.step, order);
+  return symbol.amplitude / std::pow(key.step, static_cast<int>(symbol.origin));
 }
 
 Nodes make_nodes(const NodeKey& key) {

@@ -12,27 +12,25 @@ namespace nipref::ref {
 /// the same.
 struct NodeKey {
   Symbol symbol;
-  Line line;
   double step;         ///< h: a double with at most 3 significant bits, so that j h is exact
   long fraction_bits;  ///< F: nodes are fixed-point numbers in units of 2^-F
 
   auto operator<=>(const NodeKey&) const = default;
 };
 
-/// A run of nodes g_j = h G(j h + i s) of one length. The leading limbs are left out as the symbol decays.
+/// A run of nodes g_j = h G(j h) of one length. The leading limbs are left out as the symbol decays.
 struct NodeBlock {
   long first;         ///< j of the first node
   std::size_t limbs;  ///< of a node: two's complement, least significant limb first, in units of 2^-F
   long magnitude;  ///< |b_j| <= 2^magnitude for the Clenshaw sums b_j = sum_{k>=j} g_k U_{k-j} that start in
                    ///< this block
-  std::vector<mp_limb_t> real;  ///< Re g_j, one after the other
-  std::vector<mp_limb_t> imag;  ///< Im g_j; empty on the real axis
+  std::vector<mp_limb_t> values;  ///< g_j, one after the other
 
-  [[nodiscard]] std::size_t size() const { return real.size() / limbs; }
+  [[nodiscard]] std::size_t size() const { return values.size() / limbs; }
 };
 
-/// Nodes j = 0 .. last. g_0 is halved for even symbols, 0 for odd ones, and on a line through a twofold pole
-/// h G_0/2 - pi^2/(12 h), what the residue of G(z) pi cot(pi z/h) at 0 leaves of it.
+/// Nodes j = 0 .. last. g_0 is halved for even symbols, 0 for odd ones, and at a twofold pole h G_0/2 -
+/// pi^2/(12 h), what the residue of G(z) pi cot(pi z/h) at 0 leaves of it.
 ///
 /// Promise: each stored number is within one unit 2^-F of the true one, and the nodes left out obey
 /// sum_{j > last} |g_j| <= C' h q^{last+1}/(1 - q) <= 2^8 units with q = e^{-r h}, C' = effective_amplitude.
@@ -49,8 +47,8 @@ constexpr long truncation_units = 256;
 /// The integer that `limbs` limbs of two's complement stand for.
 mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 
-/// C' with |G(j h + i s)| <= C' e^{-r j h} for j >= 1 (j >= 0 off the real axis): SymbolBounds::amplitude,
-/// divided by h^k where the symbol has a pole of order k on the line (h <= 1).
+/// C' with |G(j h)| <= C' e^{-r j h} for j >= 1: SymbolBounds::amplitude, divided by h^k where the symbol has
+/// a pole of order k at 0 (h <= 1).
 double effective_amplitude(const NodeKey& key);
 
 /// The nodes for `key`, computed at the first call and kept, see Memo. Thread-safe.

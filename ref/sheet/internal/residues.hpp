@@ -27,8 +27,8 @@ bool residues_are_cheaper(double x, double nats);
 ///
 /// are the c_n. They are below 1: cosh 2z = +-sqrt(1 + 4 z^2) makes |cosh^2 z| >= f(|z|) with f(r) =
 /// (sqrt(4 r^2 - 1) - 1)/2; as |z| > pi/2 (SheetRoot), f(pi/2) > 0.98 and f' >= 1, f >= 0.98 and |z|/f <=
-/// 1.61. With Im z_n > (n - 1/2) pi the terms beyond N then sum to less than 2 pi e^{-(N+1/2) pi x}/(1 - e^{-pi x})
-/// <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
+/// 1.61. With Im z_n > (n - 1/2) pi the terms beyond N then sum to less than 2 pi e^{-(N+1/2) pi x}/(1 -
+/// e^{-pi x}) <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 
 /// z_n to about `precision` bits: proven as sheet_root() says.

@@ -8,13 +8,13 @@ const SymbolBounds& bounds(Symbol symbol) {
   using enum Parity;
   using enum OriginPole;
   static constexpr std::array<SymbolBounds, 7> all{{
-      {"normal", even, none, 1.5, {1.5, 1.25, 4}, -0.25, 7, 0, 0},
-      {"I3", odd, simple, 2, {4.25, 0, 0}, 0, 4, 8, 0},
-      {"I4", odd, simple, 1, {2.5, 0, 0}, 0, 3, 6, 0},
-      {"I5", odd, simple, 1, {2.5, 0, 0}, 0, 5, 12, 0},
-      {"I7", even, none, 1, {2.25, 2.25, 4}, 0.5, 6, 0, 0},
-      {"I6_alpha", even, twofold, 2, {2.75, 2.25, 3.5}, -1.0 / 6, 2, 0, 6},
-      {"I6_eta", even, twofold, 1, {1.75, 1.25, 1.75}, 1.0 / 12, 2, 0, 7},
+      {"normal", even, none, 1.5, 1.5, -0.25, 7, 0},
+      {"I3", odd, simple, 2, 4.25, 0, 4, 8},
+      {"I4", odd, simple, 1, 2.5, 0, 3, 6},
+      {"I5", odd, simple, 1, 2.5, 0, 5, 12},
+      {"I7", even, none, 1, 2.25, 0.5, 6, 0},
+      {"I6_alpha", even, twofold, 2, 2.75, -1.0 / 6, 2, 0},
+      {"I6_eta", even, twofold, 1, 1.75, 1.0 / 12, 2, 0},
   }};
   return all[static_cast<std::size_t>(symbol)];
 }

@@ -21,10 +21,6 @@ namespace nipref::ref {
 /// int_0^inf tanh(c x) cos(a x)/x dx = ln coth(pi a/(4c)).)
 enum class Symbol { normal, I3, I4, I5, I7, I6_alpha, I6_eta };
 
-/// Horizontal lines Im z = s on which the transforms are summed.
-enum class Line { real_axis, one, seven_quarters };
-constexpr double height(Line line) { return line == Line::real_axis ? 0.0 : line == Line::one ? 1.0 : 1.75; }
-
 enum class Parity { even, odd };
 /// The value is the order of the pole.
 enum class OriginPole { none = 0, simple = 1, twofold = 2 };
@@ -35,15 +31,12 @@ struct SymbolBounds {
   std::string_view name;
   Parity parity;
   OriginPole origin;
-  double decay;         ///< r: |G(x + i s)| = O(e^{-r x})
-  double amplitude[3];  ///< C for each Line: |G(x + i s)| <= C e^{-r x} for x >= 0; where the line meets a
-                        ///< pole of order k at 0, min(1, x)^k |G(x)| <= C e^{-r x} instead; 0 where the line
-                        ///< is not used
+  double decay;         ///< r: |G(x)| = O(e^{-r x})
+  double amplitude;     ///< C: min(1, x)^k |G(x)| <= C e^{-r x} for x >= 0, k the order of the pole at 0
   double origin_value;  ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
                         ///< without pole
   double integral;      ///< M >= int_R |G(x + 2i)| dx
   double moment;        ///< M' >= int_R |z G(z)| |dz| along Im z = 2; odd symbols
-  double lower_integral;  ///< M >= int_R |G(x + i/4)| dx; symbols with a double pole at 0
 };
 
 const SymbolBounds& bounds(Symbol symbol);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include <nipref/ref/sheet/internal/clenshaw.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
@@ -12,17 +11,6 @@ namespace {
 constexpr double ln2 = std::numbers::ln2;
 constexpr double top = 2;
 constexpr mpfr_prec_t bound_precision = 64;
-
-/// Lower edge y_b of the strip and the integral of |G| along it.
-struct LowerEdge {
-  double height;
-  double integral;
-};
-
-LowerEdge lower_edge(const SymbolBounds& symbol, double s) {
-  if (symbol.origin == OriginPole::twofold && s > 0) return {0.25, symbol.lower_integral};
-  return {-top, symbol.integral};
-}
 
 /// Largest double m 2^-k <= limit with m = 4 .. 7, at most 1/4: few steps, so that many arguments share their
 /// nodes.
@@ -38,75 +26,39 @@ long round_bits(double bits) {
   return static_cast<long>(std::ceil(bits / grain) * grain);
 }
 
-/// 2 pi/h that brings both aliasing terms below e^{-nats}/8.
-double frequency(const SymbolBounds& symbol, double s, double x, double nats) {
-  const LowerEdge lower = lower_edge(symbol, s);
-  if (symbol.parity == Parity::odd) {
-    const double integral = x < 1 ? symbol.moment : symbol.integral;
-    return std::max(1.0, (nats + std::log(8 * integral) + 2 * x) / top);
-  }
-  const double above = (nats + std::log(4 * symbol.integral) - top * x) / (top - s);
-  const double below = (nats + std::log(4 * lower.integral) - x * lower.height) / (s - lower.height);
-  return std::max({1.0, above, below});
-}
-
-struct Plan {
-  NodeKey key;
-  double cost;  ///< relative time of the sum
-};
-
-Plan make_plan(Symbol symbol, Line line, double x, double nats) {
+/// Step and fraction bits that bring each part of the error below about e^{-nats}, of min(1, x) for odd
+/// symbols.
+NodeKey node_key(Symbol symbol, double x, double nats) {
   const SymbolBounds& constants = bounds(symbol);
-  const double s = height(line);
-  const double step = round_step(2 * std::numbers::pi / frequency(constants, s, x, nats));
-  const double summed_nats = std::max(nats - x * s, 1.0);
-  const double count = (summed_nats + 40) / (constants.decay * step);
-  const double growth = constants.parity == Parity::odd ? std::max(1.0, step * count) : 1.0;
-  const long bits = round_bits(summed_nats / ln2 + std::log2(128 * count * growth));
-  const double sums = line == Line::real_axis ? 1 : 2;
-  return {{symbol, line, step, bits}, sums * count * std::pow(static_cast<double>(bits) + 100, 1.5)};
-}
-
-Plan best_plan(Symbol symbol, double x, double nats) {
-  const SymbolBounds& constants = bounds(symbol);
-  std::optional<Plan> best;
-  for (const Line line : {Line::real_axis, Line::one, Line::seven_quarters}) {
-    if (constants.parity == Parity::odd && line != Line::real_axis) continue;
-    const Plan plan = make_plan(symbol, line, x, nats);
-    if (!best || plan.cost < best->cost) best = plan;
-  }
-  return *best;
+  const bool odd = constants.parity == Parity::odd;
+  const double integral = odd && x < 1 ? constants.moment : constants.integral;
+  const double frequency = std::max(1.0, (nats + std::log(8 * integral) + top * x) / top);
+  const double step = round_step(2 * std::numbers::pi / frequency);
+  const double count = (nats + 40) / (constants.decay * step);
+  const double growth = odd ? std::max(1.0, step * count) : 1.0;
+  return {symbol, step, round_bits(nats / ln2 + std::log2(128 * count * growth))};
 }
 
 // The bounds below are formed as log2 of their terms in double. The terms are below 1e6, so that rounding
 // changes their log2 by less than 1e-9; `slack` covers that, and sums are bounded by their largest term.
 constexpr double slack = 1e-6;
 
-/// log2 of e^{-y x}/(e^{2 pi d/h} - 1) for 2 pi d/h >= 1/2, where the denominator is at least e^{2 pi d/h}/4.
-double log2_image(double x, double edge, double distance, double step) {
-  return (-edge * x - 2 * std::numbers::pi * distance / step) / ln2 + 2;
-}
+/// log2 of cosh(2x)/(e^{4 pi/h} - 1): the denominator is at least e^{4 pi/h}/4.
+double log2_image(double x, double step) { return (top * x - 2 * std::numbers::pi * top / step) / ln2 + 2; }
 
 double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x) {
-  const NodeKey& key = nodes.key;
-  const double s = height(key.line);
-  const LowerEdge lower = lower_edge(symbol, s);
-  const double above = std::log2(symbol.integral / 2) + log2_image(x, top, top - s, key.step);
-  const double below =
-      std::log2(lower.integral / 2) + log2_image(x, lower.height, s - lower.height, key.step);
-  const long recurrences = key.line == Line::real_axis ? 1 : 2;
-  const long units = truncation_units + rounding_units * recurrences * (nodes.last + 3);
-  const double sum =
-      std::log2(static_cast<double>(units)) - static_cast<double>(key.fraction_bits) - s * x / ln2;
-  return std::max({above, below, sum}) + std::log2(3.0) + slack;
+  const double aliasing = std::log2(symbol.integral) + log2_image(x, nodes.key.step);
+  const long units = truncation_units + rounding_units * (nodes.last + 3);
+  const double sum = std::log2(static_cast<double>(units)) - static_cast<double>(nodes.key.fraction_bits);
+  return std::max(aliasing, sum) + 1 + slack;
 }
 
 double log2_odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Exact& exact_x) {
   const NodeKey& key = nodes.key;
   const double x = exact_x.approximate();
   const double log2_x = exact_x.log2_magnitude();
-  const double aliasing = std::min(std::log2(symbol.integral), std::log2(symbol.moment) + log2_x) +
-                          log2_image(x, -top, top, key.step);
+  const double aliasing =
+      std::min(std::log2(symbol.integral), std::log2(symbol.moment) + log2_x) + log2_image(x, key.step);
   const double log2_count = std::log2(static_cast<double>(nodes.last + 3));
   const double log2_theta = log2_x + std::log2(key.step);
   const double one_minus_ratio = -std::expm1(-symbol.decay * key.step);
@@ -124,12 +76,10 @@ Interval power_of_two(double exponent) {
   return result;
 }
 
-/// What the sum over j = 0 .. last has to be completed with: the shifted line's factor, and on the real axis
-/// the parts of the residue at 0 that depend on x.
+/// What the sum over j = 0 .. last has to be completed with: the parts of the residue at 0 that depend on x.
 Interval with_origin_terms(const Interval& sum, const SymbolBounds& symbol, const NodeKey& key,
                            const Interval& x) {
   const Interval step(key.step, x.precision());
-  if (key.line != Line::real_axis) return exp(-(x * Interval(height(key.line), x.precision()))) * sum;
   switch (symbol.origin) {
     case OriginPole::none:
       return sum;
@@ -146,13 +96,13 @@ Interval with_origin_terms(const Interval& sum, const SymbolBounds& symbol, cons
 Interval transform(Symbol symbol, const Exact& x, double nats) {
   const SymbolBounds& constants = bounds(symbol);
   const double size = x.approximate();
-  const Plan plan = best_plan(symbol, size, nats);
-  const auto set = nodes(plan.key);
-  const Angle angle(x.value() * plan.key.step, angle_precision(*set));
+  const NodeKey key = node_key(symbol, size, nats);
+  const auto set = nodes(key);
+  const Angle angle(x.value() * key.step, angle_precision(*set));
   const bool odd = constants.parity == Parity::odd;
-  const Real sum = odd ? sine_sum(*set, angle) : wave_sum(*set, angle);
+  const Real sum = odd ? sine_sum(*set, angle) : cosine_sum(*set, angle);
   Interval value(sum, sum, sum.precision());
-  value = with_origin_terms(value, constants, plan.key, Interval(x, sum.precision()));
+  value = with_origin_terms(value, constants, key, Interval(x, sum.precision()));
   return value.widened(
       power_of_two(odd ? log2_odd_error(constants, *set, x) : log2_even_error(constants, *set, size)));
 }

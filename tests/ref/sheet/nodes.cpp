@@ -13,8 +13,8 @@ using namespace nipref::ref;
 namespace {
 
 /// The k-th node of a block, units of 2^-F.
-mpz_class node(const std::vector<mp_limb_t>& part, std::size_t limbs, std::size_t k) {
-  return signed_integer(&part[k * limbs], limbs);
+mpz_class node(const NodeBlock& block, std::size_t k) {
+  return signed_integer(&block.values[k * block.limbs], block.limbs);
 }
 
 /// Largest difference between nodes of `coarse` and of `fine`, units of `coarse`.
@@ -22,42 +22,30 @@ double worst_node_error(const Nodes& coarse, const Nodes& fine) {
   const long extra = fine.key.fraction_bits - coarse.key.fraction_bits;
   double worst = 0;
   for (std::size_t b = 0; b < coarse.blocks.size(); ++b) {
-    for (const auto part : {&NodeBlock::real, &NodeBlock::imag}) {
-      if ((coarse.blocks[b].*part).empty()) continue;
-      for (std::size_t k = 0; k < coarse.blocks[b].size(); ++k) {
-        const mpz_class rough = node(coarse.blocks[b].*part, coarse.blocks[b].limbs, k)
-                                << static_cast<unsigned>(extra);
-        const mpz_class exact = node(fine.blocks[b].*part, fine.blocks[b].limbs, k);
-        worst = std::max(
-            worst,
-            mpq_class(mpz_class(abs(rough - exact)), mpz_class(1) << static_cast<unsigned>(extra)).get_d());
-      }
+    for (std::size_t k = 0; k < coarse.blocks[b].size(); ++k) {
+      const mpz_class rough = node(coarse.blocks[b], k) << static_cast<unsigned>(extra);
+      const mpz_class exact = node(fine.blocks[b], k);
+      worst = std::max(
+          worst,
+          mpq_class(mpz_class(abs(rough - exact)), mpz_class(1) << static_cast<unsigned>(extra)).get_d());
     }
   }
   return worst;
-}
-
-bool line_is_used(Symbol symbol, Line line) {
-  return bounds(symbol).amplitude[static_cast<std::size_t>(line)] > 0;
 }
 
 }  // namespace
 
 TEST_CASE("nodes are within a unit of nodes with many more digits") {
   for (const Symbol symbol : all_symbols) {
-    for (const Line line : {Line::real_axis, Line::one, Line::seven_quarters}) {
-      if (!line_is_used(symbol, line)) continue;
-      for (const double step : {0.25, 0.0078125}) {
-        CAPTURE(bounds(symbol).name);
-        CAPTURE(height(line));
-        CAPTURE(step);
-        const Nodes coarse = make_nodes({symbol, line, step, 64});
-        const Nodes fine = make_nodes({symbol, line, step, 192});
-        const double worst = worst_node_error(coarse, fine);
-        CHECK(worst <= 1);
-        CHECK(worst > 0.4);  // rounded, so somewhere near half a unit
-        CHECK(fine.last > coarse.last);
-      }
+    for (const double step : {0.25, 0.0078125}) {
+      CAPTURE(bounds(symbol).name);
+      CAPTURE(step);
+      const Nodes coarse = make_nodes({symbol, step, 64});
+      const Nodes fine = make_nodes({symbol, step, 192});
+      const double worst = worst_node_error(coarse, fine);
+      CHECK(worst <= 1);
+      CHECK(worst > 0.4);  // rounded, so somewhere near half a unit
+      CHECK(fine.last > coarse.last);
     }
   }
 }
@@ -65,14 +53,12 @@ TEST_CASE("nodes are within a unit of nodes with many more digits") {
 TEST_CASE("the nodes left out are as small as promised") {
   for (const Symbol symbol : all_symbols) {
     CAPTURE(bounds(symbol).name);
-    const NodeKey key{symbol, bounds(symbol).amplitude[0] > 0 ? Line::real_axis : Line::one, 0.125, 64};
-    const Nodes coarse = make_nodes(key);
-    const Nodes fine = make_nodes({key.symbol, key.line, key.step, 256});
+    const Nodes coarse = make_nodes({symbol, 0.125, 64});
+    const Nodes fine = make_nodes({symbol, 0.125, 256});
     mpz_class left_out(0);
     for (const NodeBlock& block : fine.blocks) {
       for (std::size_t k = 0; k < block.size(); ++k) {
-        if (block.first + static_cast<long>(k) > coarse.last)
-          left_out += abs(node(block.real, block.limbs, k));
+        if (block.first + static_cast<long>(k) > coarse.last) left_out += abs(node(block, k));
       }
     }
     const double units = mpq_class(left_out, mpz_class(1) << 192U).get_d();
@@ -82,7 +68,7 @@ TEST_CASE("the nodes left out are as small as promised") {
 }
 
 TEST_CASE("the store hands out one set for one key") {
-  const NodeKey key{Symbol::I7, Line::real_axis, 0.25, 96};
+  const NodeKey key{Symbol::I7, 0.25, 96};
   CHECK(nodes(key) == nodes(key));
 }
 
