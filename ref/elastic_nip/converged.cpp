@@ -8,6 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/internal/solved_contact.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -37,34 +38,6 @@ bool length_is_allowed(const data::ElasticNip& nip, double length) {
          length <= nip.roller_radius;
 }
 
-/// A guess at the half length that carries a load, good to a tenth, between that of a half-space and that of
-/// springs.
-double first_length(double load) {
-  double length = std::sqrt(load / 3.14159);
-  for (int i = 0; i < 5; ++i) length = std::sqrt(load / (3.14159 + 8 * length / 3));
-  return length;
-}
-
-mpq_class rational(double x) { return Exact(x).value(); }
-
-/// Units of the dimensionless contact, and what else the nip is, as rational numbers.
-struct Units {
-  mpq_class length;        ///< b
-  mpq_class slope;         ///< b/(2R)
-  mpq_class displacement;  ///< b^2/(2R)
-  mpq_class pressure;      ///< b/(2 R N)
-  mpq_class beta;          ///< theta2/N
-
-  explicit Units(const data::ElasticNip& nip)
-      : length(rational(nip.sheet_thickness) / 2),
-        slope(length / (2 * rational(nip.roller_radius))),
-        displacement(slope * length) {
-    const mpq_class poisson = rational(nip.material.poisson);
-    pressure = slope * rational(nip.material.young) / (2 * (1 - poisson) * (1 + poisson));
-    beta = (1 - 2 * poisson) / (2 * (1 - poisson));
-  }
-};
-
 Interval operator*(const mpq_class& unit, const Interval& x) {
   return Interval(Exact(unit), x.precision()) * x;
 }
@@ -72,7 +45,7 @@ Interval operator*(const mpq_class& unit, const Interval& x) {
 }  // namespace
 
 struct ConvergedElasticNip::Implementation {
-  Units units;
+  NipUnits units;
   std::optional<double> length;  ///< where it is given
   SolvedContact contact;
 
@@ -83,12 +56,12 @@ struct ConvergedElasticNip::Implementation {
   }
   /// Of |y|.
   [[nodiscard]] Place place(double y) const {
-    const mpq_class distance = abs(rational(y));
-    if (length) return {Interval(Exact(1 - 2 * distance / rational(*length)), precision_here())};
+    const mpq_class distance = abs(exactly(y));
+    if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), precision_here())};
     return {1 - Interval(Exact(distance / units.length), precision_here()) / contact->half_length()};
   }
   void check_distance(double y) const {
-    if (!std::isfinite(y) || abs(rational(y)) > farthest * units.length) {
+    if (!std::isfinite(y) || abs(exactly(y)) > farthest * units.length) {
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the middle on the reference path");
     }
   }
@@ -105,7 +78,7 @@ Enclosure ConvergedElasticNip::contact_length() const {
 }
 
 Enclosure ConvergedElasticNip::load() const {
-  const Units& units = implementation_->units;
+  const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.pressure * units.length, std::mem_fn(&ContactFunctionals::load));
 }
 
@@ -122,7 +95,7 @@ Enclosure ConvergedElasticNip::edge_displacement() const {
 }
 
 Enclosure ConvergedElasticNip::creep_ratio() const {
-  const Units& units = implementation_->units;
+  const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
     const Place end{Interval(precision_here())};
     const Interval beta(Exact(units.beta), precision_here());
@@ -155,7 +128,7 @@ Enclosure ConvergedElasticNip::normal_displacement(double y) const {
 
 Enclosure ConvergedElasticNip::tangential_displacement(double y) const {
   implementation_->check_distance(y);
-  const Units& units = implementation_->units;
+  const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.displacement, [&](const ContactFunctionals& contact) {
     if (y == 0) return Interval(precision_here());
     const Interval beta(Exact(units.beta), precision_here());
@@ -173,9 +146,9 @@ ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, double con
   check_digits_here(digits);
   if (!length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_lengths);
-  const Exact half_length(rational(contact_length) / rational(nip.sheet_thickness));
+  const Exact half_length(exactly(contact_length) / exactly(nip.sheet_thickness));
   return ConvergedElasticNip(std::make_unique<ConvergedElasticNip::Implementation>(
-      Units(nip), contact_length, SolvedContact::of_half_length(half_length, digits, I1_interval)));
+      NipUnits(nip), contact_length, SolvedContact::of_half_length(half_length, digits, I1_interval)));
 }
 
 ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load, int digits) {
@@ -185,9 +158,9 @@ ConvergedElasticNip converged_for_load(const data::ElasticNip& nip, double load,
   const auto refuse = [&] {
     throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_lengths);
   };
-  const Units units(nip);
-  const Exact wanted(rational(load) / (units.pressure * units.length));
-  const double guess = first_length(wanted.approximate());
+  const NipUnits units(nip);
+  const Exact wanted(exactly(load) / (units.pressure * units.length));
+  const double guess = guessed_half_length(wanted.approximate());
   const double most = std::min(longest, nip.roller_radius / nip.sheet_thickness);
   if (!(guess > 0.8 * shortest && guess < 1.25 * most)) refuse();
   const auto check = [&](double half_length) {

@@ -83,14 +83,9 @@ struct Solve {
 
 }  // namespace
 
-void check_ref_converged(const data::Scene& scene, const data::ElasticNipProblem& problem) {
-  if (problem.friction != data::Friction::none) {
-    scene.origin.refuse("friction.model", "full", "must be none for the reference's converged contact");
-  }
-}
-
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
                                                                  int digits) {
+  if (problem.friction == data::Friction::full) return solve_ref_gripped(problem, digits);
   return std::make_unique<RefConverged>(std::visit(Solve{problem.nip, digits}, problem.given));
 }
 

@@ -17,14 +17,6 @@ namespace {
 
 using Solved = std::unique_ptr<SolvedContact<LongEstimate>>;
 
-struct CheckMethod {
-  const data::Scene& scene;
-  const data::ElasticNipProblem& problem;
-
-  void operator()(const data::ConvergedMethod&) const { check_ref_converged(scene, problem); }
-  void operator()(const data::LineLoads& loads) const { check_ref_line_loads(scene, problem, loads); }
-};
-
 struct SolveByMethod {
   const data::ElasticNipProblem& problem;
   int digits;
@@ -46,7 +38,9 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
 
 SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
                                           int digits) {
-  std::visit(CheckMethod{scene, problem}, problem.method);
+  if (const auto* loads = std::get_if<data::LineLoads>(&problem.method)) {
+    check_ref_line_loads(scene, problem, *loads);
+  }
   return collect_results(scene, problem.profile, *solve_named(scene, problem, digits),
                          std::pow(10.0L, -digits));
 }

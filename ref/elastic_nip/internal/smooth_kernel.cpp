@@ -11,15 +11,14 @@ namespace nipref::ref {
 namespace {
 
 constexpr long half_panels_per_unit = 8;
-constexpr double ratio = 28;       ///< of one coefficient's bound to the next's
-constexpr double variation = 127;  ///< M
-constexpr long watched = 3;        ///< last coefficients of a panel: a wrong value shows in some of them
+constexpr double ratio = 28;  ///< of one coefficient's bound to the next's
+constexpr long watched = 3;   ///< last coefficients of a panel: a wrong value shows in some of them
 
 /// The middle of a panel, in half panels.
 long middle_of_panel(long index) { return 2 * index + 1; }
 
 /// Bound on the n-th Chebyshev coefficient, twice 2 M/28^n: what is folded onto it is far smaller than it.
-Interval coefficient_bound(long n, mpfr_prec_t precision) {
+Interval coefficient_bound(double variation, long n, mpfr_prec_t precision) {
   Interval result(4 * variation, precision);
   for (long k = 0; k < n; ++k) result = result / static_cast<long>(ratio);
   return result;
@@ -50,10 +49,12 @@ Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x) {
 
 }  // namespace
 
-SmoothKernel::SmoothKernel(NormalKernel kernel, int digits)
+SmoothKernel::SmoothKernel(NormalKernel kernel, int digits, KernelShape shape)
     : kernel_(std::move(kernel)),
+      shape_(shape),
       nats_(digits * std::numbers::ln10),
-      points_(2 + std::lround(std::ceil((nats_ + std::log(19)) / std::log(ratio)))) {}
+      points_(2 + std::lround(
+                      std::ceil((nats_ + std::log(4 * shape.variation / (ratio - 1))) / std::log(ratio)))) {}
 
 /// At the nodes of a panel, the first of which is nearest to its upper end.
 std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosines) const {
@@ -61,7 +62,8 @@ std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosin
   for (long k = 0; k < points_; ++k) {
     const Interval node = (cosines(2 * k + 1) + middle_of_panel(index)) / half_panels_per_unit;
     const Float near = middle_of(node);
-    const Interval value = kernel_(to_exact(near), nats_) + log(interval_of(near));
+    Interval value = kernel_(to_exact(near), nats_);
+    if (shape_.logarithmic) value = value + log(interval_of(near));
     values.push_back(value.widened(2 * distance_from(near, node)));
   }
   return values;
@@ -73,7 +75,7 @@ SmoothKernel::Coefficients SmoothKernel::make_panel(long index) {
   const std::vector<Interval> values = node_values(index, cosines);
   Coefficients coefficients;
   // Of the interpolation, of the coefficients, of Clenshaw's sum and of x in it.
-  Interval error = coefficient_bound(points_ - 1, precision) / static_cast<long>(ratio - 1);
+  Interval error = coefficient_bound(shape_.variation, points_ - 1, precision) / static_cast<long>(ratio - 1);
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   for (long n = 0; n < points_; ++n) {
     Interval coefficient(precision);
@@ -81,7 +83,7 @@ SmoothKernel::Coefficients SmoothKernel::make_panel(long index) {
       coefficient = coefficient + values[static_cast<std::size_t>(k)] * cosines(n * (2 * k + 1));
     }
     coefficient = (n == 0 ? 1 : 2) * coefficient / points_;
-    if (n >= points_ - watched && is_above(coefficient, coefficient_bound(n, precision))) {
+    if (n >= points_ - watched && is_above(coefficient, coefficient_bound(shape_.variation, n, precision))) {
       throw std::logic_error("kernel values that no analytic function has");
     }
     const Float near = middle_of(coefficient);

@@ -10,9 +10,16 @@
 
 namespace nipref::ref {
 
-/// ref's I1 or what stands in for it in a test: an interval of half-width about e^{-nats} that contains
-/// the value at alpha > 0.
+/// ref's I1, another of its kernels or what stands in for it in a test: an interval of half-width about
+/// e^{-nats} that contains the value at alpha > 0.
 using NormalKernel = std::function<Interval(const Exact& alpha, double nats)>;
+
+/// What is known of a kernel: whether -ln|alpha| is part of it, and M, see SmoothKernel.
+struct KernelShape {
+  bool logarithmic;
+  double variation;
+};
+inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integral_shape{false, 226};
 
 /// What of I1 is analytic, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1: interpolated at Chebyshev
 /// points on panels of length 1/4, each made when it is first met.
@@ -31,10 +38,15 @@ using NormalKernel = std::function<Interval(const Exact& alpha, double nats)>;
 /// middle by at most M = 1.76 Q(7/4) < 127. Hence the n-th Chebyshev coefficient is at most 2 M/28^n, and
 /// interpolation at n points is off by at most 4 M/28^{n-1}/27. (Trefethen, Approximation Theory and
 /// Approximation Practice, 8.1, 8.2)
+///
+/// The same holds for I3, which is odd and analytic itself: I3'(z) = int (2x/S) cos(zx) dx, S = sinh 2x + 2x,
+/// and 2x/S <= 1 - g. Its values are for alpha > 0 here, the caller has the sign. And for the even integral
+/// of I3 from 0, as |I3| <= Si(pi)/2 < 1 on the real axis (2/S falls and is at most 1/(2x)), |I3| < 1 + (7/4)
+/// Q(7/4) within the ellipse, so that there M = 1.76 (1 + 127) < 226.
 class SmoothKernel {
  public:
   /// To about `digits` digits after the point; the working precision shall be a few more.
-  SmoothKernel(NormalKernel kernel, int digits);
+  SmoothKernel(NormalKernel kernel, int digits, KernelShape shape = I1_shape);
 
   /// J at |alpha| <= 1000, to error(). std::logic_error if the kernel's values cannot be those of I1: the
   /// last coefficients of a panel are larger than any function with this bound has them.
@@ -51,6 +63,7 @@ class SmoothKernel {
   [[nodiscard]] std::vector<Interval> node_values(long index, const Cosines& cosines) const;
 
   NormalKernel kernel_;
+  KernelShape shape_;
   double nats_;
   long points_;  ///< of a panel
   std::map<long, Coefficients> panels_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -62,9 +63,13 @@ TEST_CASE("the reference's converged contact lies within the error estimates of 
                                         "shear",
                                         "normal_displacement",
                                         "tangential_displacement"};
-  for (const double thickness : {1.0, 0.25}) {
-    const auto fast = verify::solve(scene_of(thickness, wanted));
-    const auto reference = verify::solve_by_ref(scene_of(thickness, wanted), 20);
+  for (const auto& [thickness, friction] :
+       {std::pair(1.0, data::Friction::none), std::pair(0.25, data::Friction::none),
+        std::pair(0.25, data::Friction::full)}) {
+    data::Scene scene = scene_of(thickness, wanted);
+    problem_of(scene).friction = friction;
+    const auto fast = verify::solve(scene);
+    const auto reference = verify::solve_by_ref(scene, 20);
     REQUIRE(reference.results.size() == wanted.size());
     for (std::size_t r = 0; r < wanted.size(); ++r) {
       CAPTURE(wanted[r]);
@@ -77,7 +82,8 @@ TEST_CASE("the reference's converged contact lies within the error estimates of 
         CHECK(std::stod(truth.error) <= 1e-19 * std::fmax(std::fabs(number.value), 1e-6));
       }
     }
-    CHECK(reference.work.kernel_evaluations[0] > 0);
+    for (const std::size_t kernel : {0U, 2U}) CHECK(reference.work.kernel_evaluations[kernel] > 0);
+    CHECK((reference.work.kernel_evaluations[5] > 0) == (friction == data::Friction::full));
     CHECK(reference.work.unknowns > 0);
   }
 }
@@ -125,17 +131,18 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   for (const auto& result : contact.at("results")) CHECK(result.at("proven") == true);
   CHECK(contact.at("results").at("pressure").at("error").size() == 4);
 
+  data::Scene gripped = scene;
+  problem_of(gripped).friction = data::Friction::full;
+  const auto with_friction = json_of(verify::solve_by_ref(gripped, 20));
+  for (const auto& result : with_friction.at("results")) CHECK(result.at("proven") == false);
+
   const auto estimated = verify::solve(scene);
   for (const auto& result : json_of(estimated).at("results")) CHECK(result.at("proven") == false);
   CHECK(verify::solution_text(estimated).find(" bound ") == std::string::npos);
 }
 
 TEST_CASE("what the reference does not have is refused by its key") {
-  data::Scene scene = scene_of(0.25, {"load"});
-  problem_of(scene).friction = data::Friction::full;
-  check_unsolvable(scene, "friction.model = full: must be none");
-
-  scene = line_load_scene();
+  data::Scene scene = line_load_scene();
   problem_of(scene).given = data::GivenLoad{100};
   check_unsolvable(scene, "load.per_length = 100: must be a [contact] length");
   scene = line_load_scene();
@@ -156,4 +163,12 @@ TEST_CASE("lengths and digits beyond the reference's solvers are refused by name
   check_unsolvable(scene_of(0.25, {"load"}), "digits = 15: ", 15);
   problem_of(scene).given = data::GivenLoad{-1};
   check_unsolvable(scene, "load.per_length = -1: must be finite and > 0");
+
+  scene = scene_of(0.005, {"load"});
+  problem_of(scene).friction = data::Friction::full;
+  problem_of(scene).given = data::GivenLength{0.5};
+  check_unsolvable(scene, "contact.length = 0.5: ");
+  problem_of(scene).given = data::GivenLength{0.25};
+  check_unsolvable(scene, "digits = 51: must be from 16 to 50 with full friction", 51);
+  check_unsolvable(scene, "digits = 30: must be fewer", 30);
 }

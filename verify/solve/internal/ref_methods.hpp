@@ -15,9 +15,11 @@ namespace nipref::verify {
 // have, naming the scene's key; each `solve_` throws BadInput naming "load" or "contact_length" if that is
 // not allowed.
 
-void check_ref_converged(const data::Scene& scene, const data::ElasticNipProblem& problem);
+/// Proven without friction, estimated with it.
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
                                                                  int digits);
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::ElasticNipProblem& problem,
+                                                               int digits);
 
 void check_ref_line_loads(const data::Scene& scene, const data::ElasticNipProblem& problem,
                           const data::LineLoads& loads);

@@ -1,0 +1,347 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
+#include <nipref/ref/elastic_nip/internal/nip_units.hpp>
+#include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr int least_grip_digits = 16, most_grip_digits = 50;
+/// In sheet thicknesses.
+constexpr double shortest_grip = 1e-8, longest_grip = 80;
+/// Of a displacement, in half-thicknesses: ref's kernels end somewhat farther away.
+constexpr double farthest_grip = 900;
+constexpr int most_grip_terms = 1200;
+/// Of the search for a length.
+constexpr int most_grip_steps = 40;
+constexpr int first_grip_digits = 8;
+/// By which the finer of both expansions is better.
+constexpr int finer_by = 4;
+
+constexpr auto allowed_grip_lengths =
+    "must be at most the roller's radius and from 1e-8 to 80 sheet thicknesses for the reference expansion";
+
+bool grip_length_is_allowed(const data::ElasticNip& nip, double length) {
+  return length >= shortest_grip * nip.sheet_thickness && length <= longest_grip * nip.sheet_thickness &&
+         length <= nip.roller_radius;
+}
+
+void check_grip_digits(int digits) {
+  if (digits < least_grip_digits || digits > most_grip_digits)
+    throw data::BadInput("digits", std::to_string(digits), "must be from 16 to 50 with full friction");
+}
+
+/// A contact without friction of this size has so many terms, of odd order alone.
+int grip_terms(double half_length, int expansion) { return 2 * size_for(half_length, expansion); }
+
+/// Expansions good to `expansion` digits: their layouts share no point.
+GripLayout coarse_layout(double half_length, int expansion) {
+  const int terms = grip_terms(half_length, expansion);
+  return {terms, terms + 2, true};
+}
+GripLayout fine_layout(double half_length, int expansion) {
+  const int terms = grip_terms(half_length, expansion + finer_by) + 4;
+  return {terms, terms + 8, false};
+}
+
+void check_grip_terms(double half_length, int expansion, int digits) {
+  if (grip_terms(half_length, expansion) <= most_grip_terms) return;
+  int fewer = digits;
+  while (fewer > 0 && grip_terms(half_length, expansion - digits + fewer) > most_grip_terms) --fewer;
+  throw data::BadInput(
+      "digits", std::to_string(digits),
+      fmt::format("must be fewer for a contact with friction of {:.6g} sheet thicknesses: with {} terms, the "
+                  "most that are tried, its expansion is good to {}",
+                  half_length, most_grip_terms, fewer));
+}
+
+/// How many digits each part of a solution is computed to; see precision_for() of the frictionless contact.
+struct GripPrecision {
+  int digits, expansion, kernel, working;
+
+  GripPrecision(double half_length, int the_digits, bool for_load)
+      : digits(the_digits),
+        expansion(digits + (for_load ? 8 : 3) + static_cast<int>(std::ceil(std::log10(1 + half_length)))),
+        kernel(expansion + finer_by + 4 +
+               static_cast<int>(std::ceil(3 * std::log10(grip_terms(half_length, expansion))))),
+        working(kernel + 6) {}
+};
+
+/// Solves at half lengths, and finds the one that carries a load.
+class GripSolver {
+ public:
+  GripSolver(const mpq_class& beta, const GripPrecision& precision, GripKernels& kernels)
+      : beta_(to_float(Exact(beta))), precision_(precision), kernels_(kernels) {}
+
+  using Layout = GripLayout (*)(double half_length, int expansion);
+
+  [[nodiscard]] GripExpansion at(const Float& half_length, Layout layout, int expansion) const {
+    const auto near = static_cast<double>(half_length);
+    check_grip_terms(near, expansion, precision_.digits);
+    return {half_length, beta_, layout(near, expansion), kernels_};
+  }
+
+  /// Newton's steps for ln W as a function of ln A, with few digits first.
+  [[nodiscard]] GripExpansion carrying(const Float& load, Float half_length, Layout layout) const {
+    int digits = std::min(first_grip_digits, precision_.expansion);
+    for (int step = 0;; ++step) {
+      GripExpansion here = at(half_length, layout, digits);
+      const Float change = log(load / here.load()) / here.growth();
+      const bool last = digits == precision_.expansion;
+      if (last && abs(change) <= pow(Float(10), -digits)) return here;
+      if (step == most_grip_steps) throw std::logic_error("a length for a load that is not found");
+      half_length *= exp(change);
+      const double known = -std::log10(std::max(std::fabs(static_cast<double>(change)), 1e-300));
+      if (2 * known > digits) digits = std::min(precision_.expansion, 2 * digits + 4);
+    }
+  }
+
+ private:
+  Float beta_;
+  GripPrecision precision_;
+  GripKernels& kernels_;
+};
+
+/// The largest |part| of the tractions: among samples even in the angle, then by golden section, which
+/// places it to half the digits.
+Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) {
+  const int samples = 2 * contact.terms() + 100;
+  const auto size = [&](const Float& angle) {
+    const Float half = sin(angle / 2);
+    return abs(contact.traction(2 * half * half).*part);
+  };
+  const Float step = pi() / (2 * samples);
+  int best = 0;
+  Float largest = 0;
+  {
+    const WorkingDigits few(25);
+    for (int i = 0; i <= samples; ++i) {
+      const Float here = size(i * step).at_working_precision();
+      if (here > largest) largest = here, best = i;
+    }
+  }
+  Float low = std::max(0, best - 1) * step, high = std::min(samples, best + 1) * step;
+  const Float golden = (sqrt(Float(5)) - 1) / 2;
+  const Float enough = sqrt(std::numeric_limits<Float>::epsilon()) * step;
+  Float left = high - golden * (high - low), right = low + golden * (high - low);
+  Float at_left = size(left), at_right = size(right);
+  while (high - low > enough) {
+    if (at_left > at_right) {
+      high = right;
+      right = left, at_right = at_left;
+      left = high - golden * (high - low), at_left = size(left);
+    } else {
+      low = left;
+      left = right, at_left = at_right;
+      right = low + golden * (high - low), at_right = size(right);
+    }
+  }
+  return std::max({at_left, at_right, size(low), size(high)});
+}
+
+}  // namespace
+
+struct GrippedElasticNip::Implementation {
+  NipUnits units;
+  std::optional<double> length;  ///< where it is given
+  GripPrecision precision;
+  GripKernels kernels;
+  std::optional<GripExpansion> coarse, fine;
+  std::optional<Float> peak_pressure_size, peak_shear_size;
+
+  Implementation(NipUnits the_units, std::optional<double> the_length, const GripPrecision& the_precision)
+      : units(std::move(the_units)),
+        length(the_length),
+        precision(the_precision),
+        kernels(the_precision.kernel) {}
+
+  /// Twice the distance of both expansions, and for rounding a hundredth of the last digit of the value or of
+  /// `least`, which it is measured by.
+  [[nodiscard]] Estimated estimated(const mpq_class& unit, const Float& rough, const Float& value,
+                                    const Float& least = 0, const Float& further = 0) const {
+    const Float size = std::max(abs(value), least);
+    const Float error = 2 * abs(value - rough) + further + size * pow(Float(10), -precision.digits - 2);
+    const Float factor = to_float(Exact(unit));
+    return {to_real(factor * value), to_real(factor * error), precision.digits};
+  }
+
+  template <class Result>
+  [[nodiscard]] Estimated number(const mpq_class& unit, const Result& result, const Float& least = 0) const {
+    return estimated(unit, result(*coarse), result(*fine), least);
+  }
+
+  /// Of |y| from the end, in half lengths.
+  [[nodiscard]] Float before_end(double y, const GripExpansion& contact) const {
+    const mpq_class distance = abs(exactly(y));
+    if (length) return to_float(Exact(1 - 2 * distance / exactly(*length)));
+    return 1 - to_float(Exact(distance / units.length)) / contact.half_length();
+  }
+  [[nodiscard]] Float square_length() const { return fine->half_length() * fine->half_length(); }
+
+  [[nodiscard]] Estimated traction(double y, Float GripTraction::*part, bool odd) const {
+    if (!std::isfinite(y)) throw data::BadInput("y", y, "must be finite");
+    const auto value = [&](const GripExpansion& contact) {
+      const Float size = contact.traction(before_end(y, contact)).*part;
+      return odd && y < 0 ? -size : size;
+    };
+    if (!(before_end(y, *fine) > 0) || (odd && y == 0)) return exact_zero(precision.digits);
+    const Float middle = fine->traction(1).pressure;
+    return number(units.pressure, value, middle);
+  }
+
+  /// `inside` in the contact, where it has a closed form; else by quadrature.
+  template <class Inside>
+  [[nodiscard]] Estimated displacement(double y, Float GripDisplacement::*part, bool odd,
+                                       const Inside& inside) {
+    if (!std::isfinite(y) || abs(exactly(y)) > farthest_grip * units.length)
+      throw data::BadInput("y", y,
+                           "must be within 450 sheet thicknesses of the middle on the reference path");
+    if (odd && y == 0) return exact_zero(precision.digits);
+    Float further = 0;
+    const auto value = [&](const GripExpansion& contact) -> Float {
+      const Float place = before_end(y, contact);
+      if (!(place < 0)) return inside(contact, place);
+      const Float enough = pow(Float(10), -precision.digits - 3);
+      const GripDisplacement outside = contact.displacement_outside(place, enough, kernels);
+      further = std::max(further, outside.error);
+      return outside.*part;
+    };
+    const Float rough = value(*coarse), finer = value(*fine);
+    const int sign = odd && y < 0 ? -1 : 1;
+    return estimated(units.displacement, sign * rough, sign * finer, square_length(), further);
+  }
+};
+
+GrippedElasticNip::GrippedElasticNip(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+GrippedElasticNip::GrippedElasticNip(GrippedElasticNip&&) noexcept = default;
+GrippedElasticNip::~GrippedElasticNip() = default;
+
+Estimated GrippedElasticNip::contact_length() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(2 * implementation_->units.length, std::mem_fn(&GripExpansion::half_length));
+}
+
+Estimated GrippedElasticNip::load() const {
+  const WorkingDigits working(implementation_->precision.working);
+  const NipUnits& units = implementation_->units;
+  return implementation_->number(units.pressure * units.length, std::mem_fn(&GripExpansion::load));
+}
+
+Estimated GrippedElasticNip::indentation() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(implementation_->units.displacement,
+                                 std::mem_fn(&GripExpansion::indentation), implementation_->square_length());
+}
+
+Estimated GrippedElasticNip::edge_displacement() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(implementation_->units.displacement,
+                                 std::mem_fn(&GripExpansion::edge_displacement),
+                                 implementation_->square_length());
+}
+
+Estimated GrippedElasticNip::creep_ratio() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(implementation_->units.slope, std::mem_fn(&GripExpansion::creep),
+                                 implementation_->fine->half_length());
+}
+
+Estimated GrippedElasticNip::peak_pressure() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(implementation_->units.pressure, [](const GripExpansion& contact) {
+    return largest_traction(contact, &GripTraction::pressure);
+  });
+}
+
+Estimated GrippedElasticNip::peak_shear() const {
+  const WorkingDigits working(implementation_->precision.working);
+  const Float middle = implementation_->fine->traction(1).pressure;
+  return implementation_->number(
+      implementation_->units.pressure,
+      [](const GripExpansion& contact) { return largest_traction(contact, &GripTraction::shear); }, middle);
+}
+
+Estimated GrippedElasticNip::pressure(double y) const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->traction(y, &GripTraction::pressure, false);
+}
+
+Estimated GrippedElasticNip::shear(double y) const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->traction(y, &GripTraction::shear, true);
+}
+
+Estimated GrippedElasticNip::normal_displacement(double y) const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->displacement(
+      y, &GripDisplacement::normal, false, [](const GripExpansion& contact, const Float& before_end) {
+        const Float length = contact.half_length();
+        return contact.edge_displacement() + length * length * before_end * (2 - before_end);
+      });
+}
+
+Estimated GrippedElasticNip::tangential_displacement(double y) const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->displacement(y, &GripDisplacement::tangential, true,
+                                       [](const GripExpansion& contact, const Float& before_end) {
+                                         return contact.creep() * contact.half_length() * (1 - before_end);
+                                       });
+}
+
+int GrippedElasticNip::terms() const { return implementation_->fine->terms(); }
+long GrippedElasticNip::normal_values() const { return implementation_->kernels.normal.kernel_values(); }
+long GrippedElasticNip::coupling_values() const { return implementation_->kernels.coupling.kernel_values(); }
+long GrippedElasticNip::stretch_values() const { return implementation_->kernels.stretch.kernel_values(); }
+
+GrippedElasticNip gripped_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+  nip.check();
+  check_grip_digits(digits);
+  if (!grip_length_is_allowed(nip, contact_length))
+    throw data::BadInput("contact_length", contact_length, allowed_grip_lengths);
+  const Exact half_length(exactly(contact_length) / exactly(nip.sheet_thickness));
+  const GripPrecision precision(half_length.approximate(), digits, false);
+  const WorkingDigits working(precision.working);
+  auto solved = std::make_unique<GrippedElasticNip::Implementation>(NipUnits(nip), contact_length, precision);
+  const GripSolver solver(solved->units.beta, precision, solved->kernels);
+  const Float here = to_float(half_length);
+  solved->coarse = solver.at(here, coarse_layout, precision.expansion);
+  solved->fine = solver.at(here, fine_layout, precision.expansion);
+  return GrippedElasticNip(std::move(solved));
+}
+
+GrippedElasticNip gripped_for_load(const data::ElasticNip& nip, double load, int digits) {
+  nip.check();
+  check_grip_digits(digits);
+  if (!(std::isfinite(load) && load > 0)) throw data::BadInput("load", load, "must be finite and > 0");
+  const auto refuse = [&] {
+    throw data::BadInput("load", load, std::string("gives a contact whose length ") + allowed_grip_lengths);
+  };
+  const NipUnits units(nip);
+  const Exact wanted(exactly(load) / (units.pressure * units.length));
+  const double guess = guessed_half_length(wanted.approximate());
+  const double most = std::min(longest_grip, nip.roller_radius / nip.sheet_thickness);
+  if (!(guess > 0.5 * shortest_grip && guess < 2 * most)) refuse();
+  const GripPrecision precision(guess, digits, true);
+  const WorkingDigits working(precision.working);
+  auto solved = std::make_unique<GrippedElasticNip::Implementation>(units, std::nullopt, precision);
+  const GripSolver solver(units.beta, precision, solved->kernels);
+  solved->fine = solver.carrying(to_float(wanted), guess, fine_layout);
+  solved->coarse = solver.carrying(to_float(wanted), solved->fine->half_length(), coarse_layout);
+  const auto length = static_cast<double>(solved->fine->half_length()) * nip.sheet_thickness;
+  if (!grip_length_is_allowed(nip, length)) refuse();
+  return GrippedElasticNip(std::move(solved));
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,320 @@
+// The contact with full friction in multiprecision: against its own equations, closed limits, the double path
+// and itself.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/internal/end_moments.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+
+#include "support/reference_values.hpp"
+
+using namespace nipref;
+using data::ElasticNip;
+using ref::Float;
+using ref::GripExpansion;
+
+namespace {
+
+ElasticNip nip_of(double poisson, double thickness = 1, double radius = 1e3) {
+  ElasticNip nip = data::seed::nip(thickness);
+  nip.material.poisson = poisson;
+  nip.roller_radius = radius;
+  return nip;
+}
+
+/// Between 0 and 1 by double exponential quadrature, to some 30 digits: integrand(distance from 0, from 1).
+template <class Integrand>
+Float unit_integral(const Integrand& integrand) {
+  const Float step = 0.0625;
+  Float sum = 0;
+  for (int i = -66; i <= 66; ++i) {
+    const Float x = i * step;
+    const Float growth = exp(ref::pi() * sinh(x));
+    const Float left = growth / (1 + growth), right = 1 / (1 + growth);
+    sum += step * ref::pi() * cosh(x) * left * right * integrand(left, right);
+  }
+  return sum;
+}
+
+Float kernel(ref::Enclosure (*function)(const ref::Exact&, int), const Float& alpha) {
+  return to_float(function(to_exact(alpha), 30).value);
+}
+Float shear_kernel(const Float& alpha) {
+  return to_float(ref::I6(to_exact(alpha), ref::Exact(1.0), 30).value);
+}
+
+struct Displacement {
+  Float normal, tangential;
+};
+
+/// What the tractions do at t inside the contact, from the kernels' own values and nothing else.
+Displacement displacement_by_quadrature(const GripExpansion& contact, const Float& beta, const Float& t) {
+  const Float length = contact.half_length();
+  Displacement sum{0, 0};
+  const auto add = [&](const Float& width, bool leading) {
+    const auto part = [&](bool tangential) {
+      return [&, tangential](const Float& from_point, const Float& from_end) -> Float {
+        const Float before_end = width * from_end;
+        const auto traction = contact.traction(before_end);
+        const Float shear = leading ? traction.shear : -traction.shear;
+        const Float alpha = length * width * from_point;
+        const Float coupling = (leading ? -1 : 1) * (kernel(ref::I3, alpha) - beta * ref::pi() / 2);
+        return tangential ? coupling * traction.pressure + shear_kernel(alpha) * shear
+                          : kernel(ref::I1, alpha) * traction.pressure - coupling * shear;
+      };
+    };
+    sum.normal += width * unit_integral(part(false));
+    sum.tangential += width * unit_integral(part(true));
+  };
+  add(1 - t, true);
+  add(1 + t, false);
+  return {length * sum.normal / ref::pi(), length * sum.tangential / ref::pi()};
+}
+
+}  // namespace
+
+TEST_CASE("ref gripped contact: its tractions displace the surface as the roller and the creep want it") {
+  const ref::WorkingDigits working(50);
+  ref::GripKernels kernels(40);
+  for (const double poisson : {0.3, -0.8}) {
+    const Float beta = (1 - 2 * Float(poisson)) / (2 * (1 - Float(poisson)));
+    const GripExpansion contact(Float(0.75), beta, {56, 58, true}, kernels);
+    for (const double t : {0.9375, 0.25, -0.5}) {
+      CAPTURE(t);
+      const Displacement here = displacement_by_quadrature(contact, beta, t);
+      const Float square = contact.half_length() * contact.half_length();
+      const Float normal = contact.edge_displacement() + square * (1 - t * t);
+      const Float tangential = contact.creep() * contact.half_length() * t;
+      CHECK(std::fabs(static_cast<double>(here.normal - normal)) < 1e-22);
+      CHECK(std::fabs(static_cast<double>(here.tangential - tangential)) < 1e-22);
+    }
+  }
+}
+
+TEST_CASE("ref gripped contact: the moments of the ends' powers are those of a quadrature") {
+  const ref::WorkingDigits working(40);
+  const Float epsilon = 0.28;
+  const ref::EndMoments moments(epsilon, 12);
+  for (const long k : {0L, 1L, 2L, 3L, 10L}) {
+    CAPTURE(k);
+    // Of w U_k on both halves of (-1, 1) the part that is not odd: i^k sin((k + 1) angle) cos or sin(phase).
+    const auto integral = [&](bool logarithmic) {
+      return unit_integral([&](const Float& before_end, const Float& before_middle) -> Float {
+        const Float beyond = 2 - before_end, phase = epsilon * log(beyond / before_end);
+        const Float wave = sin((k + 1) * acos(before_middle)) * (k % 2 == 0 ? cos(phase) : sin(phase));
+        return (k % 4 < 2 ? 1 : -1) * wave * (logarithmic ? log(before_end) + log(beyond) : Float(2));
+      });
+    };
+    CHECK(std::fabs(static_cast<double>(integral(false) - moments.plain(k))) < 1e-26);
+    CHECK(std::fabs(static_cast<double>(integral(true) - moments.logarithmic(k))) < 1e-26);
+  }
+  CHECK(moments.plain(-1) == 0);
+  CHECK(moments.plain(-5) == -moments.plain(3));
+}
+
+TEST_CASE("ref gripped contact: the load grows with the length as its ends say") {
+  const ref::WorkingDigits working(50);
+  ref::GripKernels kernels(40);
+  const ref::GripLayout layout{50, 52, true};
+  const Float beta = 0.4, step = 1e-6;
+  const auto load = [&](const Float& length) {
+    return log(GripExpansion(length, beta, layout, kernels).load());
+  };
+  const Float slope = (load(0.5 * (1 + step)) - load(0.5 * (1 - step))) / (2 * step);
+  CHECK(std::fabs(static_cast<double>(slope / GripExpansion(0.5, beta, layout, kernels).growth() - 1)) <
+        1e-11);
+}
+
+TEST_CASE("ref gripped contact: a thick sheet is a half-space, load pi A^2 (1 + 4 e^2), creep -4 e A") {
+  for (const double poisson : {0.25, -0.9, 0.45}) {
+    const double length = 0x1p-20, epsilon = std::log(3 - 4 * poisson) / (2 * std::numbers::pi);
+    const auto contact = ref::gripped_for_length(nip_of(poisson), length, 20);
+    const ElasticNip nip = nip_of(poisson);
+    const double units = 0.25 / (2 * nip.roller_radius) * nip.material.young / (2 * (1 - poisson * poisson));
+    const double load = std::numbers::pi * length * length * (1 + 4 * epsilon * epsilon) * units;
+    CHECK(contact.load().to_double() == doctest::Approx(load).epsilon(1e-11));
+    const double creep = -4 * epsilon * length * 0.5 / (2 * nip.roller_radius);
+    CHECK(contact.creep_ratio().to_double() == doctest::Approx(creep).epsilon(4 * length / epsilon));
+  }
+}
+
+TEST_CASE("ref gripped contact: incompressible and thick it is the proven contact without friction") {
+  const auto excess = [](double length) {
+    const ref::Real gripped = ref::gripped_for_length(nip_of(0.5), length, 30).load().value;
+    const ref::Real free = ref::converged_for_length(nip_of(0.5), length, 30).load().value;
+    ref::Real result(200);
+    mpfr_sub(result.get(), gripped.get(), free.get(), MPFR_RNDN);
+    return mpfr_get_d(result.get(), MPFR_RNDN) / mpfr_get_d(free.get(), MPFR_RNDN);
+  };
+  // The linear part of I3 is a creep; the cubic one gives a shear of A^3 of the pressure, what that does to
+  // the load is A^6 of it.
+  CHECK(std::fabs(excess(1e-4)) < 1e-15);
+  const double here = excess(0.02);
+  CHECK(std::fabs(here) > 1e-13);
+  CHECK(excess(0.01) / here == doctest::Approx(1.0 / 64).epsilon(0.02));
+  const auto free = ref::converged_for_length(nip_of(0.5), 1e-5, 20);
+  const auto gripped = ref::gripped_for_length(nip_of(0.5), 1e-5, 20);
+  CHECK(difference(gripped.pressure(2e-6), free.pressure(2e-6)) <=
+        error(gripped.pressure(2e-6)) + error(free.pressure(2e-6)));
+  CHECK(difference(gripped.edge_displacement(), free.edge_displacement()) <=
+        error(gripped.edge_displacement()) + error(free.edge_displacement()));
+}
+
+TEST_CASE("ref gripped contact: in the middle of a long one the sheet is compressed and stretched evenly") {
+  const double poisson = 0.3;
+  const auto excess = [&](double length) {
+    const ElasticNip nip = nip_of(poisson);
+    const auto contact = ref::gripped_for_length(nip, length, 16);
+    const double modulus = nip.material.young / ((1 + poisson) * (1 - 2 * poisson));
+    const double strain = contact.indentation().to_double() / (nip.sheet_thickness / 2);
+    const double pressure = modulus * ((1 - poisson) * strain - poisson * contact.creep_ratio().to_double());
+    return contact.pressure(0).to_double() / pressure - 1;
+  };
+  // Curvature changes it by the square of the thickness over the length.
+  const double here = excess(6);
+  CHECK(std::fabs(here) < 0.03);
+  CHECK(here / excess(3) == doctest::Approx(0.25).epsilon(0.1));
+}
+
+namespace {
+
+struct GrippedResult {
+  const char* name;
+  std::function<ref::Estimated(const ref::GrippedElasticNip&)> reference;
+  std::function<fast::Estimate(const fast::ConvergedElasticNip&)> computed;
+};
+
+template <class Contact>
+auto at(auto(Contact::*result)(double) const, double y) {
+  return [=](const Contact& contact) { return (contact.*result)(y); };
+}
+
+std::vector<GrippedResult> gripped_results(double inside, double outside) {
+  using Ref = ref::GrippedElasticNip;
+  using Fast = fast::ConvergedElasticNip;
+  return {{"length", &Ref::contact_length, &Fast::contact_length},
+          {"load", &Ref::load, &Fast::load},
+          {"indentation", &Ref::indentation, &Fast::indentation},
+          {"edge displacement", &Ref::edge_displacement, &Fast::edge_displacement},
+          {"creep", &Ref::creep_ratio, &Fast::creep_ratio},
+          {"peak pressure", &Ref::peak_pressure, &Fast::peak_pressure},
+          {"peak shear", &Ref::peak_shear, &Fast::peak_shear},
+          {"pressure", at(&Ref::pressure, inside), at(&Fast::pressure, inside)},
+          {"shear", at(&Ref::shear, -inside), at(&Fast::shear, -inside)},
+          {"u inside", at(&Ref::normal_displacement, inside), at(&Fast::normal_displacement, inside)},
+          {"v inside", at(&Ref::tangential_displacement, inside), at(&Fast::tangential_displacement, inside)},
+          {"u outside", at(&Ref::normal_displacement, outside), at(&Fast::normal_displacement, outside)},
+          {"v outside", at(&Ref::tangential_displacement, -outside),
+           at(&Fast::tangential_displacement, -outside)}};
+}
+
+}  // namespace
+
+TEST_CASE("ref gripped contact: the double path's estimates cover its distance at random nips") {
+  std::mt19937_64 generator(11);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(generator() >> 11) * 0x1p-53;
+  };
+  for (int i = 0; i < 24; ++i) {
+    const double poisson = i % 6 == 0 ? 0.5 : between(-0.9, 0.4999), thickness = std::exp(between(-1, 1));
+    const double length = thickness * std::exp(between(std::log(1e-6), std::log(2)));
+    const ElasticNip nip = nip_of(poisson, thickness, 100 * thickness);
+    const double accuracy = std::pow(10, -between(3, 11));
+    CAPTURE(poisson);
+    CAPTURE(length / thickness);
+    const auto computed = fast::converged_for_length(nip, data::Friction::full, length, accuracy);
+    const auto check = [&](const ref::GrippedElasticNip& truth, const fast::ConvergedElasticNip& here) {
+      for (const GrippedResult& result : gripped_results(0.3 * length, 0.7 * length)) {
+        CAPTURE(result.name);
+        const fast::Estimate estimate = result.computed(here);
+        CHECK(std::fabs(result.reference(truth).error_of(estimate.value)) <=
+              estimate.error + 1e-16 * std::fabs(estimate.value));
+      }
+    };
+    check(ref::gripped_for_length(nip, length, 20), computed);
+    if (i % 4 != 0) continue;
+    const double load = computed.load().value;
+    check(ref::gripped_for_load(nip, load, 20),
+          fast::converged_for_load(nip, data::Friction::full, load, accuracy));
+  }
+}
+
+TEST_CASE("ref gripped contact: more digits stay within the error, of a length and of a load") {
+  const ElasticNip nip = nip_of(0.1);
+  const auto check = [&](const ref::GrippedElasticNip& coarse, const ref::GrippedElasticNip& fine) {
+    for (const GrippedResult& result : gripped_results(0.29, 0.8)) {
+      CAPTURE(result.name);
+      const ref::Estimated rough = result.reference(coarse), good = result.reference(fine);
+      CHECK(difference(rough, good) <= error(rough));
+      CHECK(error(good) < 1e-10 * error(rough) + 1e-300);
+    }
+    CHECK(fine.terms() > coarse.terms());
+    CHECK(fine.normal_values() > coarse.normal_values());
+    CHECK(fine.coupling_values() > coarse.coupling_values());
+    CHECK(fine.stretch_values() > coarse.stretch_values());
+  };
+  check(ref::gripped_for_length(nip, 0.75, 16), ref::gripped_for_length(nip, 0.75, 30));
+  check(ref::gripped_for_load(nip, 20, 16), ref::gripped_for_load(nip, 20, 30));
+}
+
+TEST_CASE("ref gripped contact: from a length to its load and back") {
+  const ElasticNip nip = nip_of(0.3);
+  for (const double length : {0x1p-10, 1.5}) {
+    const double load = ref::gripped_for_length(nip, length, 20).load().to_double();
+    const auto back = ref::gripped_for_load(nip, load, 20);
+    CHECK(std::fabs(back.contact_length().error_of(length)) < 2e-16 * length);
+    CHECK(std::fabs(back.load().error_of(load)) <= error(back.load()));
+  }
+}
+
+TEST_CASE("ref gripped contact: lengths and moduli scale") {
+  ElasticNip larger = nip_of(0.2, 3, 3e3);
+  larger.material.young *= 7;
+  const auto one = ref::gripped_for_length(nip_of(0.2), 0.5, 20),
+             three = ref::gripped_for_length(larger, 1.5, 20);
+  const auto ratio = [](const ref::Estimated& x, const ref::Estimated& y) {
+    return y.to_double() / x.to_double();
+  };
+  CHECK(ratio(one.load(), three.load()) == doctest::Approx(21).epsilon(1e-15));
+  CHECK(ratio(one.shear(0.125), three.shear(0.375)) == doctest::Approx(7).epsilon(1e-15));
+  CHECK(ratio(one.creep_ratio(), three.creep_ratio()) == doctest::Approx(1).epsilon(1e-15));
+  CHECK(ratio(one.normal_displacement(0.375), three.normal_displacement(1.125)) ==
+        doctest::Approx(3).epsilon(1e-15));
+}
+
+TEST_CASE("ref gripped contact: tractions end with the contact, and what is out of its domain is refused") {
+  const ElasticNip nip = nip_of(0.3);
+  const auto contact = ref::gripped_for_length(nip, 0.5, 16);
+  CHECK(error(contact.pressure(0.25)) == 0);
+  CHECK(contact.shear(-0.3).to_double() == 0);
+  CHECK(contact.shear(-0.1).to_double() == -contact.shear(0.1).to_double());
+  CHECK(contact.shear(0).to_double() == 0);
+  CHECK(contact.tangential_displacement(-0.4).to_double() ==
+        -contact.tangential_displacement(0.4).to_double());
+  // The displacements go on steadily beyond the end, by quadrature there and in closed form before it.
+  const double end = 0.25 + 0x1p-40;
+  const double creep = contact.creep_ratio().to_double();
+  CHECK(contact.normal_displacement(end).to_double() ==
+        doctest::Approx(contact.edge_displacement().to_double()).epsilon(1e-11));
+  CHECK(contact.tangential_displacement(end).to_double() == doctest::Approx(creep * 0.25).epsilon(1e-6));
+  CHECK_THROWS_AS((void)contact.pressure(NAN), data::BadInput);
+  CHECK_THROWS_AS((void)contact.normal_displacement(451), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_length(nip, 0.5, 15), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_length(nip, 0.5, 51), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_length(nip, 1e-9, 16), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_length(nip, 60, 16), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_load(nip, 0, 16), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_load(nip, 1e300, 16), data::BadInput);
+  CHECK_THROWS_AS((void)ref::gripped_for_load(nip, NAN, 16), data::BadInput);
+}

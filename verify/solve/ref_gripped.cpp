@@ -1,0 +1,90 @@
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using ref::Estimated;
+using ref::GrippedElasticNip;
+
+Estimated half_length(const GrippedElasticNip& contact) {
+  Estimated x = contact.contact_length();
+  mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
+  mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
+  return x;
+}
+
+const std::map<std::string_view, std::function<Estimated(const GrippedElasticNip&)>> gripped_numbers{
+    {"contact_length", &GrippedElasticNip::contact_length},
+    {"leading_length", half_length},
+    {"trailing_length", half_length},
+    {"load", &GrippedElasticNip::load},
+    {"indentation", &GrippedElasticNip::indentation},
+    {"edge_displacement", &GrippedElasticNip::edge_displacement},
+    {"trailing_displacement", &GrippedElasticNip::edge_displacement},
+    {"creep_ratio", &GrippedElasticNip::creep_ratio},
+    {"peak_pressure", &GrippedElasticNip::peak_pressure},
+    {"peak_shear", &GrippedElasticNip::peak_shear},
+};
+
+const std::map<std::string_view, Estimated (GrippedElasticNip::*)(double) const> gripped_profiles{
+    {"pressure", &GrippedElasticNip::pressure},
+    {"shear", &GrippedElasticNip::shear},
+    {"normal_displacement", &GrippedElasticNip::normal_displacement},
+    {"tangential_displacement", &GrippedElasticNip::tangential_displacement},
+};
+
+class RefGripped : public SolvedContact<LongEstimate> {
+ public:
+  explicit RefGripped(GrippedElasticNip contact) : contact_(std::move(contact)) {}
+
+  [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (name == "rolling_resistance") return long_estimate(ref::exact_zero(16));
+    return long_estimate(gripped_numbers.at(name)(contact_));
+  }
+  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
+    return long_estimate(std::invoke(gripped_profiles.at(name), contact_, y));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {0, contact_.contact_length().to_double() / 2};
+  }
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
+    work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.normal_values());
+    work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact_.coupling_values());
+    work.kernel_evaluations[5] = static_cast<std::uint64_t>(contact_.stretch_values());
+    work.unknowns = contact_.terms() + 2;
+    return work;
+  }
+
+ private:
+  GrippedElasticNip contact_;
+};
+
+struct SolveGripped {
+  const data::ElasticNip& nip;
+  int digits;
+
+  GrippedElasticNip operator()(const data::GivenLoad& load) const {
+    return ref::gripped_for_load(nip, load.per_length, digits);
+  }
+  GrippedElasticNip operator()(const data::GivenLength& length) const {
+    return ref::gripped_for_length(nip, length.contact_length, digits);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::ElasticNipProblem& problem,
+                                                               int digits) {
+  return std::make_unique<RefGripped>(std::visit(SolveGripped{problem.nip, digits}, problem.given));
+}
+
+}  // namespace nipref::verify
