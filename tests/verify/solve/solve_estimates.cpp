@@ -111,6 +111,12 @@ TEST_CASE("without slip on a thin sheet, asking for more never gives less") {
   }
 }
 
+TEST_CASE("a cut of the quadrature that meets a matching point leaves no empty piece") {
+  // The middle of the last panel is 5 half-thicknesses from its mirror image.
+  const auto exact = solved(elastic("full", 10, 1e-6)), near = solved(elastic("full", 10.000000001, 1e-6));
+  CHECK(exact["load"].value == doctest::Approx(near["load"].value).epsilon(1e-8));
+}
+
 TEST_CASE("what trails behind a rolling contact is in its estimates") {
   const auto fine = solved(three_memories(1e-13));
   CHECK(fine["load"].error < 1e-9 * fine["load"].value);
