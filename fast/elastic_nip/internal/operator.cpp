@@ -44,7 +44,8 @@ std::vector<double> ElasticNipOperator::cuts(double point, double left, double r
     if (left < cut && cut < right && (cut == point || right - left > 8)) cuts.push_back(cut);
   }
   std::ranges::sort(cuts);
-  cuts.erase(std::ranges::unique(cuts).begin(), cuts.end());  // a piece without length would hold the point itself
+  cuts.erase(std::ranges::unique(cuts).begin(),
+             cuts.end());  // a piece without length would hold the point itself
   return cuts;
 }
 

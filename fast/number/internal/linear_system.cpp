@@ -25,9 +25,9 @@ SolutionAndTwins solution_and_twins(const Eigen::MatrixXd& matrix, const Eigen::
   const Eigen::PartialPivLU<Eigen::MatrixXd> elimination(matrix);
   const Eigen::VectorXd solution = elimination.solve(right);
   const Eigen::ArrayXd rounding =
-      unit * ((size.array().square().matrix() * solution.array().square().matrix()).array() +
-              right.array().square())
-                 .sqrt();
+      unit *
+      ((size.array().square().matrix() * solution.array().square().matrix()).array() + right.array().square())
+          .sqrt();
   std::mt19937_64 random;
   std::normal_distribution<double> normal;
   Eigen::MatrixXd change(right.size(), twins);

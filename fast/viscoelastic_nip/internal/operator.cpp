@@ -58,7 +58,8 @@ void ViscoelasticOperator::append_near_nodes(double at, const ViscoelasticPanel&
     if (panel.left < cut && cut < right && (cut == at || panel.width > 8)) ends.push_back(cut);
   }
   std::ranges::sort(ends);
-  ends.erase(std::ranges::unique(ends).begin(), ends.end());  // a piece without length would hold the point itself
+  ends.erase(std::ranges::unique(ends).begin(),
+             ends.end());  // a piece without length would hold the point itself
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double from = ends[i - 1], to = ends[i], width = to - from;
     if (kernel == ViscoelasticKernel::normal && (to <= at - reach_ || from >= at + reach_)) continue;

@@ -123,8 +123,7 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
 
 TEST_CASE("a short memory's limit joins on to what is resolved") {
   // Of the relaxation length the contact is 1e5 times as long in between, where this accuracy draws the line.
-  const auto resolved = solved(relaxing_in("1.2e-6", "1e-3")),
-             limit = solved(relaxing_in("0.8e-6", "1e-3"));
+  const auto resolved = solved(relaxing_in("1.2e-6", "1e-3")), limit = solved(relaxing_in("0.8e-6", "1e-3"));
   CHECK(resolved.work.unknowns > 5 * limit.work.unknowns);
   for (const char* name : same_when_elastic) check_agree(resolved[name], limit[name]);
   const fast::Estimate &before = resolved["rolling_resistance"], &after = limit["rolling_resistance"];
