@@ -45,6 +45,21 @@ SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::
                          std::pow(10.0L, -digits));
 }
 
+SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
+                                          const data::ViscoelasticNipProblem& problem, int digits) {
+  check_ref_rolling(scene, problem);
+  const Solved solved = [&] {
+    try {
+      return solve_ref_rolling(problem, digits);
+    } catch (const data::BadInput& error) {
+      if (error.argument() == "digits") throw;
+      if (error.argument() == "nip.material") scene.origin.refuse_as("material", error);
+      refuse_given(scene, problem.given, error);
+    }
+  }();
+  return collect_results(scene, problem.profile, *solved, std::pow(10.0L, -digits));
+}
+
 struct SolveSystem {
   const data::Scene& scene;
   int digits;
@@ -52,12 +67,11 @@ struct SolveSystem {
   SceneSolution<LongEstimate> operator()(const data::ElasticNipProblem& problem) const {
     return solve_elastic(scene, problem, digits);
   }
-  SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem&) const {
-    scene.origin.refuse("rolling", "(a table)", "must be left out: the reference solves elastic nips only");
+  SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem& problem) const {
+    return solve_rolling(scene, problem, digits);
   }
   SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem&) const {
-    scene.origin.refuse("half_space", "(a table)",
-                        "must be left out: the reference solves elastic nips only");
+    scene.origin.refuse("half_space", "(a table)", "must be left out: the reference solves nips only");
   }
 };
 

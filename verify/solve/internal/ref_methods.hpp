@@ -11,7 +11,7 @@
 
 namespace nipref::verify {
 
-// The elastic nip solved by the reference. Each `check_` throws BadInput for what the reference does not
+// A nip solved by the reference. Each `check_` throws BadInput for what the reference does not
 // have, naming the scene's key; each `solve_` throws BadInput naming "load" or "contact_length" if that is
 // not allowed.
 
@@ -25,6 +25,10 @@ void check_ref_line_loads(const data::Scene& scene, const data::ElasticNipProble
                           const data::LineLoads& loads);
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
                                                                   const data::LineLoads& loads, int digits);
+
+void check_ref_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem);
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
+                                                               int digits);
 
 /// Refuses whatever the scene wants beside `known`.
 void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known);

@@ -1,0 +1,245 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::BadInput;
+
+constexpr int fewest_rolling_digits = 16;
+constexpr int most_rolling_digits = 30;
+/// Contacts in sheet thicknesses.
+constexpr double shortest_rolling = 1e-4, longest_rolling = 10;
+/// Relaxation lengths in contacts.
+constexpr double shortest_memory = 1e-3, longest_memory = 1e8;
+/// Of a displacement, in half-thicknesses.
+constexpr double farthest_rolling = 600;
+
+constexpr auto allowed_rolling_lengths =
+    "must be at most the roller's radius and from 1e-4 to 10 sheet thicknesses for the reference's rolling "
+    "contact";
+
+void check_rolling_digits(int digits) {
+  if (digits < fewest_rolling_digits || digits > most_rolling_digits)
+    throw BadInput("digits", std::to_string(digits), "must be from 16 to 30 for a rolling contact");
+}
+
+bool rolling_length_is_allowed(const data::ViscoelasticNip& nip, double length) {
+  return length >= shortest_rolling * nip.sheet_thickness &&
+         length <= longest_rolling * nip.sheet_thickness && length <= nip.roller_radius;
+}
+
+void check_rates(const data::ViscoelasticNip& nip) {
+  for (const data::RelaxationTerm& term : nip.material.normal_compliance().terms) {
+    if (term.rate.imag() != 0)
+      throw BadInput("nip.material", term.rate.imag(),
+                     "must have real rates for the reference's rolling contact");
+  }
+}
+
+void check_memories(const data::ViscoelasticNip& nip, double length) {
+  for (const data::RelaxationTerm& term : nip.material.normal_compliance().terms) {
+    const double way = nip.speed / term.rate.real();
+    if (way < shortest_memory * length || way > longest_memory * length)
+      throw BadInput("nip.material", way / length,
+                     "must have relaxation lengths from 0.001 to 1e8 contacts for the reference");
+  }
+}
+
+/// Units of the dimensionless contact.
+struct RollingUnits {
+  Float length;        ///< b
+  Float displacement;  ///< b^2/(2R)
+  Float pressure;      ///< b/(2 R N_0)
+  Float lever;         ///< b/R
+
+  explicit RollingUnits(const data::ViscoelasticNip& nip)
+      : length(Float(nip.sheet_thickness) / 2),
+        displacement(length * length / (2 * Float(nip.roller_radius))),
+        pressure(length / (2 * Float(nip.roller_radius) * compliance(nip))),
+        lever(length / nip.roller_radius) {}
+
+  /// N at once, not rounded as data's.
+  static Float compliance(const data::ViscoelasticNip& nip) {
+    return Float(nip.material.theta1().instantaneous) + nip.material.theta2().instantaneous;
+  }
+};
+
+std::vector<RollingMemory> rolling_memory(const data::ViscoelasticNip& nip) {
+  const Float half = Float(nip.sheet_thickness) / 2;
+  const Float compliance = RollingUnits::compliance(nip);
+  std::vector<RollingMemory> memory;
+  for (const data::MaterialFunction* function : {&nip.material.theta1(), &nip.material.theta2()}) {
+    for (const data::RelaxationTerm& term : function->terms) {
+      const Float rate = term.rate.real() * half / nip.speed;
+      const Float amplitude = term.amplitude.real() * half / (nip.speed * compliance);
+      const auto same = std::ranges::find_if(memory, [&](const auto& other) { return other.rate == rate; });
+      if (same == memory.end()) {
+        memory.push_back({amplitude, rate});
+      } else {
+        same->amplitude += amplitude;
+      }
+    }
+  }
+  return memory;
+}
+
+Estimated estimated_of(const Float& unit, const FloatEstimate& estimate, int digits) {
+  return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
+}
+
+}  // namespace
+
+struct ConvergedViscoelasticNip::Implementation {
+  RollingUnits units;
+  RollingContact contact;
+
+  [[nodiscard]] const Float& size() const { return contact.fine().half_length(); }
+  [[nodiscard]] Estimated estimated(const Float& unit, const RollingContact::Functional& functional,
+                                    const std::function<Float(const RollingPressure&)>& scale) const {
+    const WorkingDigits working(contact.working_digits());
+    return estimated_of(unit, contact.estimate(functional, scale(contact.fine())), contact.digits());
+  }
+  [[nodiscard]] Estimated length(const RollingContact::Functional& functional) const {
+    return estimated(units.length, functional, std::mem_fn(&RollingPressure::half_length));
+  }
+  [[nodiscard]] Estimated displacement(const RollingContact::Functional& functional) const {
+    return estimated(units.displacement, functional, [](const RollingPressure& contact_here) {
+      return contact_here.half_length() * contact_here.half_length();
+    });
+  }
+  /// Of Y, from the leading end.
+  [[nodiscard]] Float downstream(const RollingPressure& of, double y) const {
+    return of.half_length() + of.offset() - y / units.length;
+  }
+};
+
+ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept = default;
+ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
+
+Estimated ConvergedViscoelasticNip::contact_length() const {
+  return implementation_->length([](const RollingPressure& of) { return 2 * of.half_length(); });
+}
+
+Estimated ConvergedViscoelasticNip::leading_length() const {
+  return implementation_->length([](const RollingPressure& of) { return of.half_length() + of.offset(); });
+}
+
+Estimated ConvergedViscoelasticNip::trailing_length() const {
+  return implementation_->length([](const RollingPressure& of) { return of.half_length() - of.offset(); });
+}
+
+Estimated ConvergedViscoelasticNip::load() const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  const RollingUnits& units = implementation_->units;
+  return implementation_->estimated(units.pressure * units.length, std::mem_fn(&RollingPressure::load),
+                                    std::mem_fn(&RollingPressure::load));
+}
+
+Estimated ConvergedViscoelasticNip::indentation() const {
+  return implementation_->displacement([](const RollingPressure& of) {
+    const Float leading = of.half_length() + of.offset();
+    return of.edge_displacement() + leading * leading;
+  });
+}
+
+Estimated ConvergedViscoelasticNip::leading_displacement() const {
+  return implementation_->displacement(std::mem_fn(&RollingPressure::edge_displacement));
+}
+
+Estimated ConvergedViscoelasticNip::trailing_displacement() const {
+  return implementation_->displacement(
+      [](const RollingPressure& of) { return of.edge_displacement() + 4 * of.offset() * of.half_length(); });
+}
+
+Estimated ConvergedViscoelasticNip::rolling_resistance() const {
+  return implementation_->estimated(
+      implementation_->units.lever,
+      [](const RollingPressure& of) { return of.offset() + of.moment() / of.load(); },
+      std::mem_fn(&RollingPressure::half_length));
+}
+
+Estimated ConvergedViscoelasticNip::peak_pressure() const {
+  return implementation_->estimated(implementation_->units.pressure,
+                                    std::mem_fn(&RollingPressure::peak_pressure),
+                                    std::mem_fn(&RollingPressure::peak_pressure));
+}
+
+Estimated ConvergedViscoelasticNip::pressure(double y) const {
+  if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
+  const WorkingDigits working(implementation_->contact.working_digits());
+  const auto& [units, contact] = *implementation_;
+  const auto at = [&](const Float& d) {
+    return contact.estimate([&](const RollingPressure& of) { return of.pressure(d); }, 0).value;
+  };
+  // Where the pressure is as steep as a square root the ends count for as much as they are known.
+  const Float d = implementation_->downstream(contact.fine(), y);
+  const Float end =
+      contact
+          .estimate([&](const RollingPressure& of) { return implementation_->downstream(of, y); },
+                    contact.fine().half_length())
+          .error;
+  const bool inside = d > -end && d < 2 * contact.fine().half_length() + end;
+  FloatEstimate result = contact.estimate(
+      [&](const RollingPressure& of) { return of.pressure(implementation_->downstream(of, y)); },
+      inside ? contact.fine().load() / contact.fine().half_length() : Float(0));
+  if (inside) result.error += abs(at(d + end) - result.value) + abs(at(d - end) - result.value);
+  return estimated_of(units.pressure, result, contact.digits());
+}
+
+Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  if (!std::isfinite(y) || abs(y / implementation_->units.length) > farthest_rolling)
+    throw BadInput("y", y, "must be within 300 sheet thicknesses of the middle on the reference path");
+  return implementation_->displacement([&](const RollingPressure& of) {
+    return of.normal_displacement(implementation_->downstream(of, y), implementation_->contact.kernel());
+  });
+}
+
+int ConvergedViscoelasticNip::unknowns() const { return implementation_->contact.fine().unknowns(); }
+long ConvergedViscoelasticNip::kernel_values() const {
+  return implementation_->contact.kernel().kernel_values();
+}
+
+ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
+                                              int digits) {
+  nip.check();
+  check_rolling_digits(digits);
+  if (!rolling_length_is_allowed(nip, contact_length))
+    throw BadInput("contact_length", contact_length, allowed_rolling_lengths);
+  check_rates(nip);
+  check_memories(nip, contact_length);
+  const WorkingDigits working(digits + 14);
+  return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
+      RollingUnits(nip), RollingContact::of_half_length(Float(contact_length) / nip.sheet_thickness,
+                                                        rolling_memory(nip), digits)));
+}
+
+ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits) {
+  nip.check();
+  check_rolling_digits(digits);
+  if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
+  check_rates(nip);
+  const WorkingDigits working(digits + 14);
+  const RollingUnits units(nip);
+  const auto check = [&](double half_length) {
+    const double length = half_length * nip.sheet_thickness;
+    if (!rolling_length_is_allowed(nip, length))
+      throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_rolling_lengths);
+    check_memories(nip, length);
+  };
+  return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
+      units,
+      RollingContact::of_load(load / (units.pressure * units.length), rolling_memory(nip), digits, check)));
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,60 @@
+#pragma once
+#include <memory>
+
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/number/estimated.hpp>
+
+namespace nipref::ref {
+
+/// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both ends,
+/// in multiprecision. What a unit of pressure does to the surface for ever after is one kernel, I1 and its
+/// fading memory in closed form and by a differential equation (internal/rolling_kernel.hpp), by which the
+/// pressure alone is collocated, a square root times polynomials (internal/rolling_pressure.hpp). Inputs are
+/// doubles taken exactly; units as in data::ViscoelasticNip. (thesis 2.1-2.6, 7.6, 7.15; continuous form)
+///
+/// Errors are estimated: each result is that of two discretisations with other panels and more terms, its error
+/// twice their difference, and beside it what they differ by anywhere, relative to the largest value of its
+/// kind; nothing is proven. They are at most about 10^-digits of the largest value of their kind, or the
+/// contact is refused.
+///
+/// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
+/// (entry) side, unit of length; finite, for displacements within 300 sheet thicknesses; otherwise BadInput.
+///
+/// One object must not be used by two threads at once.
+class ConvergedViscoelasticNip {
+ public:
+  ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept;
+  ~ConvergedViscoelasticNip();
+
+  [[nodiscard]] Estimated contact_length() const;               ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimated leading_length() const;               ///< L1, on the entry side, unit of length
+  [[nodiscard]] Estimated trailing_length() const;              ///< L2, on the exit side; may be negative
+  [[nodiscard]] Estimated load() const;                         ///< W, force per unit width
+  [[nodiscard]] Estimated indentation() const;                  ///< d0, unit of length
+  [[nodiscard]] Estimated leading_displacement() const;         ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimated trailing_displacement() const;        ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimated rolling_resistance() const;           ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimated peak_pressure() const;                ///< unit of stress
+  [[nodiscard]] Estimated pressure(double y) const;             ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Estimated normal_displacement(double y) const;  ///< u, towards the middle plane
+  [[nodiscard]] int unknowns() const;                           ///< of the finer discretisation
+  [[nodiscard]] long kernel_values() const;                     ///< of I1, taken so far
+
+ private:
+  struct Implementation;
+  explicit ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+  friend ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip&, double, int);
+  friend ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip&, double, int);
+};
+
+/// Contact of the given length: L <= R, 1e-4 <= L/B <= 10. digits: 16 to 30. BadInput otherwise, naming
+/// "nip.material" for complex rates, and for relaxation lengths (speed over rate) below 1e-3 contacts or above
+/// 1e8 of them, and naming "digits" where 600 unknowns do not give them.
+ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
+                                              int digits);
+
+/// Contact that carries `load` per unit width, > 0 and finite, whose length is as above; BadInput otherwise.
+ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits);
+
+}  // namespace nipref::ref

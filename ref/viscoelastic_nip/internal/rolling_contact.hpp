@@ -1,0 +1,47 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
+
+namespace nipref::ref {
+
+/// Value and what two discretisations differ by.
+struct FloatEstimate {
+  Float value, error;
+};
+
+/// A rolling contact solved twice, with other panels and other numbers of terms.
+class RollingContact {
+ public:
+  /// A dimensionless quantity of a contact.
+  using Functional = std::function<Float(const RollingPressure&)>;
+
+  /// Of a half length, half-thicknesses.
+  static RollingContact of_half_length(const Float& half_length, std::vector<RollingMemory> memory,
+                                       int digits);
+  /// Of a dimensionless load; `check` throws for a half length that is not allowed.
+  static RollingContact of_load(const Float& load, std::vector<RollingMemory> memory, int digits,
+                                const std::function<void(double half_length)>& check);
+
+  [[nodiscard]] int digits() const { return digits_; }
+  [[nodiscard]] int working_digits() const;
+  [[nodiscard]] const RollingPressure& fine() const { return *fine_; }
+  [[nodiscard]] RollingKernel& kernel() const { return *kernel_; }
+  /// Twice the difference of the two, and what they differ by anywhere, relative to `scale`, the largest value
+  /// of the kind, dimensionless.
+  [[nodiscard]] FloatEstimate estimate(const Functional& functional, const Float& scale) const;
+
+ private:
+  RollingContact(std::vector<RollingMemory> memory, int digits);
+  void solve(const Float& half_length, const std::optional<Float>& load);
+  void measure();
+
+  int digits_;
+  std::unique_ptr<RollingKernel> kernel_;
+  std::unique_ptr<RollingPressure> coarse_, fine_;
+  Float difference_;
+};
+
+}  // namespace nipref::ref

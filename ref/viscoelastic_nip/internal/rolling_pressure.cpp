@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// The longest panel, half-thicknesses: sheet and pressure change within 2 or so.
+constexpr double longest_panel = 2.5;
+
+/// Integrals of K(s - x) times the basis of a panel, s and x counted from its left end.
+class PanelMoments {
+ public:
+  PanelMoments(const RollingPanel& panel, int terms, RollingKernel& kernel, const UnitRule& gauss,
+               const UnitRule& ends)
+      : panel_(panel), kernel_(kernel), gauss_(gauss), ends_(ends), basis_(static_cast<std::size_t>(terms)) {
+    for (std::size_t i = 0; i < gauss.size(); ++i) append_node(i);
+  }
+
+  /// Adds them to `sums`.
+  void add(const Float& s, std::vector<Float>& sums) {
+    const Float& width = panel_.width;
+    if (s >= width + width || s <= -width) return add_far(s, sums);
+    if (s > 0 && s < width) {
+      add_piece(s, -s, 0, ends_, sums);
+      add_piece(s, width - s, 0, ends_, sums);
+      return;
+    }
+    const bool left = s <= 0;  // of the panel
+    const Float gap = left ? -s : s - width;
+    const Float all = left ? width : -width;
+    if (gap == 0) return add_piece(s, all, 0, ends_, sums);
+    // Pieces as long as they are far away, the last at most twice: none ends just before a root.
+    Float done = 0;
+    for (bool last = false; !last;) {
+      last = width - done <= 2 * (gap + done);
+      const Float length = last ? width - done : gap + done;
+      const bool at_root = (done == 0 && (left ? panel_.root_left : panel_.root_right)) ||
+                           (last && (left ? panel_.root_right : panel_.root_left));
+      add_piece(s, left ? length : -length, gap + done, at_root ? ends_ : gauss_, sums);
+      done += length;
+    }
+  }
+
+ private:
+  /// With the root at an end, x = xi^2 from there; with one at both, x = sin^2(pi xi/2).
+  void append_node(std::size_t i) {
+    const Float& xi = gauss_.from_left[i];
+    Float x, slope;
+    if (panel_.root_left && panel_.root_right) {
+      const Float sine = sin(pi() * xi / 2), cosine = cos(pi() * xi / 2);
+      x = sine * sine;
+      slope = pi() * sine * cosine;
+    } else if (panel_.root_left) {
+      x = xi * xi;
+      slope = 2 * xi;
+    } else if (panel_.root_right) {
+      const Float& other = gauss_.from_right[i];
+      x = 1 - other * other;
+      slope = 2 * other;
+    } else {
+      x = xi;
+      slope = 1;
+    }
+    far_at_.push_back(panel_.width * x);
+    panel_.basis(far_at_.back(), panel_.width - far_at_.back(), basis_);
+    const Float factor = panel_.width * slope * gauss_.weight[i];
+    for (Float& value : basis_) value *= factor;
+    far_basis_.push_back(basis_);
+  }
+
+  void add_far(const Float& s, std::vector<Float>& sums) {
+    for (std::size_t i = 0; i < far_at_.size(); ++i) {
+      const Float value = kernel_(s - far_at_[i]);
+      accumulate(value, far_basis_[i], sums);
+    }
+  }
+
+  /// Of a piece that begins `gap` away from s and goes on by `length`, downstream if that is positive.
+  void add_piece(const Float& s, const Float& length, const Float& gap, const UnitRule& rule,
+                 std::vector<Float>& sums) {
+    const bool down = length > 0;
+    const Float size = abs(length);
+    // Of the piece's ends from the panel's, exactly 0 where they are the same.
+    const Float near = down ? s + gap : panel_.width - s + gap;  // from the end that is behind
+    Float beyond = panel_.width - near - size;
+    if (abs(beyond) < ldexp(panel_.width, -40)) beyond = 0;
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const Float way = size * rule.from_left[i];
+      const Float value = kernel_(down ? -(gap + way) : gap + way) * (size * rule.weight[i]);
+      const Float behind = near + way, ahead = beyond + size * rule.from_right[i];
+      panel_.basis(down ? behind : ahead, down ? ahead : behind, basis_);
+      accumulate(value, basis_, sums);
+    }
+  }
+
+  void accumulate(const Float& factor, const std::vector<Float>& values, std::vector<Float>& sums) {
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      mpfr_mul(term_.get(), factor.get(), values[k].get(), MPFR_RNDN);
+      mpfr_add(sums[k].get(), sums[k].get(), term_.get(), MPFR_RNDN);
+    }
+  }
+
+  const RollingPanel& panel_;
+  RollingKernel& kernel_;
+  const UnitRule& gauss_;
+  const UnitRule& ends_;
+  std::vector<Float> basis_, far_at_;
+  std::vector<std::vector<Float>> far_basis_;
+  Float term_;
+};
+
+struct RollingRules {
+  UnitRule gauss, ends;
+
+  RollingRules(const RollingLayout& layout, double nats)
+      : gauss(gauss_rule(static_cast<int>(nats / 2.2) + 2 * layout.terms + 6)),
+        ends(double_exponential_rule(nats, layout.terms)) {}
+};
+
+}  // namespace
+
+void RollingPanel::basis(const Float& from_left, const Float& from_right, std::vector<Float>& values) const {
+  Float factor = 1;
+  if (root_left) factor *= sqrt(from_left / width);
+  if (root_right) factor *= sqrt(from_right / width);
+  const Float x = (from_left - from_right) / width;
+  const Float twofold = 2 * x;
+  values[0] = factor;
+  if (values.size() > 1) values[1] = factor * x;
+  for (std::size_t k = 2; k < values.size(); ++k) {
+    mpfr_mul(values[k].get(), twofold.get(), values[k - 1].get(), MPFR_RNDN);
+    mpfr_sub(values[k].get(), values[k].get(), values[k - 2].get(), MPFR_RNDN);
+  }
+}
+
+RollingLayout::RollingLayout(const Float& half_length, double first, bool whole, int the_terms)
+    : terms(the_terms) {
+  if (whole) {
+    panels.push_back({0, 2 * half_length, true, true});
+    return;
+  }
+  const auto size = static_cast<double>(half_length);
+  std::vector<double> edges{0, std::min(first, longest_panel)};
+  while (edges.back() < size) edges.push_back(edges.back() + std::min(edges.back(), longest_panel));
+  for (double& edge : edges) edge /= edges.back();
+  const auto at = [&](std::size_t i) { return edges[i] * half_length; };
+  const std::size_t count = edges.size() - 1;
+  for (std::size_t i = 0; i < count; ++i) panels.push_back({at(i), at(i + 1) - at(i), i == 0, false});
+  for (std::size_t i = count; i-- > 0;)
+    panels.push_back({2 * half_length - at(i + 1), at(i + 1) - at(i), false, i == 0});
+}
+
+std::vector<Float> RollingLayout::matching_points() const {
+  std::vector<Float> points;
+  for (const RollingPanel& panel : panels) {
+    const int count = terms + (panel.root_left ? 1 : 0) + (panel.root_right ? 1 : 0);
+    for (int i = 0; i < count; ++i)
+      points.push_back(panel.left + panel.width * (1 - cos((2 * i + 1) * pi() / (2 * count))) / 2);
+  }
+  return points;
+}
+
+RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout, RollingKernel& kernel)
+    : half_length_(half_length), layout_(std::move(layout)) {
+  const RollingRules rules(layout_, kernel.nats());
+  const std::vector<Float> points = layout_.matching_points();
+  const int rows = layout_.unknowns();
+  Matrix matrix(rows, rows);
+  Vector right(rows);
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
+    const RollingPanel& panel = layout_.panels[p];
+    PanelMoments moments(panel, layout_.terms, kernel, rules.gauss, rules.ends);
+    for (int i = 0; i < rows; ++i) {
+      std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
+      moments.add(points[static_cast<std::size_t>(i)] - panel.left, sums);
+      for (int k = 0; k < layout_.terms; ++k)
+        matrix(i, static_cast<int>(p) * layout_.terms + k) = sums[static_cast<std::size_t>(k)];
+    }
+  }
+  // Displacements in units of A^2, so that all unknowns are of about one size.
+  for (int i = 0; i < rows; ++i) {
+    const Float d = points[static_cast<std::size_t>(i)] / half_length_;
+    matrix(i, rows - 2) = -half_length_;
+    matrix(i, rows - 1) = -2 * d * half_length_;
+    right(i) = d * (2 - d) * half_length_ * half_length_;
+  }
+  const Vector solution = solve(std::move(matrix), std::move(right));
+  edge_displacement_ = solution(rows - 2) * half_length_;
+  offset_ = solution(rows - 1);
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
+    coefficients_.emplace_back();
+    for (int k = 0; k < layout_.terms; ++k)
+      coefficients_.back().push_back(solution(static_cast<int>(p) * layout_.terms + k));
+  }
+  integrate(rules.ends);
+}
+
+Float RollingPressure::in_panel(std::size_t panel, const Float& from_left, const Float& from_right) const {
+  const RollingPanel& here = layout_.panels[panel];
+  Float value = chebyshev_value(coefficients_[panel], (from_left - from_right) / here.width);
+  if (here.root_left) value *= sqrt(from_left / here.width);
+  if (here.root_right) value *= sqrt(from_right / here.width);
+  return value;
+}
+
+void RollingPressure::integrate(const UnitRule& rule) {
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
+    const RollingPanel& panel = layout_.panels[p];
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      const Float from_left = panel.width * rule.from_left[i];
+      const Float part =
+          panel.width * rule.weight[i] * in_panel(p, from_left, panel.width * rule.from_right[i]);
+      load_ += part;
+      moment_ += part * (half_length_ - panel.left - from_left);
+    }
+  }
+}
+
+Float RollingPressure::pressure(const Float& d) const {
+  if (d <= 0 || d >= 2 * half_length_) return 0;
+  std::size_t panel = 0;
+  while (panel + 1 < layout_.panels.size() && d >= layout_.panels[panel + 1].left) ++panel;
+  const RollingPanel& here = layout_.panels[panel];
+  return in_panel(panel, d - here.left, here.left + here.width - d);
+}
+
+/// The neighbours of the largest sample bracket the place where p is the same h = 2^{-bits/4} before and behind,
+/// which is off by h^2, so that p there is off by h^4.
+Float RollingPressure::peak_pressure() const {
+  constexpr int samples = 200;
+  const auto at = [&](const Float& x) { return pressure(half_length_ * (1 - cos(pi() * x))); };
+  int best = 1;
+  Float largest = 0;
+  for (int i = 1; i < samples; ++i) {
+    const Float value = at(Float(i) / samples);
+    if (value > largest) largest = value, best = i;
+  }
+  const Float step = ldexp(Float(1), -mpfr_get_prec(Float().get()) / 4);
+  const auto slope = [&](const Float& x) { return at(x + step) - at(x - step); };
+  const auto place = bracketed_root<Float>(slope, Float(best - 1) / samples + 2 * step,
+                                           Float(best + 1) / samples - 2 * step, step * step);
+  return place ? at(*place) : largest;
+}
+
+Float RollingPressure::normal_displacement(const Float& d, RollingKernel& kernel) const {
+  if (d >= 0 && d <= 2 * half_length_)
+    return edge_displacement_ + d * (2 * half_length_ - d) + 2 * offset_ * d;
+  const RollingRules rules(layout_, kernel.nats());
+  Float sum = 0;
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
+    PanelMoments moments(layout_.panels[p], layout_.terms, kernel, rules.gauss, rules.ends);
+    std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
+    moments.add(d - layout_.panels[p].left, sums);
+    for (std::size_t k = 0; k < sums.size(); ++k) sum += sums[k] * coefficients_[p][k];
+  }
+  return sum;
+}
+
+}  // namespace nipref::ref

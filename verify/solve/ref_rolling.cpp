@@ -1,0 +1,90 @@
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using RollingNip = ref::ConvergedViscoelasticNip;
+
+/// Of a contact without friction.
+LongEstimate no_shear() { return long_estimate(ref::exact_zero(16)); }
+
+const std::map<std::string_view, ref::Estimated (RollingNip::*)() const> rolling_numbers{
+    {"contact_length", &RollingNip::contact_length},
+    {"leading_length", &RollingNip::leading_length},
+    {"trailing_length", &RollingNip::trailing_length},
+    {"load", &RollingNip::load},
+    {"indentation", &RollingNip::indentation},
+    {"edge_displacement", &RollingNip::leading_displacement},
+    {"trailing_displacement", &RollingNip::trailing_displacement},
+    {"rolling_resistance", &RollingNip::rolling_resistance},
+    {"peak_pressure", &RollingNip::peak_pressure},
+};
+
+const std::map<std::string_view, ref::Estimated (RollingNip::*)(double) const> rolling_profiles{
+    {"pressure", &RollingNip::pressure},
+    {"normal_displacement", &RollingNip::normal_displacement},
+};
+
+class RefRolling : public SolvedContact<LongEstimate> {
+ public:
+  explicit RefRolling(RollingNip contact) : contact_(std::move(contact)) {}
+
+  [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (name == "peak_shear") return no_shear();
+    return long_estimate(std::invoke(rolling_numbers.at(name), contact_));
+  }
+  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
+    if (name == "shear") return no_shear();
+    return long_estimate(std::invoke(rolling_profiles.at(name), contact_, y));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {-contact_.trailing_length().to_double(), contact_.leading_length().to_double()};
+  }
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
+    work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.kernel_values());
+    work.unknowns = contact_.unknowns();
+    return work;
+  }
+
+ private:
+  RollingNip contact_;
+};
+
+struct SolveRolling {
+  const data::ViscoelasticNip& nip;
+  int digits;
+
+  RollingNip operator()(const data::GivenLoad& load) const {
+    return ref::converged_for_load(nip, load.per_length, digits);
+  }
+  RollingNip operator()(const data::GivenLength& length) const {
+    return ref::converged_for_length(nip, length.contact_length, digits);
+  }
+};
+
+}  // namespace
+
+void check_ref_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem) {
+  if (!std::holds_alternative<data::ConvergedMethod>(problem.method))
+    scene.origin.refuse("method.kind", "line-loads", "must be converged for the reference's rolling contact");
+  std::vector<std::string_view> known{"peak_shear", "shear"};
+  for (const auto& number : rolling_numbers) known.push_back(number.first);
+  for (const auto& profile : rolling_profiles) known.push_back(profile.first);
+  check_wanted_of_ref(scene, known);
+}
+
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
+                                                               int digits) {
+  return std::make_unique<RefRolling>(std::visit(SolveRolling{problem.nip, digits}, problem.given));
+}
+
+}  // namespace nipref::verify
