@@ -6,16 +6,16 @@
 
 namespace nipref::ref {
 
-/// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both ends,
-/// in multiprecision. What a unit of pressure does to the surface for ever after is one kernel, I1 and its
-/// fading memory in closed form and by a differential equation (internal/rolling_kernel.hpp), by which the
+/// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both
+/// ends, in multiprecision. What a unit of pressure does to the surface for ever after is one kernel, I1 and
+/// its fading memory in closed form and by a differential equation (internal/rolling_kernel.hpp), by which the
 /// pressure alone is collocated, a square root times polynomials (internal/rolling_pressure.hpp). Inputs are
 /// doubles taken exactly; units as in data::ViscoelasticNip. (thesis 2.1-2.6, 7.6, 7.15; continuous form)
 ///
-/// Errors are estimated: each result is that of two discretisations with other panels and more terms, its error
-/// twice their difference, and beside it what they differ by anywhere, relative to the largest value of its
-/// kind; nothing is proven. They are at most about 10^-digits of the largest value of their kind, or the
-/// contact is refused.
+/// Errors are estimated, nothing is proven: each contact is solved by two discretisations with other panels
+/// and numbers of terms; the error of a result is twice their difference and beside it the largest that they
+/// differ by in load, ends or pressures, relative to the largest value of the result's kind. It is about
+/// 10^-digits of that value at most, or the contact is refused.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
 /// (entry) side, unit of length; finite, for displacements within 300 sheet thicknesses; otherwise BadInput.
@@ -49,8 +49,9 @@ class ConvergedViscoelasticNip {
 };
 
 /// Contact of the given length: L <= R, 1e-4 <= L/B <= 10. digits: 16 to 30. BadInput otherwise, naming
-/// "nip.material" for complex rates, and for relaxation lengths (speed over rate) below 1e-3 contacts or above
-/// 1e8 of them, and naming "digits" where 600 unknowns do not give them.
+/// "nip.material" for complex rates, and for relaxation lengths (speed over rate) below 1e-3 contacts or
+/// above 1e8 of them, and naming "digits" where 600 unknowns (420 for a load) do not give
+/// them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);
 

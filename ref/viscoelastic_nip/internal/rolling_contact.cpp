@@ -9,7 +9,8 @@
 namespace nipref::ref {
 namespace {
 
-constexpr int most_unknowns = 600;
+/// About a minute; a load takes several solutions.
+constexpr int most_unknowns = 600, most_unknowns_for_load = 420;
 constexpr int guard_digits = 14;  ///< of the arithmetic beyond the results
 constexpr int search_digits = 8;
 constexpr int most_load_steps = 40;
@@ -41,13 +42,15 @@ RollingLayout rolling_layout(const Float& half_length, const std::vector<Rolling
 /// That are likely to give so many digits: each brings a factor of 5.8 or so.
 int first_terms(int digits) { return static_cast<int>(digits * 2.302585 / 1.763) + 2; }
 
-RollingPressure solved(const Float& half_length, RollingKernel& kernel, const Fineness& fineness,
-                       int digits) {
-  RollingLayout layout = rolling_layout(half_length, kernel.memory(), fineness);
-  if (layout.unknowns() > most_unknowns)
-    throw data::BadInput("digits", std::to_string(digits),
-                         "must be fewer for this contact: the reference tries 600 unknowns at most");
-  return {half_length, std::move(layout), kernel};
+void check_unknowns(const RollingLayout& layout, int most, int digits) {
+  if (layout.unknowns() <= most) return;
+  throw data::BadInput("digits", std::to_string(digits),
+                       "must be fewer, or the contact shorter or its memory longer: the reference tries " +
+                           std::to_string(most) + " unknowns at most here");
+}
+
+RollingPressure solved(const Float& half_length, RollingKernel& kernel, const Fineness& fineness) {
+  return {half_length, rolling_layout(half_length, kernel.memory(), fineness), kernel};
 }
 
 /// A guess at the half length that carries a load, a few tens of per cent off at most where memories are long
@@ -96,13 +99,16 @@ void RollingContact::solve(const Float& half_length, const std::optional<Float>&
   const Float enough = pow(Float(10), -digits_) / 4;
   Float size = half_length;
   for (int terms = first_terms(digits_);; terms += terms / 4) {
-    coarse_ = std::make_unique<RollingPressure>(solved(size, *kernel_, {terms, false}, digits_));
+    const Fineness finer{terms + terms / 5, true};
+    check_unknowns(rolling_layout(size, kernel_->memory(), finer),
+                   load ? most_unknowns_for_load : most_unknowns, digits_);
+    coarse_ = std::make_unique<RollingPressure>(solved(size, *kernel_, {terms, false}));
     if (load) {  // of the length that carries the load
       const auto slope_of = [&](const RollingPressure& one, const RollingPressure& other) {
         return log(one.load() / other.load()) / log(one.half_length() / other.half_length());
       };
       const Float step = pow(Float(10), -digits_ / 3);
-      const RollingPressure beside = solved(size * (1 + step), *kernel_, {terms, false}, digits_);
+      const RollingPressure beside = solved(size * (1 + step), *kernel_, {terms, false});
       const Float growth = slope_of(beside, *coarse_);
       const auto better = [&](const RollingPressure& now) {
         return now.half_length() * exp(log(*load / now.load()) / growth);
@@ -111,13 +117,13 @@ void RollingContact::solve(const Float& half_length, const std::optional<Float>&
         const Float next = better(*coarse_);
         const Float change = abs(next / coarse_->half_length() - 1);
         if (change < pow(Float(10), -digits_ - 4)) break;
-        coarse_ = std::make_unique<RollingPressure>(solved(next, *kernel_, {terms, false}, digits_));
+        coarse_ = std::make_unique<RollingPressure>(solved(next, *kernel_, {terms, false}));
       }
       size = coarse_->half_length();
-      fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, {terms + terms / 5, true}, digits_));
+      fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, finer));
       size = better(*fine_);
     }
-    fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, {terms + terms / 5, true}, digits_));
+    fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, finer));
     measure();
     if (difference_ <= enough) return;
   }
@@ -139,7 +145,9 @@ RollingContact RollingContact::of_load(const Float& load, std::vector<RollingMem
     Float last_size = size, last_load, growth = 2;
     for (int step = 0; step < most_load_steps; ++step) {
       check(static_cast<double>(size));
-      const Float now = solved(size, kernel, {first_terms(search_digits), false}, digits).load();
+      const int terms = first_terms(digits);
+      check_unknowns(rolling_layout(size, memory, {terms + terms / 5, true}), most_unknowns_for_load, digits);
+      const Float now = solved(size, kernel, {first_terms(search_digits), false}).load();
       if (step > 0 && size != last_size) growth = log(now / last_load) / log(size / last_size);
       const Float factor = exp(log(load / now) / growth);
       last_size = std::exchange(size, (size * factor).at_working_precision());
