@@ -156,8 +156,13 @@ Estimate ConvergedElasticNip::tangential_displacement(double y) const {
     return fast::tangential_displacement(contact, position, surface, kernels);
   };
   const double scale = implementation_->half_length() * std::min(position, implementation_->half_length());
-  return times(std::copysign(units.creep * units.length, y),
-               ladder.estimate_of_integral(displacement, scale));
+  Estimate estimate = ladder.estimate_of_integral(displacement, scale);
+  if (surface.friction == data::Friction::none && position > 0) {
+    const double half_length = implementation_->half_length();
+    estimate.error += difference_rounding *
+                      std::fabs(fast::tangential_displacement(ladder.last(), half_length, surface, kernels));
+  }
+  return times(std::copysign(units.creep * units.length, y), estimate);
 }
 
 Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }

@@ -191,9 +191,12 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
                                            kernels);
   };
   const double half_length = implementation_->half_length();
-  return times(units.creep * units.length,
-               implementation_->estimate_of_integral(
-                   displacement, half_length * std::min(std::fabs(position), half_length)));
+  Estimate estimate = implementation_->estimate_of_integral(
+      displacement, half_length * std::min(std::fabs(position), half_length));
+  estimate.error +=
+      difference_rounding * std::fabs(ladder.last().tangential_displacement(
+                                {Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels));
+  return times(units.creep * units.length, estimate);
 }
 
 Work ConvergedViscoelasticNip::work() const { return implementation_->ladder.work(); }

@@ -132,6 +132,15 @@ TEST_CASE("what trails behind a rolling contact is in its estimates") {
   }
 }
 
+TEST_CASE(
+    "next to where tangential displacements are counted from they have the rounding of what they differ by") {
+  std::string text = elastic("none", 300, 1e-13);
+  text.replace(text.find("wanted = ["), 10, "wanted = [\"tangential_displacement\", ");
+  const auto shifts =
+      solved(text + "[profile]\npositions = [0.03, 149.0]\n").profile("tangential_displacement");
+  CHECK(shifts[0].error > 1e-16 * std::fabs(shifts[1].value));
+}
+
 TEST_CASE("next to a contact's end a traction knows how well the end is known") {
   std::string text = elastic("none", 1, 1e-6);
   const double load = solved(text)["load"].value;
