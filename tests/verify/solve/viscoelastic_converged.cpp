@@ -196,7 +196,8 @@ TEST_CASE("motions and methods that cannot be are refused at their keys") {
                 "method.trailing_elements = (missing): ");
   check_refused(with("per_length = 100", "per_length = -100"), ":12: load.per_length = -100: ");
   check_refused(with("[load]", "[profile]\npoints = 3\nlag = 1\n[load]"), "profile.lag = 1: unknown key");
-  check_refused(scene_text(solid, by_convergence), "rolling = (a table): ", " --path ref");
+  check_refused(scene_text(solid, by_convergence), "creep_ratio: must be one of what the reference has here",
+                " --path ref");
 }
 
 TEST_CASE(
