@@ -291,7 +291,9 @@ Estimate EllipticContact::axis_ratio() const {
 
 Estimate EllipticContact::orientation() const {
   const double angle = std::atan2(major_.sine, major_.cosine);
-  return {angle, std::min(turn_ + few_roundings * std::fabs(angle), std::numbers::pi / 2)};
+  // To first order; a turn that is not small may as well be any.
+  constexpr double small = 0.25;
+  return {angle, turn_ < small ? turn_ + few_roundings * std::fabs(angle) : std::numbers::pi / 2};
 }
 
 Estimate EllipticContact::radius_ratio(Direction psi) const {

@@ -136,3 +136,10 @@ TEST_CASE(
   for (const double overestimate : found.overestimates)
     CHECK(overestimate == doctest::Approx(10).epsilon(0.01));
 }
+
+TEST_CASE("an ellipse that is nearly a circle does not know its orientation at all") {
+  // Scene and mirror image were 90 degrees apart, with 36 of error each.
+  const auto found = verify::audit_scene("unseen-2", 1293, {});
+  CHECK(found.numbers > 0);
+  CHECK(found.uncovered == 0);
+}
