@@ -40,7 +40,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"sheet", {"number"}},
       {"memory", {"number", "sheet"}},
       {"elastic_nip", {"number", "sheet"}},
-      {"viscoelastic_nip", {"number", "sheet", "memory", "elastic_nip"}},
+      {"viscoelastic_nip", {"number", "sheet", "memory"}},
       {"half_space", {"number"}}}},
     {"fast",
      {{"number", {}},

@@ -59,9 +59,8 @@ class Ladder {
     ladder.climb(ladder.levels_.half_length_guess(load),
                  [&](double near, int level) { return ladder.solve_for_load(load, near, level); });
     // Twins carry another load: what they say of the length, and with it of all others.
-    ladder.load_rounding_ = ladder.rounding_error([](const Contact& contact) {
-      return std::invoke(&Contact::load, contact);
-    }) / load;
+    const auto load_of = [](const Contact& contact) { return std::invoke(&Contact::load, contact); };
+    ladder.load_rounding_ = ladder.rounding_error(load_of, load_of(ladder.last())) / load;
     return ladder;
   }
 
@@ -69,11 +68,13 @@ class Ladder {
   /// estimated to lack, nor than what the load's last residual makes, all relative to `scale` (the value itself if
   /// that is larger).
   [[nodiscard]] Estimate estimate(const Functional& functional, double scale = 0) const {
-    return estimate({expansion_error(functional), rounding_error(functional)}, 0.1, functional, scale);
+    const Estimate expanded = expanded_estimate(functional);
+    return estimate(expanded.value, {expanded.error, rounding_error(functional, expanded.value)}, 0.1, scale);
   }
   /// The same for a functional that costs kernel values and rounds no worse than the solution: its twins are spared.
   [[nodiscard]] Estimate estimate_of_integral(const Functional& functional, double scale) const {
-    return estimate({expansion_error(functional), 0}, 1, functional, scale);
+    const Estimate expanded = expanded_estimate(functional);
+    return estimate(expanded.value, {expanded.error, 0}, 1, scale);
   }
   /// The same for a functional whose value may be far smaller than A though its rounding is not: the accuracy
   /// is asked of the value itself, and rounding is relative to A.
@@ -159,16 +160,14 @@ class Ladder {
   }
 
   /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
-  [[nodiscard]] Estimate estimate(const Error& own, double rounding_share, const Functional& functional,
-                                  double scale) const {
-    const double value = functional(last());
+  [[nodiscard]] Estimate estimate(double value, const Error& own, double rounding_share, double scale) const {
     const double least = std::max({Levels::whole_share * whole_.of_expansion, 3 * load_residual_, rounding}) +
                          rounding_share * whole_.of_rounding + load_rounding_;
     return {value, std::max(own.sum(), least * std::max(scale, std::fabs(value)))};
   }
   /// Each solution lacks about what it differs by from the next; of that the last one lacks the less, the more its
   /// expansion has left behind (`remainders_`), or by the rate of the last two differences if that is slower.
-  [[nodiscard]] double expansion_error(const Functional& functional) const {
+  [[nodiscard]] Estimate expanded_estimate(const Functional& functional) const {
     constexpr double safety = 6;
     std::vector<double> values, changes;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
@@ -177,7 +176,7 @@ class Ladder {
     double left = changes[count - 1] * measured_rate(changes);
     for (std::size_t i = count - std::min<std::size_t>(count, 3); i < count; ++i)
       left = std::max(left, changes[i] * known_rate(i, count));
-    return safety * left;
+    return {values.back(), safety * left};
   }
   /// What of its remainder a solution has kept at a later one: expansions may converge a little slower than they say.
   [[nodiscard]] double known_rate(std::size_t from, std::size_t to) const {
@@ -191,10 +190,9 @@ class Ladder {
     const double terms_more = std::log(known_rate(last - 1, last)) / std::log(known_rate(last - 2, last - 1));
     return std::pow(change / before, terms_more);
   }
-  /// `safety` times the root mean square over the twins.
-  [[nodiscard]] double rounding_error(const Functional& functional) const {
+  /// `safety` times the root mean square of what the twins differ by from `value`.
+  [[nodiscard]] double rounding_error(const Functional& functional, double value) const {
     constexpr double safety = 12;
-    const double value = functional(last());
     double squares = 0;
     for (const auto& twin : last().twins) squares += std::pow(functional(*twin) - value, 2);
     return squares == 0 ? 0 : safety * std::sqrt(squares / static_cast<double>(last().twins.size()));
@@ -204,8 +202,9 @@ class Ladder {
     Error asked;
     whole_ = {};
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
-      const Error own{expansion_error(judged.number), rounding_error(judged.number)};
-      const double size = std::max(judged.scale, std::fabs(judged.number(last())));
+      const Estimate expanded = expanded_estimate(judged.number);
+      const Error own{expanded.error, rounding_error(judged.number, expanded.value)};
+      const double size = std::max(judged.scale, std::fabs(expanded.value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
 #include <nipref/ref/number/interval.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 

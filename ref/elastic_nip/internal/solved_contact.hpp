@@ -3,8 +3,8 @@
 #include <memory>
 
 #include <nipref/ref/elastic_nip/internal/functionals.hpp>
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
 #include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 

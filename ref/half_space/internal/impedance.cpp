@@ -12,8 +12,8 @@ Index index(std::size_t i) { return static_cast<Index>(i); }
 
 IntervalMatrix points(const Complex& x, mpfr_prec_t precision) {
   return {[&](std::size_t i, std::size_t k) {
-    return ComplexInterval{point(x.re(index(i), index(k)), precision),
-                           point(x.im(index(i), index(k)), precision)};
+    return ComplexInterval{interval_of(x.re(index(i), index(k)), precision),
+                           interval_of(x.im(index(i), index(k)), precision)};
   }};
 }
 

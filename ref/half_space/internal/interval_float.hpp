@@ -1,21 +1,11 @@
 #pragma once
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
 // Between intervals and floating point.
 
 namespace nipref::ref {
-
-inline Float middle(const Interval& x) {
-  Real value(x.precision());
-  mpfi_mid(value.get(), x.get());
-  return to_float(value);
-}
-
-inline Interval point(const Float& x, mpfr_prec_t precision) {
-  const Real value = to_real(x);
-  return {value, value, precision};
-}
 
 struct ComplexMatrix {
   Matrix re, im;
@@ -27,8 +17,8 @@ inline ComplexMatrix middle(const IntervalMatrix& x) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto row = static_cast<Matrix::Index>(i);
       const auto column = static_cast<Matrix::Index>(k);
-      result.re(row, column) = middle(x(i, k).real);
-      result.im(row, column) = middle(x(i, k).imag);
+      result.re(row, column) = middle_of(x(i, k).real);
+      result.im(row, column) = middle_of(x(i, k).imag);
     }
   }
   return result;

@@ -25,16 +25,16 @@ AcousticMatrices at_rest(const ExactStiffness& solid, const SurfaceDirection& ps
 /// Rayleigh's quotient x.(q + s (r + r^T) + s^2 t).x/x.x, whose upper end bounds the limiting inertia.
 Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, const Vector& x) {
   const mpfr_prec_t precision = matrices.q.precision();
-  const Interval si = point(s, precision);
+  const Interval si = interval_of(s, precision);
   Interval numerator(precision);
   Interval denominator(precision);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Interval xi = point(x(static_cast<Matrix::Index>(i)), precision);
+    const Interval xi = interval_of(x(static_cast<Matrix::Index>(i)), precision);
     denominator = denominator + square(xi);
     for (std::size_t k = 0; k < 3; ++k) {
       const Interval entry =
           matrices.q(i, k).real + 2 * (si * matrices.r(i, k).real) + square(si) * matrices.t(i, k).real;
-      numerator = numerator + xi * point(x(static_cast<Matrix::Index>(k)), precision) * entry;
+      numerator = numerator + xi * interval_of(x(static_cast<Matrix::Index>(k)), precision) * entry;
     }
   }
   return numerator / denominator;
@@ -48,7 +48,7 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
                                     const Float& inertia, mpfr_prec_t precision) {
   constexpr int most_attempts = 3;
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
-    const auto impedance = surface_impedance(acoustic_matrices(solid, psi, point(inertia, precision)));
+    const auto impedance = surface_impedance(acoustic_matrices(solid, psi, interval_of(inertia, precision)));
     if (impedance) return hermitian_determinant(*impedance);
   }
   return std::nullopt;
@@ -99,8 +99,8 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
     const Float s = lowest_point([&](const Float& at) { return pencil.half_slope(at); }, Float(valley.left),
                                  Float(valley.right), static_cast<int>(bits) + 16);
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));
-    const Float below = middle(quotient) * (1 - power_of_two(-bits));
-    if (surface_impedance(acoustic_matrices(solid, psi, point(below, precision)))) {
+    const Float below = middle_of(quotient) * (1 - power_of_two(-bits));
+    if (surface_impedance(acoustic_matrices(solid, psi, interval_of(below, precision)))) {
       Real above(precision);
       mpfi_get_right(above.get(), quotient.get());
       return {to_real(below), above, precision};
@@ -113,12 +113,12 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
                                              mpfr_prec_t wanted_bits) {
   const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 2 * bits + 64;
   const WorkingDigits working(digits_of(precision));
-  const Float limit = middle(limiting_inertia(solid, psi, 64));
+  const Float limit = middle_of(limiting_inertia(solid, psi, 64));
   const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };
   const auto f = [&](const Float& w) {
     const auto value = determinant(solid, psi, inertia(w), precision);
     if (!value) refuse_proof(psi, surface_wave);
-    return middle(*value);
+    return middle_of(*value);
   };
   if (!(f(Float(nearest_w)) < 0)) return std::nullopt;
   const auto w = bracketed_root(f, Float(1), Float(nearest_w), power_of_two(-bits - 8));

@@ -10,10 +10,14 @@ namespace nipref::ref {
 
 inline mpfr_prec_t precision_here() { return mpfr_get_prec(Float().get()); }
 
-/// The number itself.
+/// The number itself, where the second precision holds it.
 inline Interval interval_of(const Float& x) {
   const Real value = to_real(x);
   return {value, value, value.precision()};
+}
+inline Interval interval_of(const Float& x, mpfr_prec_t precision) {
+  const Real value = to_real(x);
+  return {value, value, precision};
 }
 
 /// [lower, upper] of two intervals, from one to the other.

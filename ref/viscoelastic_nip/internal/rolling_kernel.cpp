@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>
 
@@ -46,20 +47,6 @@ Float fading_logarithm(const Float& rate, const Float& x) {
 long far_ahead(double nats) { return std::lround(std::ceil(nats / 2.1)) + 2; }
 
 }  // namespace
-
-Float chebyshev_value(const std::vector<Float>& coefficients, const Float& x) {
-  Float now, last, next;
-  const Float twofold = 2 * x;
-  for (std::size_t n = coefficients.size(); n-- > 0;) {
-    const Float& factor = n == 0 ? x : twofold;
-    mpfr_mul(next.get(), factor.get(), now.get(), MPFR_RNDN);
-    mpfr_sub(next.get(), next.get(), last.get(), MPFR_RNDN);
-    mpfr_add(next.get(), next.get(), coefficients[n].get(), MPFR_RNDN);
-    mpfr_swap(last.get(), now.get());
-    mpfr_swap(now.get(), next.get());
-  }
-  return now;
-}
 
 FadingSmoothPart::FadingSmoothPart(Float rate, int digits, const Float& first_value, long first_panel)
     : first_panel_(first_panel),
@@ -108,7 +95,7 @@ Float FadingSmoothPart::operator()(const Float& x, SmoothKernel& kernel) {
   if (panel < first_panel_) return 0;
   const auto place = static_cast<std::size_t>(panel - first_panel_);
   while (panels_.size() <= place) append_panel(kernel);
-  return chebyshev_value(panels_[place], 2 * (x - panel) - 1);
+  return chebyshev_sum(panels_[place], 2 * (x - panel) - 1);
 }
 
 RollingKernel::RollingKernel(std::vector<RollingMemory> memory, int digits)
@@ -150,7 +137,7 @@ Float RollingKernel::operator()(const Float& x) {
   auto found = panels_.find({sign, place});
   if (found == panels_.end())
     found = panels_.emplace(std::pair(sign, place), make_panel(sign * near, sign * width)).first;
-  return chebyshev_value(found->second, 2 * (abs(x) - near) / width - 1);
+  return chebyshev_sum(found->second, 2 * (abs(x) - near) / width - 1);
 }
 
 }  // namespace nipref::ref

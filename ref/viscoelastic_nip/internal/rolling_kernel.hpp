@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
 #include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 
@@ -16,9 +16,6 @@ struct RollingMemory {
   Float amplitude;
   Float rate;  ///< > 0
 };
-
-/// sum_n c_n T_n(x) by Clenshaw's recurrence.
-Float chebyshev_value(const std::vector<Float>& coefficients, const Float& x);
 
 /// G(x) = int_0^inf e^{-rate w} J(x - w) dw, J = I1 + ln|.| analytic for |Im x| < 2, of x in a range that grows
 /// as it is asked for: G' + rate G = J is collocated at Chebyshev points of panels of length 1, downstream

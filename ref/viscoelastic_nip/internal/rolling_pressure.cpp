@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
 
 namespace nipref::ref {
@@ -200,7 +201,7 @@ RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout,
 
 Float RollingPressure::in_panel(std::size_t panel, const Float& from_left, const Float& from_right) const {
   const RollingPanel& here = layout_.panels[panel];
-  Float value = chebyshev_value(coefficients_[panel], (from_left - from_right) / here.width);
+  Float value = chebyshev_sum(coefficients_[panel], (from_left - from_right) / here.width);
   if (here.root_left) value *= sqrt(from_left / here.width);
   if (here.root_right) value *= sqrt(from_right / here.width);
   return value;

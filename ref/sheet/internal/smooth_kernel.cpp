@@ -3,9 +3,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include <nipref/ref/elastic_nip/internal/smooth_kernel.hpp>
+#include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/sheet/internal/smooth_kernel.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -28,23 +29,6 @@ bool is_above(const Interval& x, const Interval& bound) {
   Real smallest(x.precision());
   mpfi_mig(smallest.get(), x.get());
   return mpfr_greater_p(smallest.get(), bound.upper()) != 0;
-}
-
-/// sum_n c_n T_n(x), |x| <= 1, by Clenshaw's recurrence b_n = c_n + 2 x b_{n+1} - b_{n+2}. What rounding
-/// changes in b_n, at most 4 units of |c_n| + 2 |b_{n+1}| + |b_{n+2}|, acts as a change of c_n; |b_n| is at
-/// most the sum of all (k + 1) |c_k|.
-Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x) {
-  Float now, last, next;
-  Float twofold = 2 * x;
-  for (std::size_t n = coefficients.size(); n-- > 0;) {
-    const Float& factor = n == 0 ? x : twofold;
-    mpfr_mul(next.get(), factor.get(), now.get(), MPFR_RNDN);
-    mpfr_sub(next.get(), next.get(), last.get(), MPFR_RNDN);
-    mpfr_add(next.get(), next.get(), coefficients[n].get(), MPFR_RNDN);
-    mpfr_swap(last.get(), now.get());
-    mpfr_swap(now.get(), next.get());
-  }
-  return now;
 }
 
 }  // namespace
