@@ -1,11 +1,23 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
+#include <vector>
 
 #include <nipref/fast/number/accuracy.hpp>
+#include <nipref/verify/audit/error_spread.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
 
 namespace nipref::verify {
+
+/// Somebody's way to compute a quantity: values at points, one for each; a NaN where it refuses a point. Called from
+/// several threads at once.
+using Evaluator = std::function<void(std::span<const Point> points, std::span<double> values)>;
+
+/// fast, with a NaN where it refuses a point.
+Evaluator fast_evaluator(const Quantity& quantity, fast::Accuracy accuracy);
 
 struct AuditOptions {
   /// About so many points; all hard cases are among them from about 10000 for each position on. 0: `density`
@@ -15,9 +27,16 @@ struct AuditOptions {
   /// Called now and then with the number of points done; may be empty.
   std::function<void(std::size_t done)> progress = {};
   double density = 1;  ///< > 0, read if `points` is 0
+  Ranges ranges = {};  ///< empty: the whole domain
+  /// Looked at besides.
+  std::vector<Point> more_points = {};
+  std::optional<double> promise = {};  ///< units in the last place of the scale; none: the quantity's own
 
   /// The points that are asked for of this quantity.
   [[nodiscard]] std::size_t points_of(const Quantity& quantity) const;
+  [[nodiscard]] double promise_of(const Quantity& quantity) const {
+    return promise.value_or(quantity.promise);
+  }
 };
 
 /// Fewer points than this say little about a promise that they find kept.
@@ -26,21 +45,33 @@ inline constexpr std::size_t enough_points = 100;
 /// What an audit found about one quantity. Errors are upper bounds: ref's own error is added to each.
 struct AuditResult {
   const Quantity* quantity;
-  std::size_t points;     ///< points compared
-  double max_error_ulp;   ///< largest error in units in the last place of the scale
-  double mean_error_ulp;  ///< mean over the points before the local search
+  std::size_t points;         ///< points compared
+  std::size_t left_out;       ///< points of the ranges where there is no such quantity
+  double promise;             ///< units in the last place of the scale
+  double max_error_ulp;       ///< largest error found, in those units
+  double max_relative_error;  ///< largest |error| / |value| found
   double allowance_used;  ///< largest error over what the accuracy allows at that point; the promise is kept
                           ///< if <= 1
   Point worst;            ///< where allowance_used was found
+  ErrorSpread spread;     ///< over the points before the local search
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   [[nodiscard]] bool few_points() const { return points < enough_points; }
 };
 
-/// Looks for the arguments at which fast is worst: hard cases, zeros and their neighbours, dense and random
+/// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, dense and random
 /// points, then a local search around the worst few. Deterministic, whatever the number of threads. At full
-/// accuracy the allowance is promise * ulp(scale); at a lower one rtol * scale, but not less than that.
+/// accuracy the allowance is promise * ulp(scale); at a lower one rtol * scale, but not less than that. Points of
+/// ranges that the reference refuses are left out; BadInput if it refuses all of them.
 /// Throws Interrupted (support/internal/interrupt.hpp) if the process is.
+AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options);
+
+/// The same of fast.
 AuditResult audit(const Quantity& quantity, const AuditOptions& options);
+
+/// The same of values that are there already: no others are looked for. Points and values of equal number, one at
+/// least.
+AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
+                         std::span<const double> values, const AuditOptions& options);
 
 }  // namespace nipref::verify

@@ -31,7 +31,7 @@ Json worst_json(const AuditResult& result) {
 
 std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
   return accuracy.rtol() > fast::Accuracy::best_rtol ? fmt::format("{:.1e} scale", accuracy.rtol())
-                                                     : fmt::format("{:g} ulp", result.quantity->promise);
+                                                     : fmt::format("{:g} ulp", result.promise);
 }
 
 std::string verdict_text(const AuditResult& result) {
@@ -45,10 +45,10 @@ std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy a
   std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:9} {}\n", "quantity", "points",
                                  "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
   for (const AuditResult& result : results) {
-    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
-                        result.points, result.max_error_ulp, result.mean_error_ulp,
-                        promise_text(result, accuracy), 100 * result.allowance_used, verdict_text(result),
-                        worst_text(result));
+    text +=
+        fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
+                    result.points, result.max_error_ulp, result.spread.mean, promise_text(result, accuracy),
+                    100 * result.allowance_used, verdict_text(result), worst_text(result));
   }
   if (std::ranges::any_of(results, &AuditResult::few_points)) {
     text += fmt::format("few: fewer than {} points, which say little; --density or --points looks at more\n",
@@ -62,8 +62,13 @@ Json audit_json(const std::vector<AuditResult>& results) {
     return Json{{"quantity", result.quantity->name},
                 {"points", result.points},
                 {"max_error_ulp", result.max_error_ulp},
-                {"mean_error_ulp", result.mean_error_ulp},
-                {"promise_ulp", result.quantity->promise},
+                {"mean_error_ulp", result.spread.mean},
+                {"median_error_ulp", result.spread.median},
+                {"percentile_90_ulp", result.spread.percentile_90},
+                {"percentile_99_ulp", result.spread.percentile_99},
+                {"percentile_99_9_ulp", result.spread.percentile_999},
+                {"max_relative_error", result.max_relative_error},
+                {"promise_ulp", result.promise},
                 {"allowance_used", result.allowance_used},
                 {"kept", result.kept()},
                 {"few_points", result.few_points()},

@@ -18,7 +18,7 @@ constexpr std::size_t least_points = 32;
 constexpr std::size_t points_compared = 400;
 constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::best_rtol};
 
-struct Range {
+struct TimedRange {
   std::string name;
   double lower;
   double upper;
@@ -26,8 +26,8 @@ struct Range {
 };
 
 /// The first range is the one that the promised ratios are about.
-std::vector<Range> ranges(const Quantity& quantity) {
-  std::vector<Range> all{{"[1e-6,20] log-uniform", 1e-6, 20, true}};
+std::vector<TimedRange> ranges(const Quantity& quantity) {
+  std::vector<TimedRange> all{{"[1e-6,20] log-uniform", 1e-6, 20, true}};
   if (quantity.peers.empty()) return all;
   all.push_back({"(0,20] uniform", 0, 20, false});
   all.push_back({"[1e-6,1e-3]", 1e-6, 1e-3, true});
@@ -39,7 +39,7 @@ std::vector<Range> ranges(const Quantity& quantity) {
 
 using Columns = std::vector<std::vector<double>>;
 
-double representative(ArgumentKind kind, const Range& range, Random& random) {
+double representative(ArgumentKind kind, const TimedRange& range, Random& random) {
   switch (kind) {
     case ArgumentKind::nonzero_position:
     case ArgumentKind::position:
@@ -57,7 +57,7 @@ double representative(ArgumentKind kind, const Range& range, Random& random) {
   }
 }
 
-Columns draw_columns(const Quantity& quantity, const Range& range) {
+Columns draw_columns(const Quantity& quantity, const TimedRange& range) {
   Random random("bench " + quantity.name + range.name);
   Columns columns;
   if (quantity.draw) {
@@ -77,7 +77,7 @@ Columns draw_columns(const Quantity& quantity, const Range& range) {
   return columns;
 }
 
-std::string range_text(const Quantity& quantity, const Range& range) {
+std::string range_text(const Quantity& quantity, const TimedRange& range) {
   const ArgumentKind kind = quantity.arguments.front().kind;
   if (kind == ArgumentKind::index) return "n in [1,1000] log-uniform";
   if (quantity.draw) return "as in the audit";
@@ -162,7 +162,7 @@ void compare(std::span<const double> values, const Truth& truth, BenchRow& row) 
   row.max_relative_error = relative;
 }
 
-std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) {
+std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range) {
   const Columns columns = draw_columns(quantity, range);
   const std::vector<BatchMethod> contestants = methods(quantity, columns);
   std::vector<double> values(points_in_a_set);
@@ -193,7 +193,7 @@ std::vector<BenchRow> bench_range(const Quantity& quantity, const Range& range) 
 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress) {
   std::vector<BenchRow> rows;
-  for (const Range& range : ranges(quantity)) {
+  for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;
     if (progress) progress(range.name);
     std::vector<BenchRow> more = bench_range(quantity, range);

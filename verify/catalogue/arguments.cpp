@@ -15,25 +15,8 @@ namespace {
 
 using data::BadInput;
 
-void refuse_unknown(const Quantity& quantity, const Assignments& assignments) {
-  std::vector<std::string_view> known;
-  for (const Argument& argument : quantity.arguments) known.push_back(argument.name);
-  for (const auto& [name, value] : assignments) {
-    if (std::ranges::find(known, name) == known.end()) {
-      throw BadInput(name, value,
-                     fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
-                                 quantity.name, fmt::join(known, ", ")));
-    }
-  }
-}
-
 std::string text_of(const Argument& argument, const Quantity& quantity, const Assignments& assignments) {
-  std::vector<std::string> given;
-  for (const auto& [name, value] : assignments) {
-    if (name == argument.name) given.push_back(value);
-  }
-  if (given.size() > 1) throw BadInput(argument.name, given[1], "given twice: must be given once");
-  if (given.size() == 1) return given.front();
+  if (const auto given = argument_text(argument, assignments)) return *given;
   if (argument.default_text) return *argument.default_text;
   throw BadInput(argument.name, "(missing)",
                  fmt::format("{} needs it: must be {}", quantity.name, domain(argument)));
@@ -63,6 +46,27 @@ double nearest_double(const std::string& name, const std::string& text, const re
 
 }  // namespace
 
+void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments) {
+  std::vector<std::string_view> known;
+  for (const Argument& argument : quantity.arguments) known.push_back(argument.name);
+  for (const auto& [name, value] : assignments) {
+    if (std::ranges::find(known, name) == known.end()) {
+      throw BadInput(name, value,
+                     fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
+                                 quantity.name, fmt::join(known, ", ")));
+    }
+  }
+}
+
+std::optional<std::string> argument_text(const Argument& argument, const Assignments& assignments) {
+  std::vector<std::string> given;
+  for (const auto& [name, value] : assignments) {
+    if (name == argument.name) given.push_back(value);
+  }
+  if (given.size() > 1) throw BadInput(argument.name, given[1], "given twice: must be given once");
+  return given.empty() ? std::nullopt : std::optional(given.front());
+}
+
 Point ParsedArguments::nearest(const Quantity& quantity) const {
   Point point;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -74,7 +78,7 @@ Point ParsedArguments::nearest(const Quantity& quantity) const {
 }
 
 ParsedArguments parse_arguments(const Quantity& quantity, const Assignments& assignments) {
-  refuse_unknown(quantity, assignments);
+  refuse_unknown_arguments(quantity, assignments);
   ParsedArguments parsed;
   for (const Argument& argument : quantity.arguments) {
     parsed.text.push_back(text_of(argument, quantity, assignments));

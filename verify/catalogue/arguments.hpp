@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,12 @@ struct ParsedArguments {
   /// Nearest doubles. BadInput for a number that overflows, or that is not zero but rounds to zero.
   [[nodiscard]] Point nearest(const Quantity& quantity) const;
 };
+
+/// BadInput for a pair that names no argument of the quantity.
+void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments);
+
+/// What is given for the argument, if anything is. BadInput if it is given twice.
+std::optional<std::string> argument_text(const Argument& argument, const Assignments& assignments);
 
 /// Matches the pairs with the quantity's arguments and fills in defaults. BadInput naming the argument if one
 /// is missing, unknown, given twice, or not a number (decimal or hexadecimal text).

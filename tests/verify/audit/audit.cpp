@@ -8,8 +8,10 @@
 #include <set>
 #include <stdexcept>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 using namespace nipref;
@@ -40,8 +42,8 @@ TEST_CASE("the audit passes the sound kernel") {
   const AuditResult found = audit_few(sound);
   CHECK(found.kept());
   CHECK(found.max_error_ulp > 0);
-  CHECK(found.mean_error_ulp > 0);
-  CHECK(found.mean_error_ulp < found.max_error_ulp);
+  CHECK(found.spread.mean > 0);
+  CHECK(found.spread.mean < found.max_error_ulp);
   CHECK(found.points >= few / 2);
   REQUIRE(found.worst.size() == 1);
 }
@@ -69,7 +71,7 @@ TEST_CASE("the audit is the same every time") {
   const AuditResult first = verify::audit(quantity, {500, {}, {}});
   const AuditResult second = verify::audit(quantity, {500, {}, {}});
   CHECK(first.max_error_ulp == second.max_error_ulp);
-  CHECK(first.mean_error_ulp == second.mean_error_ulp);
+  CHECK(first.spread.mean == second.spread.mean);
   CHECK(first.worst == second.worst);
 }
 
@@ -113,6 +115,74 @@ TEST_CASE("at a lower accuracy the audit allows that much and no more") {
   const Quantity wrong = damaged_I3([](double, double value) { return value * (1 + 1e-7); });
   CHECK(verify::audit(wrong, {few, fast::Accuracy(1e-6), {}}).kept());
   CHECK_FALSE(verify::audit(wrong, {few, fast::Accuracy(1e-9), {}}).kept());
+}
+
+TEST_CASE("in ranges the audit looks nowhere else, and its search does not leave them") {
+  const Quantity& quantity = verify::find_quantity("I6");
+  std::mutex mutex;
+  std::size_t looked = 0, outside = 0;
+  std::set<double> ends;
+  const verify::Ranges ranges = verify::parse_ranges(quantity, {{"alpha", "1..2"}, {"eta", "-3"}});
+  const auto watch = [&](std::span<const verify::Point> points, std::span<double> values) {
+    const std::scoped_lock lock(mutex);
+    for (const verify::Point& point : points) {
+      ++looked;
+      if (!verify::contains(ranges, point)) ++outside;
+      if (point[0] == 1 || point[0] == 2) ends.insert(point[0]);
+    }
+    verify::fast_evaluator(quantity, {})(points, values);
+  };
+  verify::AuditOptions options{few, {}, {}};
+  options.ranges = ranges;
+  const AuditResult found = verify::audit(quantity, watch, options);
+  CHECK(found.kept());
+  CHECK(found.points == looked);
+  CHECK(outside == 0);
+  CHECK(ends.size() == 2);
+}
+
+TEST_CASE("points of the ranges that have no such quantity are left out, unless all are") {
+  const Quantity& quantity = verify::find_quantity("halfspace.compliance");
+  verify::AuditOptions options{200, {}, {}};
+  options.ranges =
+      verify::parse_ranges(quantity, {{"poisson", "0.3"}, {"speed", "0.5..1.5"}, {"psi_deg", "0"}});
+  const AuditResult found = verify::audit(quantity, options);
+  CHECK(found.kept());
+  CHECK(found.left_out > 5);
+  CHECK(found.spread.median > 0);
+  options.ranges =
+      verify::parse_ranges(quantity, {{"poisson", "0.3"}, {"speed", "1.1..1.5"}, {"psi_deg", "0"}});
+  CHECK_THROWS_AS(static_cast<void>(verify::audit(quantity, options)), data::BadInput);
+}
+
+TEST_CASE("a promise of one's own and points of one's own decide") {
+  constexpr double only = 0.7296875;
+  const Quantity wrong =
+      damaged_I3([only](double alpha, double value) { return alpha == only ? 2 * value : value; });
+  verify::AuditOptions options{300, {}, {}};
+  CHECK(verify::audit(wrong, options).kept());
+  options.more_points = {{only}};
+  const AuditResult found = verify::audit(wrong, options);
+  CHECK_FALSE(found.kept());
+  CHECK(found.worst == verify::Point{only});
+  REQUIRE(found.spread.wrong.has_value());
+  CHECK(found.spread.wrong->lower == verify::Point{only});
+  options.promise = 1e17;
+  CHECK(verify::audit(wrong, options).kept());
+}
+
+TEST_CASE("values that are there already are judged as the evaluator's would be") {
+  const Quantity& quantity = verify::find_quantity("I3");
+  const std::vector<verify::Point> points{{0.5}, {1}, {2}};
+  std::vector<double> values(points.size());
+  verify::fast_evaluator(quantity, {})(points, values);
+  CHECK(verify::audit_values(quantity, points, values, {}).kept());
+  values[1] *= 1 + 1e-12;
+  const AuditResult found = verify::audit_values(quantity, points, values, {});
+  CHECK_FALSE(found.kept());
+  CHECK(found.points == 3);
+  CHECK(found.worst == points[1]);
+  CHECK(found.max_relative_error == doctest::Approx(1e-12).epsilon(1e-3));
 }
 
 TEST_CASE("a parallel loop visits each index once and passes exceptions on") {

@@ -113,7 +113,7 @@ TEST_CASE(
     // Fewer where the reference is slow.
     const std::size_t points =
         std::min<std::size_t>(quantity.timed_alone ? 40 : 10, quantity.audit_points / 3);
-    for (const Point& point : verify::random_points(quantity, points, random)) {
+    for (const Point& point : verify::random_points(quantity, {}, points, random)) {
       CAPTURE(quantity.name);
       CAPTURE(point.front());
       const double value = quantity.by_fast(point, {});
@@ -129,7 +129,7 @@ TEST_CASE("loop and batch give the scalar's values") {
     CAPTURE(quantity.name);
     verify::Random random("columns " + quantity.name);
     const std::vector<Point> points =
-        verify::random_points(quantity, quantity.timed_alone ? 300 : 20, random);
+        verify::random_points(quantity, {}, quantity.timed_alone ? 300 : 20, random);
     std::vector<std::vector<double>> columns(quantity.arguments.size());
     for (const Point& point : points) {
       for (std::size_t i = 0; i < point.size(); ++i) columns[i].push_back(point[i]);
@@ -153,10 +153,10 @@ TEST_CASE("samples stay in the domains") {
     CAPTURE(quantity.name);
     verify::Random random("domain " + quantity.name);
     const std::size_t count = quantity.timed_alone ? 500 : 20;
-    std::vector<Point> points = verify::random_points(quantity, count, random);
-    for (const Point& start : verify::dense_points(quantity, count, random)) {
+    std::vector<Point> points = verify::random_points(quantity, {}, count, random);
+    for (const Point& start : verify::dense_points(quantity, {}, count, random)) {
       points.push_back(start);
-      points.push_back(verify::perturbed(quantity, start, random));
+      points.push_back(verify::perturbed(quantity, {}, start, random));
     }
     for (const Point& point : points) {
       REQUIRE(point.size() == quantity.arguments.size());
@@ -169,7 +169,7 @@ TEST_CASE("samples stay in the domains") {
 TEST_CASE("the zeros of I1 are where neighbouring doubles have values of different sign") {
   const Quantity& quantity = verify::find_quantity("I1");
   verify::Random random("zeros");
-  const std::vector<Point> points = verify::zero_points(quantity, 100'000, random);
+  const std::vector<Point> points = verify::zero_points(quantity, {}, 100'000, random);
   // Half a period of the first residue term is pi/1.1254 = 2.79; the first zero lies beyond 1.
   const auto within_middle = [](const Point& point) { return point[0] < 50; };
   CHECK(std::ranges::count_if(points, within_middle) / 7 == 18);

@@ -104,9 +104,9 @@ TEST_CASE("every verb's answer is as the schema has it") {
 }
 
 TEST_CASE("a report's answer is as the schema has it, its parts as the verbs would answer") {
-  const verify::AuditResult kept{&verify::find_quantity("I1"), 10, 0.5, 0.1, 0.25, {0.73}};
+  const verify::AuditResult kept{&verify::find_quantity("I1"), 10, 0, 2, 0.5, 1e-16, 0.25, {0.73}, {}};
   verify::AuditResult broken = kept;
-  broken.max_error_ulp = broken.mean_error_ulp = broken.allowance_used =
+  broken.max_error_ulp = broken.spread.mean = broken.allowance_used =
       std::numeric_limits<double>::infinity();
   const verify::ContactAudit contact{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8};
   const verify::BenchReport speed{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1},
@@ -127,7 +127,7 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
   const json& rows = answer["audit"]["rows"];
   CHECK(rows[0]["kept"] == true);
   CHECK(rows[0]["allowance_used"] == 0.25);
-  CHECK(rows[0]["promise_ulp"] == verify::find_quantity("I1").promise);
+  CHECK(rows[0]["promise_ulp"] == 2);
   CHECK(rows[1]["kept"] == false);
   for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
     CHECK(rows[1].at(infinite).is_null());

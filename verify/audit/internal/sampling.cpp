@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include <nipref/verify/audit/internal/sampling.hpp>
 
@@ -98,6 +100,44 @@ double into_domain(ArgumentKind kind, double value) {
   }
 }
 
+bool has_range(const Ranges& ranges, std::size_t argument) { return !ranges.empty() && ranges[argument]; }
+
+/// Draws the arguments that have a range again, from that.
+void into_ranges(const Ranges& ranges, Point& point, Random& random) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i]) point[i] = ranges[i]->fixed() ? ranges[i]->lower : ranges[i]->at(random.uniform());
+  }
+}
+
+/// Moved to where the quantity is finite, unless that is not in the ranges.
+Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point) {
+  if (!quantity.keep_off) return point;
+  Point moved = point;
+  quantity.keep_off(moved);
+  return contains(ranges, moved) ? moved : point;
+}
+
+/// 0 to count - 1 in a random order.
+std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.index(i)]);
+  return order;
+}
+
+/// One point in each cell of each range, the cells of different ranges combined at random (Latin hypercube).
+void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random& random) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (!ranges[i] || ranges[i]->fixed()) continue;
+    const std::vector<std::size_t> cells = shuffled(points.size(), random);
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      const double fraction =
+          (static_cast<double>(cells[j]) + random.uniform()) / static_cast<double>(points.size());
+      points[j][i] = ranges[i]->at(fraction);
+    }
+  }
+}
+
 /// The other position of a quantity of two, if there are two and `changed` is one of them.
 void tie_positions(const Quantity& quantity, Point& point, std::size_t changed) {
   for (std::size_t i = 0; i < point.size(); ++i) {
@@ -114,7 +154,9 @@ double draw(ArgumentKind kind, Random& random) {
   return spread(kind, random.uniform());
 }
 
-Point draw_point(const Quantity& quantity, Random& random) {
+namespace {
+
+Point draw_point_of_domain(const Quantity& quantity, Random& random) {
   if (quantity.draw) return quantity.draw(random);
   Point point;
   std::optional<double> earlier_position;
@@ -127,6 +169,14 @@ Point draw_point(const Quantity& quantity, Random& random) {
   return point;
 }
 
+}  // namespace
+
+Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random) {
+  Point point = draw_point_of_domain(quantity, random);
+  into_ranges(ranges, point, random);
+  return point;
+}
+
 std::vector<Point> thinned(std::vector<Point> points, std::size_t limit) {
   if (points.size() <= limit) return points;
   std::vector<Point> kept;
@@ -134,48 +184,57 @@ std::vector<Point> thinned(std::vector<Point> points, std::size_t limit) {
   return kept;
 }
 
-std::vector<Point> hard_points(const Quantity& quantity, Random& random) {
+std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, Random& random) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
     const Argument& argument = quantity.arguments[i];
-    for (const double value : argument.hard_values) {
-      Point point = draw_point(quantity, random);
+    std::vector<double> values = argument.hard_values;
+    if (has_range(ranges, i)) {
+      std::erase_if(values, [&](double value) { return !ranges[i]->contains(value); });
+      values.insert(values.begin(), {ranges[i]->lower, ranges[i]->upper});
+    }
+    for (const double value : values) {
+      Point point = draw_point(quantity, ranges, random);
       point[i] = value;
       points.push_back(point);
       if (!is_position(argument.kind)) continue;
       tie_positions(quantity, point, i);
-      if (point != points.back()) points.push_back(point);
+      if (point != points.back() && contains(ranges, point)) points.push_back(point);
     }
   }
   return points;
 }
 
-std::vector<Point> dense_points(const Quantity& quantity, std::size_t count, Random& random) {
-  if (quantity.draw) return random_points(quantity, count, random);
+std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
+                                Random& random) {
+  if (quantity.draw && ranges.empty()) return random_points(quantity, ranges, count, random);
   std::vector<Point> points;
   points.reserve(count);
   const ArgumentKind kind = quantity.arguments.front().kind;
   for (std::size_t cell = 0; cell < count; ++cell) {
-    Point point = draw_point(quantity, random);
-    const double value =
-        spread(kind, (static_cast<double>(cell) + random.uniform()) / static_cast<double>(count));
-    point.front() = is_position(kind) ? with_random_sign(value, random) : value;
+    Point point = draw_point(quantity, ranges, random);
+    if (!quantity.draw && !has_range(ranges, 0)) {
+      const double value =
+          spread(kind, (static_cast<double>(cell) + random.uniform()) / static_cast<double>(count));
+      point.front() = is_position(kind) ? with_random_sign(value, random) : value;
+    }
     points.push_back(std::move(point));
   }
+  spread_over_ranges(ranges, points, random);
   return points;
 }
 
-std::vector<Point> random_points(const Quantity& quantity, std::size_t count, Random& random) {
+std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
+                                 Random& random) {
   std::vector<Point> points;
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    points.push_back(draw_point(quantity, random));
-    if (quantity.keep_off) quantity.keep_off(points.back());
+    points.push_back(kept_off(quantity, ranges, draw_point(quantity, ranges, random)));
   }
   return points;
 }
 
-Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
+Point perturbed(const Quantity& quantity, const Ranges& ranges, const Point& point, Random& random) {
   Point moved = point;
   const std::size_t i = random.index(point.size());
   const ArgumentKind kind = quantity.arguments[i].kind;
@@ -190,8 +249,8 @@ Point perturbed(const Quantity& quantity, const Point& point, Random& random) {
     value *= 1 + std::ldexp(random.uniform(-1, 1), -static_cast<int>(2 + random.index(48)));
   }
   moved[i] = into_domain(kind, value);
-  if (quantity.keep_off) quantity.keep_off(moved);
-  return moved;
+  if (has_range(ranges, i)) moved[i] = std::clamp(moved[i], ranges[i]->lower, ranges[i]->upper);
+  return kept_off(quantity, ranges, std::move(moved));
 }
 
 }  // namespace nipref::verify

@@ -3,36 +3,41 @@
 #include <vector>
 
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/support/random.hpp>
 
 namespace nipref::verify {
 
 // Where the audit looks. Positions range over +-[1e-300, 700]; those beyond 50, where ref is slow, are kept
 // to a few per cent, and the middle, [1e-3, 50], where every regime of fast begins or ends, gets half of the
-// points.
+// points. Ranges restrict arguments that have one: those are drawn evenly as the range is spaced; where none has one,
+// or none is given, the draws are those of the whole domain.
 
 /// One random value of an argument: half log-uniform over the whole domain, half over its middle.
 double draw(ArgumentKind kind, Random& random);
 
 /// One random point. A second position is related to the first in a part of the draws: equal, opposite,
 /// close, 0, of another order of magnitude.
-Point draw_point(const Quantity& quantity, Random& random);
+Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random);
 
 /// At most `limit` of the points, taken evenly.
 std::vector<Point> thinned(std::vector<Point> points, std::size_t limit);
 
-/// Each hard value of each argument, the other arguments random; two positions also with the same hard value.
-std::vector<Point> hard_points(const Quantity& quantity, Random& random);
+/// Each hard value of each argument and each end of its range, the other arguments random; two positions also with
+/// the same hard value.
+std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
 /// `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
-/// cell.
-std::vector<Point> dense_points(const Quantity& quantity, std::size_t count, Random& random);
+/// cell; each argument that has a range is spread so over that.
+std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
+                                Random& random);
 
 /// `count` random points.
-std::vector<Point> random_points(const Quantity& quantity, std::size_t count, Random& random);
+std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
+                                 Random& random);
 
 /// A point near `point` for the local search: one argument moved by a few neighbours or by a small relative
-/// step.
-Point perturbed(const Quantity& quantity, const Point& point, Random& random);
+/// step, but not out of its range.
+Point perturbed(const Quantity& quantity, const Ranges& ranges, const Point& point, Random& random);
 
 }  // namespace nipref::verify

@@ -66,15 +66,17 @@ void add_zeros(const Line& line, std::vector<Point>& points) {
 
 }  // namespace
 
-std::vector<Point> zero_points(const Quantity& quantity, std::size_t limit, Random& random) {
+std::vector<Point> zero_points(const Quantity& quantity, const Ranges& ranges, std::size_t limit,
+                               Random& random) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
     const ArgumentKind kind = quantity.arguments[i].kind;
     if (kind != ArgumentKind::position && kind != ArgumentKind::nonzero_position) continue;
     const int lines = quantity.arguments.size() == 1 ? 1 : lines_with_random_arguments;
     for (int line = 0; line < lines; ++line)
-      add_zeros(Line(quantity, draw_point(quantity, random), i), points);
+      add_zeros(Line(quantity, draw_point(quantity, ranges, random), i), points);
   }
+  std::erase_if(points, [&](const Point& point) { return !contains(ranges, point); });
   return thinned(std::move(points), limit);
 }
 

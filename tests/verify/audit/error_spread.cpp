@@ -1,0 +1,63 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/audit/error_spread.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+
+using namespace nipref::verify;
+
+namespace {
+
+const Quantity& two_positions() { return find_quantity("I6"); }
+
+Finding of_ulps(double ulps) { return {ulps, ulps * 1e-16, ulps / 10}; }
+
+}  // namespace
+
+TEST_CASE("percentiles are errors that were found, and a spike does not move the median") {
+  std::vector<Point> points;
+  std::vector<Finding> findings;
+  for (int i = 1; i <= 1000; ++i) {
+    points.push_back({static_cast<double>(i), 1});
+    findings.push_back(of_ulps(i == 500 ? 1e6 : i * 1e-3));
+  }
+  const ErrorSpread spread = error_spread(two_positions(), points, findings);
+  CHECK(spread.median == 0.501);
+  CHECK(spread.percentile_90 == 0.901);
+  CHECK(spread.percentile_99 == 0.991);
+  CHECK(spread.percentile_999 == 1.0);
+  CHECK(spread.mean == doctest::Approx((500.5 - 0.5 + 1e6) / 1000));
+}
+
+TEST_CASE("errors are sorted by decades of the first argument that varies") {
+  const std::vector<Point> points{{2, 0}, {2, 0.05}, {2, -0.07}, {2, 3}, {2, 9.99}, {2, 10}};
+  const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(20),
+                                      of_ulps(4), of_ulps(3), of_ulps(5)};
+  const ErrorSpread spread = error_spread(two_positions(), points, findings);
+  CHECK(spread.along == 1);
+  REQUIRE(spread.decades.size() == 4);
+  CHECK_FALSE(spread.decades[0].exponent.has_value());
+  CHECK(*spread.decades[1].exponent == -2);
+  CHECK(spread.decades[1].points == 2);
+  CHECK(spread.decades[1].above == 1);
+  CHECK(spread.decades[1].max_ulp == 20);
+  CHECK(*spread.decades[2].exponent == 0);
+  CHECK(spread.decades[2].median_ulp == 3);
+  CHECK(*spread.decades[3].exponent == 1);
+}
+
+TEST_CASE("where the promise is broken is said by the smallest box of arguments") {
+  const std::vector<Point> points{{1, 1}, {2, 5}, {3, 2}, {4, 3}, {2.5, 4}};
+  const std::vector<Finding> findings{of_ulps(1), of_ulps(11), of_ulps(12), of_ulps(1), of_ulps(2)};
+  const auto wrong = error_spread(two_positions(), points, findings).wrong;
+  REQUIRE(wrong.has_value());
+  CHECK(wrong->lower == Point{2, 2});
+  CHECK(wrong->upper == Point{3, 5});
+  CHECK(wrong->above == 2);
+  CHECK(wrong->points == 3);
+  CHECK_FALSE(error_spread(two_positions(), {points.data(), 1}, {findings.data(), 1}).wrong.has_value());
+}

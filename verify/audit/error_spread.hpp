@@ -1,0 +1,48 @@
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <nipref/verify/catalogue/quantity.hpp>
+
+namespace nipref::verify {
+
+/// The errors at the points whose magnitude of one argument lies in [10^exponent, 10^(exponent + 1)).
+struct Decade {
+  std::optional<int> exponent;  ///< none: the argument is 0
+  std::size_t points;
+  std::size_t above;  ///< that break the promise
+  double max_ulp;
+  double median_ulp;
+};
+
+/// The smallest box of arguments that holds every point at which the promise is broken.
+struct WrongRegion {
+  Point lower, upper;
+  std::size_t points;  ///< looked at in it
+  std::size_t above;   ///< of them break the promise
+};
+
+/// How errors are spread over points. A largest error alone misleads where it is a spike.
+struct ErrorSpread {
+  double mean, median, percentile_90, percentile_99,
+      percentile_999;           ///< units in the last place of the scale
+  std::size_t along;            ///< the number of the argument by whose decades the errors are sorted
+  std::vector<Decade> decades;  ///< in the order of magnitude
+  std::optional<WrongRegion> wrong;
+};
+
+/// The error at one point.
+struct Finding {
+  double ulps;            ///< units in the last place of the scale
+  double relative;        ///< of the value
+  double allowance_used;  ///< error over what is allowed
+};
+
+/// Of at least one point; each has a finding. Percentiles are errors that were found: the smallest that at least so
+/// many of a hundred points do not exceed.
+ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
+                         std::span<const Finding> findings);
+
+}  // namespace nipref::verify

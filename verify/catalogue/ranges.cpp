@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+constexpr auto dots = "..";
+
+/// Doubles counted from 0 on, negative ones downwards: neighbours differ by 1.
+std::int64_t ordinal(double value) {
+  const auto magnitude = std::bit_cast<std::int64_t>(std::fabs(value));
+  return std::signbit(value) ? -magnitude : magnitude;
+}
+
+double at_ordinal(std::int64_t ordinal) {
+  const double magnitude = std::bit_cast<double>(ordinal < 0 ? -ordinal : ordinal);
+  return ordinal < 0 ? -magnitude : magnitude;
+}
+
+double number_of(const std::string& name, const std::string& text, const std::string& whole) try {
+  const double value = std::strtod(text.c_str(), nullptr);
+  static_cast<void>(ref::Exact::parse(text, name));
+  if (!std::isfinite(value)) throw BadInput(name, whole, "");
+  return value;
+} catch (const BadInput&) {
+  throw BadInput(
+      name, whole,
+      "must be a number that a double can hold, or lo..hi, lo..hi:log, lo..hi:linear or lo..hi:bits");
+}
+
+Spacing spacing_of(const std::string& name, const std::string& text, const std::string& whole) {
+  if (text == "linear") return Spacing::linear;
+  if (text == "log") return Spacing::log;
+  if (text == "bits") return Spacing::bits;
+  throw BadInput(name, whole, "must have linear, log or bits after the colon");
+}
+
+bool of_one_sign(double lower, double upper) { return lower > 0 || upper < 0; }
+
+/// The range of a choice's name.
+Range choice_of(const Argument& argument, const std::string& text) {
+  const auto found = std::ranges::find(argument.choices, text);
+  if (found == argument.choices.end()) throw BadInput(argument.name, text, "must be " + domain(argument));
+  const auto number = static_cast<double>(found - argument.choices.begin());
+  return {number, number};
+}
+
+}  // namespace
+
+double Range::at(double fraction) const {
+  if (fraction <= 0 || fixed()) return lower;
+  if (fraction >= 1) return upper;
+  double value = 0;
+  switch (spacing) {
+    case Spacing::linear:
+      value = lower * (1 - fraction) + upper * fraction;
+      break;
+    case Spacing::log:
+      value = std::copysign(
+          std::exp(std::log(std::fabs(lower)) * (1 - fraction) + std::log(std::fabs(upper)) * fraction),
+          lower);
+      break;
+    case Spacing::bits: {
+      const std::int64_t first = ordinal(lower), last = ordinal(upper);
+      // The distance of two doubles of opposite signs needs 64 bits without a sign.
+      const auto steps = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
+      const auto step =
+          static_cast<std::uint64_t>(std::ldexp(fraction, 32) * std::ldexp(static_cast<double>(steps), -32));
+      value = at_ordinal(static_cast<std::int64_t>(static_cast<std::uint64_t>(first) + step));
+      break;
+    }
+  }
+  return std::clamp(value, lower, upper);
+}
+
+Range parse_range(const std::string& name, const std::string& text) {
+  const std::size_t middle = text.find(dots);
+  if (middle == std::string::npos) {
+    const double value = number_of(name, text, text);
+    return {value, value};
+  }
+  const std::size_t colon = text.find(':', middle);
+  const std::size_t second = middle + std::string_view(dots).size();
+  const double lower = number_of(name, text.substr(0, middle), text);
+  const double upper =
+      number_of(name, text.substr(second, colon == std::string::npos ? colon : colon - second), text);
+  if (lower > upper) throw BadInput(name, text, "must have its lower end first");
+  if (colon == std::string::npos)
+    return {lower, upper, of_one_sign(lower, upper) ? Spacing::log : Spacing::linear};
+  const Spacing spacing = spacing_of(name, text.substr(colon + 1), text);
+  if (spacing == Spacing::log && !of_one_sign(lower, upper))
+    throw BadInput(name, text,
+                   "must have both ends of one sign and not 0 to be gone through by its logarithm");
+  return {lower, upper, spacing};
+}
+
+Ranges parse_ranges(const Quantity& quantity, const Assignments& assignments) {
+  refuse_unknown_arguments(quantity, assignments);
+  Ranges ranges;
+  for (const Argument& argument : quantity.arguments) {
+    const auto text = argument_text(argument, assignments);
+    if (!text) {
+      ranges.emplace_back();
+    } else {
+      ranges.emplace_back(argument.kind == ArgumentKind::choice ? choice_of(argument, *text)
+                                                                : parse_range(argument.name, *text));
+    }
+  }
+  return ranges;
+}
+
+bool contains(const Ranges& ranges, const Point& point) {
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i] && !ranges[i]->contains(point[i])) return false;
+  }
+  return true;
+}
+
+}  // namespace nipref::verify
