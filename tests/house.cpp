@@ -57,7 +57,8 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"solve", {"support", "catalogue"}},
       {"replay", {"support", "catalogue"}},
       {"bench", {"support", "catalogue", "replay"}},
-      {"cli", {"support", "catalogue", "audit", "solve", "replay", "bench"}}}},
+      {"grade", {"support", "catalogue", "audit"}},
+      {"cli", {"support", "catalogue", "audit", "grade", "solve", "replay", "bench"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

@@ -90,25 +90,6 @@ class Judge {
   bool may_refuse_;
 };
 
-std::vector<Point> candidates(const Quantity& quantity, const AuditOptions& options) {
-  const std::size_t wanted = options.points_of(quantity);
-  const Ranges& ranges = options.ranges;
-  Random random("audit " + quantity.name);
-  const auto share = [wanted](double part) {
-    return static_cast<std::size_t>(part * static_cast<double>(wanted));
-  };
-  std::vector<Point> points = thinned(hard_points(quantity, ranges, random), share(share_of_hard));
-  const auto append = [&points](std::vector<Point> more) {
-    points.insert(points.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-  };
-  append(zero_points(quantity, ranges, share(share_of_zeros), random));
-  append(dense_points(quantity, ranges, share(share_of_dense), random));
-  const std::size_t planned = points.size() + share(share_of_search);
-  if (planned < wanted) append(random_points(quantity, ranges, wanted - planned, random));
-  append(options.more_points);
-  return points;
-}
-
 /// The points that the reference knows, with what is found at them.
 struct Compared {
   std::vector<Point> points;
@@ -167,12 +148,12 @@ struct Climb {
 };
 
 /// Hill climbing: a step is taken when it finds a worse point.
-Climb climb(const Quantity& quantity, const Ranges& ranges, const Judge& judge, Climb best, std::size_t steps,
-            std::size_t start) {
-  Random random(fmt::format("search {} {}", quantity.name, start));
+Climb climb(const Quantity& quantity, const AuditOptions& options, const Judge& judge, Climb best,
+            std::size_t steps, std::size_t start) {
+  Random random(fmt::format("search {}{} {}", quantity.name, options.seed, start));
   for (std::size_t step = 0; step < steps; ++step) {
     stop_if_interrupted();
-    Point next = perturbed(quantity, ranges, best.point, random);
+    Point next = perturbed(quantity, options.ranges, best.point, random);
     const auto finding = judge(next);
     if (finding && worse(*finding, best.finding)) best = {std::move(next), *finding};
   }
@@ -185,11 +166,10 @@ std::vector<Climb> climbs_from(const Compared& compared, const Quantity& quantit
   std::vector<Climb> climbs;
   for (const std::size_t start : worst_few(compared.findings))
     climbs.push_back({compared.points[start], compared.findings[start]});
-  parallel_for(climbs.size(),
-               [&](std::size_t i) {
-                 climbs[i] = climb(quantity, options.ranges, judge, std::move(climbs[i]), steps, i);
-               },
-               {});
+  parallel_for(
+      climbs.size(),
+      [&](std::size_t i) { climbs[i] = climb(quantity, options, judge, std::move(climbs[i]), steps, i); },
+      {});
   return climbs;
 }
 
@@ -231,9 +211,28 @@ std::size_t AuditOptions::points_of(const Quantity& quantity) const {
       std::max(1.0, std::round(density * static_cast<double>(quantity.audit_points))));
 }
 
+std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options) {
+  const std::size_t wanted = options.points_of(quantity);
+  const Ranges& ranges = options.ranges;
+  Random random("audit " + quantity.name + options.seed);
+  const auto share = [wanted](double part) {
+    return static_cast<std::size_t>(part * static_cast<double>(wanted));
+  };
+  std::vector<Point> points = thinned(hard_points(quantity, ranges, random), share(share_of_hard));
+  const auto append = [&points](std::vector<Point> more) {
+    points.insert(points.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+  };
+  append(zero_points(quantity, ranges, share(share_of_zeros), random));
+  append(dense_points(quantity, ranges, share(share_of_dense), random));
+  const std::size_t planned = points.size() + (options.search ? share(share_of_search) : 0);
+  if (planned < wanted) append(random_points(quantity, ranges, wanted - planned, random));
+  append(options.more_points);
+  return points;
+}
+
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
   const Judge judge(quantity, evaluator, options, !options.ranges.empty());
-  const Compared compared = compare(quantity, candidates(quantity, options), judge, options);
+  const Compared compared = compare(quantity, audit_points(quantity, options), judge, options);
   const std::size_t steps =
       static_cast<std::size_t>(share_of_search * static_cast<double>(options.points_of(quantity))) /
       starts_of_search;

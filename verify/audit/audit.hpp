@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <nipref/fast/number/accuracy.hpp>
@@ -31,6 +32,8 @@ struct AuditOptions {
   /// Looked at besides.
   std::vector<Point> more_points = {};
   std::optional<double> promise = {};  ///< units in the last place of the scale; none: the quantity's own
+  std::string seed = {};               ///< any text: another one, other random points
+  bool search = true;                  ///< a tenth of the points is for a local search around the worst few
 
   /// The points that are asked for of this quantity.
   [[nodiscard]] std::size_t points_of(const Quantity& quantity) const;
@@ -58,6 +61,12 @@ struct AuditResult {
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   [[nodiscard]] bool few_points() const { return points < enough_points; }
 };
+
+/// Another number, other points for the same options.
+inline constexpr int sampler_version = 1;
+
+/// The points that an audit looks at before its local search.
+std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options);
 
 /// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, dense and random
 /// points, then a local search around the worst few. Deterministic, whatever the number of threads. At full

@@ -7,28 +7,6 @@
 namespace nipref::verify {
 namespace {
 
-std::string worst_text(const AuditResult& result) {
-  std::string text;
-  for (std::size_t i = 0; i < result.worst.size(); ++i) {
-    const Argument& argument = result.quantity->arguments[i];
-    text += argument.kind == ArgumentKind::choice
-                ? fmt::format(" {}={}", argument.name, argument.choice(result.worst[i]))
-                : fmt::format(" {}={:a} ({:.6g})", argument.name, result.worst[i], result.worst[i]);
-  }
-  return text;
-}
-
-Json worst_json(const AuditResult& result) {
-  Json worst = Json::object();
-  for (std::size_t i = 0; i < result.worst.size(); ++i) {
-    const Argument& argument = result.quantity->arguments[i];
-    worst.set(argument.name, argument.kind == ArgumentKind::choice
-                                 ? std::string(argument.choice(result.worst[i]))
-                                 : fmt::format("{:a}", result.worst[i]));
-  }
-  return worst;
-}
-
 std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
   return accuracy.rtol() > fast::Accuracy::best_rtol ? fmt::format("{:.1e} scale", accuracy.rtol())
                                                      : fmt::format("{:g} ulp", result.promise);
@@ -41,14 +19,36 @@ std::string verdict_text(const AuditResult& result) {
 
 }  // namespace
 
+std::string point_text(const Quantity& quantity, const Point& point) {
+  std::string text;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    text += argument.kind == ArgumentKind::choice
+                ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
+                : fmt::format(" {}={:a} ({:.6g})", argument.name, point[i], point[i]);
+  }
+  return text;
+}
+
+Json point_json(const Quantity& quantity, const Point& point) {
+  Json arguments = Json::object();
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    arguments.set(argument.name, argument.kind == ArgumentKind::choice
+                                     ? std::string(argument.choice(point[i]))
+                                     : fmt::format("{:a}", point[i]));
+  }
+  return arguments;
+}
+
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
   std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:9} {}\n", "quantity", "points",
                                  "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
   for (const AuditResult& result : results) {
-    text +=
-        fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
-                    result.points, result.max_error_ulp, result.spread.mean, promise_text(result, accuracy),
-                    100 * result.allowance_used, verdict_text(result), worst_text(result));
+    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
+                        result.points, result.max_error_ulp, result.spread.mean,
+                        promise_text(result, accuracy), 100 * result.allowance_used, verdict_text(result),
+                        point_text(*result.quantity, result.worst));
   }
   if (std::ranges::any_of(results, &AuditResult::few_points)) {
     text += fmt::format("few: fewer than {} points, which say little; --density or --points looks at more\n",
@@ -57,24 +57,24 @@ std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy a
   return text;
 }
 
-Json audit_json(const std::vector<AuditResult>& results) {
-  return json_list(results, [](const AuditResult& result) {
-    return Json{{"quantity", result.quantity->name},
-                {"points", result.points},
-                {"max_error_ulp", result.max_error_ulp},
-                {"mean_error_ulp", result.spread.mean},
-                {"median_error_ulp", result.spread.median},
-                {"percentile_90_ulp", result.spread.percentile_90},
-                {"percentile_99_ulp", result.spread.percentile_99},
-                {"percentile_99_9_ulp", result.spread.percentile_999},
-                {"max_relative_error", result.max_relative_error},
-                {"promise_ulp", result.promise},
-                {"allowance_used", result.allowance_used},
-                {"kept", result.kept()},
-                {"few_points", result.few_points()},
-                {"worst", worst_json(result)}};
-  });
+Json audit_row_json(const AuditResult& result) {
+  return {{"quantity", result.quantity->name},
+          {"points", result.points},
+          {"max_error_ulp", result.max_error_ulp},
+          {"mean_error_ulp", result.spread.mean},
+          {"median_error_ulp", result.spread.median},
+          {"percentile_90_ulp", result.spread.percentile_90},
+          {"percentile_99_ulp", result.spread.percentile_99},
+          {"percentile_99_9_ulp", result.spread.percentile_999},
+          {"max_relative_error", result.max_relative_error},
+          {"promise_ulp", result.promise},
+          {"allowance_used", result.allowance_used},
+          {"kept", result.kept()},
+          {"few_points", result.few_points()},
+          {"worst", point_json(*result.quantity, result.worst)}};
 }
+
+Json audit_json(const std::vector<AuditResult>& results) { return json_list(results, audit_row_json); }
 
 bool all_kept(const std::vector<AuditResult>& results) {
   return std::ranges::all_of(results, &AuditResult::kept);

@@ -16,8 +16,8 @@ namespace {
 using data::BadInput;
 
 constexpr auto statuses =
-    "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 internal error, 4 output could not be written, "
-    "130 interrupted.\n"
+    "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 incomplete, 4 output could not be written, "
+    "70 internal error, 130 interrupted.\n"
     "An error is one line on standard error; with --json it is an answer on standard output as well.";
 
 /// `nipref help eval` and `nipref I1 alpha=0.73` mean `nipref eval --help` and `nipref eval I1 alpha=0.73`.

@@ -54,6 +54,8 @@ std::string version_text() {
       cores() ? std::to_string(*cores()) : "unknown", fast::instruction_set());
 }
 
+std::string compiler() { return std::string(build_info::compiler); }
+
 Json version_json() {
   return {{"version", build_info::version},
           {"commit", known(build_info::commit)},

@@ -8,6 +8,9 @@ namespace nipref::verify {
 /// What this program was built from and with, and what it runs on: a few lines for people.
 std::string version_text();
 
+/// What this program was compiled with.
+std::string compiler();
+
 /// The same as "nipref" in every answer.
 Json version_json();
 

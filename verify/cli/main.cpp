@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
-#include <system_error>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/standard_output.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -17,7 +17,7 @@ namespace {
 using namespace nipref;
 
 constexpr int status_bad_input = 2;
-constexpr int status_internal = 3;
+constexpr int status_internal = 70;  // EX_SOFTWARE of sysexits.h
 constexpr int status_not_written = 4;
 constexpr int status_interrupted = 130;
 
@@ -34,6 +34,8 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "eval") return verify::eval_verb(line, out);
   if (line.verb == "solve") return verify::solve_verb(line, out);
   if (line.verb == "audit") return verify::audit_verb(line, out);
+  if (line.verb == "points") return verify::points_verb(line, out);
+  if (line.verb == "grade") return verify::grade_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);
   return verify::tables_verb(
@@ -66,6 +68,8 @@ Result result_of(int argc, const char* const* argv) {
     if (!json) return {status_bad_input};
     return {status_bad_input,
             verify::error_answer_text(message, error.argument(), error.value(), error.allowed())};
+  } catch (const verify::OutputError&) {
+    throw;
   } catch (const std::exception& error) {
     const std::string message = complain(std::string("internal error: ") + error.what());
     return {status_internal, json ? verify::error_answer_text(message) : ""};
@@ -79,7 +83,7 @@ int main(int argc, char** argv) try {
   const Result result = result_of(argc, argv);
   if (!result.output.empty()) verify::write_to_standard_output(result.output);
   return verify::interrupted() ? status_interrupted : result.status;
-} catch (const std::system_error& error) {
+} catch (const verify::OutputError& error) {
   complain(error.what());
   return status_not_written;
 }

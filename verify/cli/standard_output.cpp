@@ -3,14 +3,14 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <system_error>
 
+#include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/standard_output.hpp>
 
 namespace nipref::verify {
 namespace {
 
-[[noreturn]] void fail() { throw std::system_error(errno, std::generic_category(), "standard output"); }
+[[noreturn]] void fail() { throw OutputError("standard output"); }
 
 /// open() takes the lowest descriptor that is free: this one, as those below are occupied.
 void occupy(int descriptor, int mode) {

@@ -8,8 +8,8 @@ namespace nipref::verify {
 /// nothing comes: written to, standard output says that it is none, and standard error says nothing.
 void occupy_standard_descriptors();
 
-/// Writes all of `text` to standard output and closes that. std::system_error with the system's reason if any of it
-/// could not be written. A reader that has gone ends the program by SIGPIPE, as is usual.
+/// Writes all of `text` to standard output and closes that. OutputError (output_file.hpp) if any of it could
+/// not be written. A reader that has gone ends the program by SIGPIPE, as is usual.
 void write_to_standard_output(std::string_view text);
 
 }  // namespace nipref::verify

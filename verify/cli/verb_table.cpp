@@ -36,6 +36,22 @@ const OptionText scenes_option{"scenes",
                                "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
 const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
 
+const OptionText sample_points_option{
+    "points", "about so many points, 1 to 1e8 (default: the quantity's own, see list)"};
+const OptionText sample_seed_option{"seed", "any text: another one, other random points (default: none)"};
+const OptionText promise_option{
+    "promise",
+    "largest error allowed, in units in the last place of the scale (default: what fast promises)"};
+const OptionText column_option{
+    "column", "which column holds the values (default: value, the quantity's name, or the only one left)"};
+const OptionText baseline_option{
+    "baseline", "TOML file of errors found earlier; more than 1.5 times that and 0.25 ulp fails"};
+const OptionText accept_option{"accept", "with --update-baseline: why an error may be larger than before"};
+const OptionText junit_option{"junit", "file for the outcome as JUnit XML"};
+
+const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
+const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
+
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
 const OptionText quiet_flag{"quiet", "tell no progress"};
@@ -90,6 +106,25 @@ const std::array all_verbs{
         {points_text, density_option, rtol_option, scenes_option, seed_option},
         {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref audit I1 I6 --points 1e6", "nipref audit contacts --scenes 20000 --seed 7"}},
+    VerbText{
+        "points",
+        "Arguments for somebody else's program, as CSV; it adds a column of values for grade.",
+        "quantity",
+        "its name, and name=value or name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from "
+        "their whole domain",
+        {sample_points_option, sample_seed_option},
+        {json_flag},
+        {"nipref points I1 --points 1000", "nipref points I6 alpha=1e-6..20:log eta=2 >points.csv"},
+        true},
+    VerbText{
+        "grade",
+        "How wrong somebody else's values are, measured as fast's are.",
+        "file",
+        "a CSV as points writes it with a column of values more, - for standard input; and the quantity's name, "
+        "unless the file says it",
+        {promise_option, column_option, baseline_option, accept_option, junit_option},
+        {update_baseline_flag, comparable_flag, json_flag, no_times_flag},
+        {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml"}},
     VerbText{
         "bench",
         "Speed against error, beside other libraries.",

@@ -12,6 +12,8 @@ int list_verb(const CommandLine& line, std::ostream& out);
 int eval_verb(const CommandLine& line, std::ostream& out);
 int solve_verb(const CommandLine& line, std::ostream& out);
 int audit_verb(const CommandLine& line, std::ostream& out);
+int points_verb(const CommandLine& line, std::ostream& out);
+int grade_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
 

@@ -35,7 +35,7 @@ struct Call {
   std::string definition;
 };
 
-std::vector<Call> quick_calls(const std::string& with_profile) {
+std::vector<Call> quick_calls(const std::string& with_profile, const std::string& values) {
   const auto scene = [](const char* name) { return "'" + data::example_scene(name).string() + "'"; };
   return {{"list", "list"},
           {"eval I1 alpha=0.73", "eval"},
@@ -52,6 +52,9 @@ std::vector<Call> quick_calls(const std::string& with_profile) {
           {"audit I3 root.re points=100", "audit"},
           {"audit ti.span_ratio points=1", "audit"},
           {"audit I3 points=100 rtol=1e-6", "audit"},
+          {"points I6 eta=1..2 --points 20", "points"},
+          {"grade '" + values + "' I1 --promise 1e17", "grade"},
+          {"grade '" + values + "' I1 --promise 1e17 --baseline /nowhere/baseline.toml", "grade"},
           {"bench I7", "bench"},
           {"tables thesis-VII thesis-XI brock2013-1", "tables"},
           {"tables --list", "tables_list"},
@@ -91,7 +94,9 @@ TEST_CASE("every verb's answer is as the schema has it") {
       "title = \"by ref\"\nwanted = [\"load\", \"pressure\"]\n[roller]\nradius = 6\n[sheet]\nthickness = 1\n"
       "[material]\nmodel = \"elastic\"\nyoung = 1.45e5\npoisson = 0.3\n[contact]\nlength = 0.1\n"
       "[friction]\nmodel = \"none\"\n[method]\nkind = \"converged\"\n[profile]\npoints = 3\n");
-  for (const Call& call : quick_calls(with_profile.path())) {
+  const ScratchFile values(
+      "alpha,value\n0.5,0.45361862\n");  // any number: graded with a promise that is wide
+  for (const Call& call : quick_calls(with_profile.path(), values.path())) {
     CAPTURE(call.arguments);
     const Outcome outcome = run(call.arguments + " --json");
     CAPTURE(outcome.err);
@@ -106,8 +111,7 @@ TEST_CASE("every verb's answer is as the schema has it") {
 TEST_CASE("a report's answer is as the schema has it, its parts as the verbs would answer") {
   const verify::AuditResult kept{&verify::find_quantity("I1"), 10, 0, 2, 0.5, 1e-16, 0.25, {0.73}, {}};
   verify::AuditResult broken = kept;
-  broken.max_error_ulp = broken.spread.mean = broken.allowance_used =
-      std::numeric_limits<double>::infinity();
+  broken.max_error_ulp = broken.spread.mean = broken.allowance_used = std::numeric_limits<double>::infinity();
   const verify::ContactAudit contact{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8};
   const verify::BenchReport speed{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1},
                                    {"half-space", "all", "contour", 9, {}, {}, {}}},

@@ -16,22 +16,22 @@ namespace {
 
 constexpr int residue_terms = 500;
 
-constexpr std::array<ViscoelasticTable, 16> tables{{{"thesis-XI", 2, 24},
-                                                    {"thesis-XII", 2, 24},
-                                                    {"thesis-XIII", 2, 24},
-                                                    {"thesis-XIV", 2, 24},
-                                                    {"thesis-XV", 5, 24},
-                                                    {"thesis-XVI", 5, 24},
-                                                    {"thesis-XVII", 5, 24},
-                                                    {"thesis-XVIII", 5, 24},
-                                                    {"thesis-XIX", 5, 24},
-                                                    {"thesis-XX", 5, 24},
-                                                    {"thesis-XXI", 5, 24},
-                                                    {"thesis-XXII", 5, 24},
-                                                    {"thesis-XXIII", 10, 24},
-                                                    {"thesis-XXIV", 10, 60},
-                                                    {"thesis-XXV", 10, 60},
-                                                    {"thesis-XXVI", 10, 60}}};
+constexpr std::array<ViscoelasticTable, 16> rolling_tables{{{"thesis-XI", 2, 24},
+                                                            {"thesis-XII", 2, 24},
+                                                            {"thesis-XIII", 2, 24},
+                                                            {"thesis-XIV", 2, 24},
+                                                            {"thesis-XV", 5, 24},
+                                                            {"thesis-XVI", 5, 24},
+                                                            {"thesis-XVII", 5, 24},
+                                                            {"thesis-XVIII", 5, 24},
+                                                            {"thesis-XIX", 5, 24},
+                                                            {"thesis-XX", 5, 24},
+                                                            {"thesis-XXI", 5, 24},
+                                                            {"thesis-XXII", 5, 24},
+                                                            {"thesis-XXIII", 10, 24},
+                                                            {"thesis-XXIV", 10, 60},
+                                                            {"thesis-XXV", 10, 60},
+                                                            {"thesis-XXVI", 10, 60}}};
 
 class ViscoelasticRowReplay {
  public:
@@ -132,11 +132,11 @@ class ViscoelasticRowReplay {
 
 }  // namespace
 
-std::span<const ViscoelasticTable> viscoelastic_tables() { return tables; }
+std::span<const ViscoelasticTable> viscoelastic_tables() { return rolling_tables; }
 
 const ViscoelasticTable* find_viscoelastic_table(std::string_view id) {
-  const auto* found = std::ranges::find(tables, id, &ViscoelasticTable::id);
-  return found == tables.end() ? nullptr : found;
+  const auto* found = std::ranges::find(rolling_tables, id, &ViscoelasticTable::id);
+  return found == rolling_tables.end() ? nullptr : found;
 }
 
 fast::ViscoelasticLineLoadMethod viscoelastic_method(const ViscoelasticTable& how) {

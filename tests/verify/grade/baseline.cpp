@@ -1,0 +1,87 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/grade/baseline.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref::verify;
+using nipref::data::BadInput;
+
+namespace {
+
+const BaselineKey key{"mine.csv", "I1", "its domain", "", 1000, 1, "GNU 12.2.0", "v3"};
+
+Baseline with_entry(double error) { return {{{key, error, ""}}}; }
+
+}  // namespace
+
+TEST_CASE("an error may be half more than it was and a quarter ulp, and no more") {
+  const Baseline baseline = with_entry(2);
+  CHECK(compare_with(baseline, key, 3.25).comparison == Comparison::not_worse);
+  CHECK(compare_with(baseline, key, 3.2501).comparison == Comparison::worse);
+  CHECK(compare_with(baseline, key, 0).comparison == Comparison::not_worse);
+}
+
+TEST_CASE("another key is not comparable, and says in what it is another") {
+  const auto words = [](auto change) {
+    BaselineKey other = key;
+    change(other);
+    const BaselineComparison compared = compare_with(with_entry(2), other, 1);
+    CHECK(compared.comparison == Comparison::not_comparable);
+    return compared.words;
+  };
+  CHECK(words([](BaselineKey& other) { other.quantity = "I2"; }) == "not in the baseline");
+  CHECK(words([](BaselineKey& other) { other.compiler = "GNU 14"; }).starts_with("compiler was"));
+  CHECK(words([](BaselineKey& other) { other.points = 7; }).starts_with("points was"));
+  CHECK(words([](BaselineKey& other) { other.instruction_set = "v4"; }).starts_with("instruction set was"));
+  CHECK(words([](BaselineKey& other) { other.seed = "2"; }).starts_with("seed was"));
+  CHECK(words([](BaselineKey& other) { other.sampler = 2; }).starts_with("sampler was"));
+}
+
+TEST_CASE("lowering is free, raising needs a reason, which is kept") {
+  Baseline baseline;
+  CHECK(update(baseline, key, 2, std::nullopt));
+  CHECK(update(baseline, key, 1, std::nullopt));
+  CHECK(baseline.entries.at(0).max_error_ulp == 1);
+  CHECK_FALSE(update(baseline, key, 5, std::nullopt));
+  CHECK(baseline.entries.at(0).max_error_ulp == 1);
+  CHECK(update(baseline, key, 1.5, std::nullopt));  // not worse: nothing is raised
+  CHECK(baseline.entries.at(0).max_error_ulp == 1);
+  CHECK(update(baseline, key, 5, "a faster series"));
+  CHECK(baseline.entries.at(0).max_error_ulp == 5);
+  CHECK(baseline.entries.at(0).reason == "a faster series");
+  CHECK(baseline.entries.size() == 1);
+}
+
+TEST_CASE("a baseline is read back as it was written") {
+  Baseline baseline = with_entry(0.1);
+  BaselineKey odd = key;
+  odd.what = "it's \"mine\"\n";
+  REQUIRE(update(baseline, odd, 1e300, "why = not"));
+  const ScratchFile file(baseline.text());
+  const Baseline back = Baseline::read(file.path());
+  REQUIRE(back.entries.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(back.entries[i].key == baseline.entries[i].key);
+    CHECK(back.entries[i].max_error_ulp == baseline.entries[i].max_error_ulp);
+    CHECK(back.entries[i].reason == baseline.entries[i].reason);
+  }
+  CHECK(Baseline::read(file.path() + ".missing").entries.empty());
+}
+
+TEST_CASE("what is no baseline is refused by file and line") {
+  const auto refused = [](const std::string& toml) {
+    const ScratchFile file(toml);
+    CHECK_THROWS_AS(static_cast<void>(Baseline::read(file.path())), BadInput);
+  };
+  refused("graded = 3\n");
+  refused("[[other]]\n");
+  refused("[[graded]]\nwhat = \"x\"\n");
+  refused("not toml");
+  std::string negative = with_entry(1.5).text();
+  negative.replace(negative.find("1.5"), 3, "-1.");
+  refused(negative + "\n");
+}

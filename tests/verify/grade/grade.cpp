@@ -1,0 +1,63 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <nipref/fast/sheet/kernels.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/grade/grade.hpp>
+
+using namespace nipref;
+using verify::Grade;
+
+namespace {
+
+verify::AuditOptions few_points() {
+  verify::AuditOptions options;
+  options.points = 2000;
+  return options;
+}
+
+Grade grade_I3(double (*kernel)(double)) {
+  return verify::grade(verify::find_quantity("I3"), kernel, few_points());
+}
+
+}  // namespace
+
+TEST_CASE("fast graded as somebody else's code has the numbers of its audit") {
+  const verify::Quantity& quantity = verify::find_quantity("I3");
+  const auto audited = verify::audit(quantity, few_points());
+  const auto by_point = [](std::span<const double> arguments) { return fast::I3(arguments[0]); };
+  for (const Grade& grade : {grade_I3([](double alpha) { return fast::I3(alpha); }),
+                             verify::grade(quantity, by_point, few_points())}) {
+    CHECK(grade.found.kept());
+    CHECK(grade.found.max_error_ulp == audited.max_error_ulp);
+    CHECK(grade.found.spread.mean == audited.spread.mean);
+    CHECK(grade.found.worst == audited.worst);
+    CHECK(grade.condition.has_value());
+  }
+}
+
+TEST_CASE("a wrong sign is wrong everywhere, and a wrong limit where it is") {
+  const Grade sign = grade_I3([](double alpha) { return -fast::I3(alpha); });
+  CHECK_FALSE(sign.found.kept());
+  REQUIRE(sign.found.spread.wrong.has_value());
+  CHECK(sign.found.spread.wrong->lower[0] < -100);
+  CHECK(sign.found.spread.wrong->upper[0] > 100);
+  CHECK(sign.found.max_relative_error == doctest::Approx(2));
+
+  const Grade tiny =
+      grade_I3([](double alpha) { return fast::I3(alpha) * (std::fabs(alpha) < 1e-6 ? 1.01 : 1); });
+  CHECK_FALSE(tiny.found.kept());
+  REQUIRE(tiny.found.spread.wrong.has_value());
+  CHECK(tiny.found.spread.wrong->upper[0] < 1e-6);
+  CHECK(tiny.found.spread.wrong->lower[0] > -1e-6);
+  CHECK(tiny.found.spread.wrong->upper[0] > 1e-8);
+  CHECK(verify::grade_text(tiny).find("above the promise at") != std::string::npos);
+}
+
+TEST_CASE("single precision is seen, but for the points that it can hold") {
+  const Grade single =
+      grade_I3([](double alpha) { return static_cast<double>(static_cast<float>(fast::I3(alpha))); });
+  CHECK_FALSE(single.found.kept());
+  CHECK(single.found.spread.median > 1e6);
+}

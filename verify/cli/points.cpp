@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/grade/measured_points.hpp>
+
+namespace nipref::verify {
+namespace {
+
+const Quantity& only_quantity(const CommandLine& line) {
+  if (line.words.size() > 1)
+    throw data::BadInput("argument", line.words[1], "unexpected: points takes one quantity and its ranges");
+  return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
+}
+
+std::string command_text(const CommandLine& line) {
+  std::string text = "command: nipref points " + line.words.front();
+  for (const auto& [name, value] : line.assignments) text += fmt::format(" {}={}", name, value);
+  for (const auto& [name, value] : line.options) text += fmt::format(" --{} {}", name, value);
+  return text;
+}
+
+}  // namespace
+
+int points_verb(const CommandLine& line, std::ostream& out) {
+  const Quantity& quantity = only_quantity(line);
+  AuditOptions options;
+  options.points = points_option(line);
+  options.search = false;
+  if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
+  options.seed = line.option("seed").value_or("");
+  std::vector<Point> points = audit_points(quantity, options);
+  std::erase_if(points, [&](const Point& point) { return std::isnan(fast_value(quantity, point, {})); });
+  if (points.empty()) static_cast<void>(quantity.by_fast(audit_points(quantity, options).front(), {}));
+  const std::string csv =
+      points_csv(quantity, points,
+                 {"quantity: " + quantity.name, command_text(line), "arguments: exact in hexadecimal"});
+  if (line.json) {
+    out << answer_text("points", {{"quantity", quantity.name}, {"csv", csv}});
+  } else {
+    out << csv;
+  }
+  return 0;
+}
+
+}  // namespace nipref::verify

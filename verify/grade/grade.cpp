@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/grade/condition.hpp>
+#include <nipref/verify/grade/grade.hpp>
+
+namespace nipref::verify {
+namespace {
+
+std::string exponent_text(const Decade& decade) {
+  return decade.exponent ? fmt::format("1e{:+03}", *decade.exponent) : "0";
+}
+
+std::string decades_text(const Quantity& quantity, const ErrorSpread& spread) {
+  std::string text = fmt::format("  |{}| from    points  above promise    max ulp  median ulp\n",
+                                 quantity.arguments[spread.along].name);
+  for (const Decade& decade : spread.decades)
+    text += fmt::format("  {:>12} {:>9} {:>14} {:>10.4g} {:>11.3g}\n", exponent_text(decade), decade.points,
+                        decade.above, decade.max_ulp, decade.median_ulp);
+  return text;
+}
+
+std::string wrong_text(const Quantity& quantity, const WrongRegion& wrong) {
+  return fmt::format("  above the promise at {} of the {} points in{} ...{}\n", wrong.above, wrong.points,
+                     point_text(quantity, wrong.lower), point_text(quantity, wrong.upper));
+}
+
+Json decade_json(const Decade& decade) {
+  return {{"exponent", decade.exponent ? Json(*decade.exponent) : Json()},
+          {"points", decade.points},
+          {"above_promise", decade.above},
+          {"max_error_ulp", decade.max_ulp},
+          {"median_error_ulp", decade.median_ulp}};
+}
+
+Json wrong_json(const Quantity& quantity, const WrongRegion& wrong) {
+  return {{"first", point_json(quantity, wrong.lower)},
+          {"last", point_json(quantity, wrong.upper)},
+          {"points", wrong.points},
+          {"above_promise", wrong.above}};
+}
+
+}  // namespace
+
+Grade grade_of(std::string what, std::string where, AuditResult found) {
+  const Quantity& quantity = *found.quantity;
+  std::string worst_value = ref_value(quantity, found.worst, digits_beyond_double).value_text();
+  const auto condition = condition_number(quantity, found.worst);
+  return {std::move(what), std::move(where), std::move(found), condition, std::move(worst_value)};
+}
+
+std::string grade_text(const Grade& grade) {
+  const AuditResult& found = grade.found;
+  const Quantity& quantity = *found.quantity;
+  std::string text = fmt::format(
+      "{} as {}, {}: {}\n"
+      "  largest error found {:.4g} ulp of {} among {} points{}; promised {:g}\n"
+      "  mean {:.3g}, median {:.3g}, 90 % {:.3g}, 99 % {:.3g}, 99.9 % {:.3g} ulp; largest relative error {:.2e}\n"
+      "  worst at{}, where the value is {} and the condition number {}\n",
+      grade.what, quantity.name, grade.where, found.kept() ? "kept" : "FELL SHORT", found.max_error_ulp,
+      quantity.scale, found.points,
+      found.left_out > 0 ? fmt::format(" ({} more are outside its domain)", found.left_out) : "",
+      found.promise, found.spread.mean, found.spread.median, found.spread.percentile_90,
+      found.spread.percentile_99, found.spread.percentile_999, found.max_relative_error,
+      point_text(quantity, found.worst), grade.worst_value,
+      grade.condition ? fmt::format("{:.3g}", *grade.condition) : "unknown");
+  if (found.spread.wrong) text += wrong_text(quantity, *found.spread.wrong);
+  return text + decades_text(quantity, found.spread);
+}
+
+Json grade_json(const Grade& grade) {
+  const AuditResult& found = grade.found;
+  Json row{{"graded", grade.what}, {"where", grade.where}};
+  row.append(audit_row_json(found));
+  row.append({{"left_out", found.left_out},
+              {"worst_value", grade.worst_value},
+              {"worst_condition", grade.condition},
+              {"wrong", found.spread.wrong ? wrong_json(*found.quantity, *found.spread.wrong) : Json()},
+              {"along", found.quantity->arguments[found.spread.along].name},
+              {"decades", json_list(found.spread.decades, decade_json)}});
+  return row;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,49 @@
+#pragma once
+#include <concepts>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/support/json.hpp>
+
+namespace nipref::verify {
+
+/// How wrong somebody else's values of a quantity are, measured as fast is.
+struct Grade {
+  std::string what;   ///< that was graded, in words: a file, a kernel of a shared object
+  std::string where;  ///< the ranges as they were given; "its domain" without any
+  AuditResult found;
+  std::optional<double> condition;  ///< of the quantity at the worst point, dimensionless
+  std::string worst_value;          ///< the reference's, 21 digits
+};
+
+/// Adds what the reference says of the worst point.
+Grade grade_of(std::string what, std::string where, AuditResult found);
+
+/// Grades a callable: double(double) for a quantity of one argument, double(std::span<const double> arguments), or
+/// an Evaluator. It is called from several threads at once. As audit() otherwise.
+template <class Callable>
+Grade grade(const Quantity& quantity, const Callable& callable, const AuditOptions& options) {
+  if constexpr (std::invocable<Callable, std::span<const Point>, std::span<double>>) {
+    return grade_of("a callable", "its domain", audit(quantity, callable, options));
+  } else {
+    const auto one_by_one = [&](std::span<const Point> points, std::span<double> values) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        if constexpr (std::invocable<Callable, double>) {
+          values[i] = callable(points[i].front());
+        } else {
+          values[i] = callable(std::span<const double>(points[i]));
+        }
+      }
+    };
+    return grade_of("a callable", "its domain", audit(quantity, one_by_one, options));
+  }
+}
+
+std::string grade_text(const Grade& grade);
+Json grade_json(const Grade& grade);
+
+}  // namespace nipref::verify

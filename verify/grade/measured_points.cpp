@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/table/csv.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/grade/measured_points.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+using data::CsvField;
+using data::CsvFile;
+
+constexpr auto decimal_suffix = "_decimal";
+constexpr auto quantity_key = "quantity: ";
+constexpr int exact_digits = 16;  // a decimal of fewer digits may be a rounded one
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+const Quantity& quantity_of(const CsvFile& file, const std::optional<std::string>& name) {
+  if (name) return find_quantity(*name);
+  for (const CsvField& comment : file.comments) {
+    if (comment.text.starts_with(quantity_key))
+      return find_quantity(trimmed(comment.text.substr(std::string_view(quantity_key).size())));
+  }
+  throw BadInput("quantity", "(missing)",
+                 "must be named behind the file, or in its comment \"# quantity: NAME\"");
+}
+
+/// Where a column is among those of the file.
+std::optional<std::size_t> place_of(const CsvFile& file, const std::string& name) {
+  const auto& names = file.records.front();
+  const auto found =
+      std::ranges::find_if(names, [&](const CsvField& field) { return trimmed(field.text) == name; });
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// Where the exact number and the decimal one of an argument are.
+struct ArgumentColumns {
+  const Argument* argument;
+  std::optional<std::size_t> exact, decimal;
+};
+
+std::vector<ArgumentColumns> argument_columns(const CsvFile& file, const Quantity& quantity) {
+  std::vector<ArgumentColumns> columns;
+  for (const Argument& argument : quantity.arguments) {
+    columns.push_back(
+        {&argument, place_of(file, argument.name), place_of(file, argument.name + decimal_suffix)});
+    if (!columns.back().exact && !columns.back().decimal && !argument.default_text)
+      data::refuse(
+          file.path, file.records.front().front().position,
+          fmt::format("must have a column {} or {}{}", argument.name, argument.name, decimal_suffix));
+  }
+  return columns;
+}
+
+bool is_argument(const std::string& name, const Quantity& quantity) {
+  return std::ranges::any_of(quantity.arguments, [&](const Argument& argument) {
+    return name == argument.name || name == argument.name + decimal_suffix;
+  });
+}
+
+std::size_t value_column(const CsvFile& file, const Quantity& quantity,
+                         const std::optional<std::string>& wanted) {
+  if (wanted) {
+    if (const auto place = place_of(file, *wanted)) return *place;
+    throw BadInput("column", *wanted, "must be the name of a column of " + file.path.string());
+  }
+  for (const std::string& name : {std::string("value"), quantity.name}) {
+    if (const auto place = place_of(file, name)) return *place;
+  }
+  std::vector<std::size_t> others;
+  const auto& names = file.records.front();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!is_argument(trimmed(names[i].text), quantity)) others.push_back(i);
+  }
+  if (others.size() == 1) return others.front();
+  data::refuse(file.path, names.front().position,
+               fmt::format("must have the values in a column value or {}, or in one that --column names",
+                           quantity.name));
+}
+
+/// A double in decimal or hexadecimal; infinities and NaN are values, but no arguments.
+double number_of(const CsvFile& file, const CsvField& field, bool is_value) {
+  const std::string text = trimmed(field.text);
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || (!is_value && !std::isfinite(number)))
+    data::refuse(file.path, field.position,
+                 is_value ? "must be a number, inf or nan" : "must be a finite number");
+  return number;
+}
+
+bool is_hexadecimal(const std::string& text) { return text.find_first_of("xX") != std::string::npos; }
+
+/// Of a decimal number.
+int significant_digits(const std::string& text) {
+  const std::string mantissa = text.substr(0, text.find_first_of("eE"));
+  const auto first = mantissa.find_first_of("123456789");
+  if (first == std::string::npos) return exact_digits;  // 0 is exact
+  return static_cast<int>(std::count_if(mantissa.begin() + static_cast<std::ptrdiff_t>(first), mantissa.end(),
+                                        [](unsigned char letter) { return std::isdigit(letter) != 0; }));
+}
+
+double choice_of(const CsvFile& file, const Argument& argument, const CsvField& field) {
+  const auto found = std::ranges::find(argument.choices, trimmed(field.text));
+  if (found == argument.choices.end()) data::refuse(file.path, field.position, "must be " + domain(argument));
+  return static_cast<double>(found - argument.choices.begin());
+}
+
+/// Reads rows one after the other.
+class Rows {
+ public:
+  Rows(const CsvFile& file, const Quantity& quantity, const std::optional<std::string>& column)
+      : file_(file),
+        columns_(argument_columns(file, quantity)),
+        value_(value_column(file, quantity, column)),
+        read_{&quantity, {}, {}} {}
+
+  void add(const std::vector<CsvField>& record) {
+    Point point;
+    bool contradicts = false, is_short = false;
+    for (const ArgumentColumns& column : columns_) {
+      point.push_back(argument_of(column, record));
+      const auto place = column.exact ? column.exact : column.decimal;
+      if (column.argument->kind == ArgumentKind::choice || !place) continue;
+      const std::string text = trimmed(record[*place].text);
+      is_short |= !is_hexadecimal(text) && significant_digits(text) < exact_digits;
+      if (column.exact && column.decimal)
+        contradicts |= number_of(file_, record[*column.decimal], false) != point.back();
+    }
+    read_.points.push_back(std::move(point));
+    read_.values.push_back(number_of(file_, record[value_], true));
+    if (contradicts) ++read_.contradicting_rows;
+    if (is_short) ++read_.short_rows;
+  }
+
+  [[nodiscard]] MeasuredPoints result() && { return std::move(read_); }
+
+ private:
+  [[nodiscard]] double argument_of(const ArgumentColumns& column, const std::vector<CsvField>& record) const {
+    const auto place = column.exact ? column.exact : column.decimal;
+    const bool is_choice = column.argument->kind == ArgumentKind::choice;
+    if (!place) {
+      const CsvField given{*column.argument->default_text, file_.records.front().front().position};
+      return is_choice ? choice_of(file_, *column.argument, given) : number_of(file_, given, false);
+    }
+    return is_choice ? choice_of(file_, *column.argument, record[*place])
+                     : number_of(file_, record[*place], false);
+  }
+
+  const CsvFile& file_;
+  std::vector<ArgumentColumns> columns_;
+  std::size_t value_;
+  MeasuredPoints read_;
+};
+
+}  // namespace
+
+std::string points_csv(const Quantity& quantity, const std::vector<Point>& points,
+                       const std::vector<std::string>& comments) {
+  std::string text;
+  for (const std::string& comment : comments) text += "# " + comment + "\n";
+  std::string separator;
+  for (const Argument& argument : quantity.arguments) {
+    text += separator + argument.name;
+    separator = ",";
+    if (argument.kind != ArgumentKind::choice) text += separator + argument.name + decimal_suffix;
+  }
+  for (const Point& point : points) {
+    separator = "\n";
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      const Argument& argument = quantity.arguments[i];
+      text += argument.kind == ArgumentKind::choice
+                  ? fmt::format("{}{}", separator, argument.choice(point[i]))
+                  : fmt::format("{}{:a},{}", separator, point[i], point[i]);
+      separator = ",";
+    }
+  }
+  return text + "\n";
+}
+
+MeasuredPoints read_measured_points(const std::string& path, const std::optional<std::string>& quantity,
+                                    const std::optional<std::string>& column) {
+  const CsvFile file = data::read_csv(path == "-" ? "/dev/stdin" : path);
+  Rows rows(file, quantity_of(file, quantity), column);
+  if (file.records.size() < 2) data::refuse(file.path, {1, 1}, "must have a row of values");
+  for (std::size_t i = 1; i < file.records.size(); ++i) rows.add(file.records[i]);
+  return std::move(rows).result();
+}
+
+}  // namespace nipref::verify
