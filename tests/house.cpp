@@ -58,6 +58,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"replay", {"support", "catalogue"}},
       {"bench", {"support", "catalogue", "replay"}},
       {"grade", {"support", "catalogue", "audit"}},
+      {"c_interface", {"support", "catalogue"}},
       {"cli", {"support", "catalogue", "audit", "grade", "solve", "replay", "bench"}}}},
 };
 

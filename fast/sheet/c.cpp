@@ -2,6 +2,7 @@
 #include <exception>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/number/c_call.hpp>
 #include <nipref/fast/sheet/c.h>
 #include <nipref/fast/sheet/kernels.hpp>
 
@@ -15,12 +16,20 @@ int refuse(int code, const std::exception& reason) noexcept {
   return code;
 }
 
-/// No exception leaves the library, and nothing is written unless there is a value.
+/// Nothing is written unless there is a value.
 template <class Kernel>
 int write(double* value, Kernel kernel) noexcept {
-  try {
+  return c_call([=] {
     if (value == nullptr) throw data::BadInput("value", "null", "must point to a double");
     *value = kernel();
+  });
+}
+
+}  // namespace
+
+int c_call(void (*body)(void* context), void* context) noexcept {
+  try {
+    body(context);
     return 0;
   } catch (const data::BadInput& error) {
     return refuse(nipref_bad_input, error);
@@ -29,7 +38,6 @@ int write(double* value, Kernel kernel) noexcept {
   }
 }
 
-}  // namespace
 }  // namespace nipref::fast
 
 using namespace nipref;

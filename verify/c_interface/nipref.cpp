@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <cstring>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/number/c_call.hpp>
+#include <nipref/nipref.h>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+
+using namespace nipref;
+using data::BadInput;
+
+namespace {
+
+/// nipref_quantity is verify::Quantity to those who know it.
+const nipref_quantity* handle(const verify::Quantity* quantity) {
+  return reinterpret_cast<const nipref_quantity*>(quantity);
+}
+
+const verify::Quantity* known(const nipref_quantity* quantity) {
+  return reinterpret_cast<const verify::Quantity*>(quantity);
+}
+
+void refuse_null(const char* name, const void* pointer) {
+  if (pointer == nullptr) throw BadInput(name, "null", "must be no null pointer");
+}
+
+const verify::Quantity& given(const nipref_quantity* quantity) {
+  refuse_null("quantity", quantity);
+  return *known(quantity);
+}
+
+fast::Accuracy accuracy_of(double rtol) { return rtol == 0 ? fast::Accuracy() : fast::Accuracy(rtol); }
+
+std::span<const double> columns_refused_if_null(const double* column, std::size_t points) {
+  refuse_null("columns", column);
+  return {column, points};
+}
+
+/// What the catalogue's evaluators take for granted, as the command line checks it.
+void check_choices(const verify::Quantity& quantity, std::span<const double> point) {
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const verify::Argument& argument = quantity.arguments[i];
+    if (argument.kind != verify::ArgumentKind::choice) continue;
+    const double last = static_cast<double>(argument.choices.size()) - 1;
+    if (!(point[i] >= 0 && point[i] <= last && point[i] == std::floor(point[i])))
+      throw BadInput(argument.name, point[i], fmt::format("must be the number of a choice, 0 to {}", last));
+  }
+}
+
+double value_at(const verify::Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {
+  check_choices(quantity, point);
+  return quantity.by_fast(point, accuracy);
+}
+
+std::vector<double> values_at(const verify::Quantity& quantity,
+                              std::span<const std::span<const double>> columns, std::size_t points,
+                              fast::Accuracy accuracy) {
+  std::vector<double> values(points);
+  if (quantity.by_fast_batch) {
+    quantity.by_fast_batch(columns, values, accuracy);
+    return values;
+  }
+  std::vector<double> point(columns.size());
+  for (std::size_t i = 0; i < points; ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) point[j] = columns[j][i];
+    values[i] = value_at(quantity, point, accuracy);
+  }
+  return values;
+}
+
+void check_room(const char* name, const std::string& text, std::size_t size) {
+  if (text.size() >= size)
+    throw BadInput(name, std::to_string(size), fmt::format("must be {} or more here", text.size() + 1));
+}
+
+verify::Assignments assignments_of(const verify::Quantity& quantity, const char* const* arguments) {
+  refuse_null("arguments", arguments);
+  verify::Assignments assignments;
+  for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
+    if (arguments[i] != nullptr) assignments.emplace_back(quantity.arguments[i].name, arguments[i]);
+  }
+  return assignments;
+}
+
+}  // namespace
+
+const char* nipref_version(void) { return NIPREF_VERSION; }
+
+std::size_t nipref_quantity_count(void) { return verify::catalogue().size(); }
+
+const nipref_quantity* nipref_quantity_at(std::size_t number) {
+  return number < nipref_quantity_count() ? handle(&verify::catalogue()[number]) : nullptr;
+}
+
+const nipref_quantity* nipref_find(const char* name) {
+  const verify::Quantity* found = nullptr;
+  fast::c_call([&] {
+    refuse_null("quantity", name);
+    found = &verify::find_quantity(name);
+  });
+  return handle(found);
+}
+
+const char* nipref_name(const nipref_quantity* quantity) {
+  return quantity == nullptr ? "" : known(quantity)->name.c_str();
+}
+
+const char* nipref_definition(const nipref_quantity* quantity) {
+  return quantity == nullptr ? "" : known(quantity)->definition.c_str();
+}
+
+std::size_t nipref_arity(const nipref_quantity* quantity) {
+  return quantity == nullptr ? 0 : known(quantity)->arguments.size();
+}
+
+const char* nipref_argument(const nipref_quantity* quantity, std::size_t number) {
+  return number < nipref_arity(quantity) ? known(quantity)->arguments[number].name.c_str() : "";
+}
+
+double nipref_promise(const nipref_quantity* quantity) {
+  return quantity == nullptr ? 0 : known(quantity)->promise;
+}
+
+int nipref_fast(const nipref_quantity* quantity, const double* arguments, double rtol, double* value) {
+  return fast::c_call([&] {
+    const verify::Quantity& wanted = given(quantity);
+    refuse_null("arguments", arguments);
+    refuse_null("value", value);
+    *value = value_at(wanted, {arguments, wanted.arguments.size()}, accuracy_of(rtol));
+  });
+}
+
+int nipref_fast_batch(const nipref_quantity* quantity, std::size_t points, const double* const* columns,
+                      double rtol, double* values) {
+  return fast::c_call([&] {
+    const verify::Quantity& wanted = given(quantity);
+    refuse_null("columns", columns);
+    refuse_null("values", values);
+    std::vector<std::span<const double>> spans;
+    for (std::size_t i = 0; i < wanted.arguments.size(); ++i)
+      spans.push_back(columns_refused_if_null(columns[i], points));
+    const std::vector<double> found = values_at(wanted, spans, points, accuracy_of(rtol));
+    if (points > 0) std::memcpy(values, found.data(), points * sizeof(double));
+  });
+}
+
+int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, int digits, char* value,
+               std::size_t value_size, char* error, std::size_t error_size, int* proven) {
+  return fast::c_call([&] {
+    const verify::Quantity& wanted = given(quantity);
+    refuse_null("value", value);
+    refuse_null("error", error);
+    refuse_null("proven", proven);
+    ref::check_digits(digits);
+    const verify::ParsedArguments exact = verify::parse_arguments(wanted, assignments_of(wanted, arguments));
+    const verify::Reference found = wanted.by_ref(exact.exact, digits);
+    const std::string value_text = found.value_text(), error_text = found.error_text();
+    check_room("value_size", value_text, value_size);
+    check_room("error_size", error_text, error_size);
+    std::memcpy(value, value_text.c_str(), value_text.size() + 1);
+    std::memcpy(error, error_text.c_str(), error_text.size() + 1);
+    *proven = found.proven ? 1 : 0;
+  });
+}

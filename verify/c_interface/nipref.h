@@ -1,0 +1,69 @@
+#pragma once
+
+/* Every quantity of nipref's catalogue for C and for languages that call C: in double by `fast`, and to any number of
+   digits with an error by `ref`. Definitions, arguments and domains: `nipref list QUANTITY`.
+
+   Functions that return int return 0 and write their results; or they return nipref_bad_input or nipref_failed, write
+   nothing, and nipref_last_error() says why. Every function may be called from several threads at once. */
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef NIPREF_CODES
+#define NIPREF_CODES
+enum {
+  nipref_failed = 1,   /* for another reason than the arguments */
+  nipref_bad_input = 2 /* an argument is outside its domain, a name is unknown, or a pointer is null */
+};
+#endif
+
+/* A quantity; valid as long as the library is loaded. */
+typedef struct nipref_quantity nipref_quantity;
+
+/* "0.1.0" */
+const char* nipref_version(void);
+
+/* What was wrong with this thread's latest call that did not return 0, one line "ARGUMENT = VALUE: ALLOWED"; "" if there
+   was none. Valid until this thread's next call. */
+const char* nipref_last_error(void);
+
+/* All quantities, in the catalogue's order. */
+size_t nipref_quantity_count(void);
+/* Null if number >= nipref_quantity_count(). */
+const nipref_quantity* nipref_quantity_at(size_t number);
+/* By its name, "I1"; null, and nipref_last_error() names the nearest ones, if there is none of that name. */
+const nipref_quantity* nipref_find(const char* name);
+
+/* "I1"; "" for a null pointer, as from the following. */
+const char* nipref_name(const nipref_quantity* quantity);
+/* One line of mathematics. */
+const char* nipref_definition(const nipref_quantity* quantity);
+/* How many arguments it takes, and their names in the order in which they are given; "" beyond the last. */
+size_t nipref_arity(const nipref_quantity* quantity);
+const char* nipref_argument(const nipref_quantity* quantity, size_t number);
+/* Largest error of nipref_fast at full accuracy, in units in the last place of the quantity's scale. */
+double nipref_promise(const nipref_quantity* quantity);
+
+/* *value in double at `arguments`, nipref_arity() of them. A choice is given by its number, 0 the first that
+   `nipref list` names. rtol: the error that may be made, as a part of the scale, 4.44e-16 <= rtol < 1, or 0 for full
+   accuracy. */
+int nipref_fast(const nipref_quantity* quantity, const double* arguments, double rtol, double* value);
+
+/* values[i] at columns[0][i], columns[1][i], ..., i < points: a column for each argument. All or nothing: one point
+   outside the domain refuses them all. */
+int nipref_fast_batch(const nipref_quantity* quantity, size_t points, const double* const* columns, double rtol,
+                      double* values);
+
+/* The reference at exact decimal (or hexadecimal) texts, one for each argument, null for one's default; choices by
+   their names. `digits` 16 to 1000. *value and *error become decimal texts, the error absolute, unit of the value;
+   *proven 1 if it is a proven bound, 0 if an estimate. value_size and error_size are the sizes of the buffers; digits +
+   40 are enough for the one and 40 for the other, less is refused if the text does not fit. */
+int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, int digits, char* value,
+               size_t value_size, char* error, size_t error_size, int* proven);
+
+#ifdef __cplusplus
+}
+#endif
