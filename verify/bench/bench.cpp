@@ -61,6 +61,19 @@ bool all_met(const BenchReport& report, bool strict) {
   });
 }
 
+void mark_pareto_optimal(std::vector<BenchRow>& rows) {
+  const auto is_beaten = [](const BenchRow& row, const BenchRow& by) {
+    if (by.quantity != row.quantity || by.arguments != row.arguments || !by.max_relative_error) return false;
+    const double error = *by.max_relative_error, own = *row.max_relative_error;
+    return by.nanoseconds <= row.nanoseconds && error <= own &&
+           (by.nanoseconds < row.nanoseconds || error < own);
+  };
+  for (BenchRow& row : rows) {
+    row.pareto_optimal = row.max_relative_error &&
+                         std::ranges::none_of(rows, [&](const BenchRow& by) { return is_beaten(row, by); });
+  }
+}
+
 void append(BenchReport& report, const BenchReport& more) {
   std::ranges::copy(more.rows, std::back_inserter(report.rows));
   std::ranges::copy(more.ratios, std::back_inserter(report.ratios));

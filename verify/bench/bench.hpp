@@ -20,7 +20,15 @@ struct BenchRow {
   std::optional<double> max_relative_error;  ///< over the points that were compared with ref
   /// Time over that of fast (double) or ref (digits) on the same arguments, full accuracy.
   std::optional<double> ratio;
+  /// A quarter of the rounds took less than the first, and a quarter more than the third.
+  double quartile_1 = 0, quartile_3 = 0;
+  /// Of the ways to the same values in this run none is as quick and more right, or as right and quicker, errors
+  /// taken relative to the value. Only where an error is known.
+  bool pareto_optimal = false;
 };
+
+/// Sets pareto_optimal in all rows. Ways are compared if their quantity and arguments are the same.
+void mark_pareto_optimal(std::vector<BenchRow>& rows);
 
 /// One of the ratios that the project promises, as measured in this run.
 struct BenchRatio {

@@ -7,6 +7,7 @@
 
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/bench/internal/timed_row.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -17,7 +18,6 @@ namespace {
 const std::array<std::string, 3> alphas{"0.01", "0.73", "5"};
 constexpr auto arguments_text = "alpha in {0.01, 0.73, 5}";
 constexpr int extra_digits = 10;
-constexpr double nanoseconds_per_value = 1e9 / std::tuple_size_v<decltype(alphas)>;
 
 struct DigitsMethod {
   std::string name;
@@ -98,13 +98,8 @@ Rows bench_at(const Quantity& quantity, int digits) {
 
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < methods.size(); ++i) {
-    rows.push_back({quantity.name,
-                    arguments_text,
-                    methods[i].name,
-                    timings[i].seconds * nanoseconds_per_value,
-                    {},
-                    {},
-                    timings[i].seconds / timings.front().seconds});
+    rows.push_back(timed_row(quantity.name, arguments_text, methods[i].name, timings[i], timings.front(),
+                             std::tuple_size_v<decltype(alphas)>));
     compare(quantity, methods[i], digits, rows.back());
   }
   return {rows, first_call_row(rows.front(), first_call)};

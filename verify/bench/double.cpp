@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/bench/internal/timed_row.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -176,13 +177,8 @@ std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& ra
   const Truth truth = truth_of(quantity, columns);
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    rows.push_back({quantity.name,
-                    range_text(quantity, range),
-                    contestants[i].name,
-                    timings[i].seconds * 1e9,
-                    {},
-                    {},
-                    timings[i].seconds / timings.front().seconds});
+    rows.push_back(timed_row(quantity.name, range_text(quantity, range), contestants[i].name, timings[i],
+                             timings.front()));
     contestants[i].evaluate(points_compared, values);
     compare(std::span(values).first(points_compared), truth, rows.back());
   }

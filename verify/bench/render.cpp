@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include <nipref/verify/bench/render.hpp>
@@ -8,15 +9,17 @@
 
 namespace nipref::verify {
 std::string bench_text(const std::vector<BenchRow>& rows) {
-  std::string text = fmt::format("{:22}{:30}{:28}{:>11}{:>12}{:>11}{:>10}\n", "quantity", "arguments",
-                                 "method", "ns/value", "time ratio", "max ulp", "max rel");
+  std::string text = fmt::format("{:22}{:30}{:28}{:>11}{:>20}{:>12}{:>11}{:>10}\n", "quantity", "arguments",
+                                 "method", "ns/value", "quartiles", "time ratio", "max ulp", "max rel");
   const BenchRow* previous = nullptr;
   for (const BenchRow& row : rows) {
     const bool same =
         previous != nullptr && previous->quantity == row.quantity && previous->arguments == row.arguments;
-    text += fmt::format("{:22}{:30}{:28}{:>11.4g}{:>12}{:>11}{:>10}\n", same ? "" : row.quantity,
-                        same ? "" : row.arguments, row.method, row.nanoseconds, or_dash(row.ratio, 3),
-                        or_dash(row.max_error_ulp, 3), or_dash(row.max_relative_error, 2));
+    text += fmt::format("{:22}{:30}{:28}{:>11.4g}{:>20}{:>12}{:>11}{:>10}{}\n", same ? "" : row.quantity,
+                        same ? "" : row.arguments, row.method, row.nanoseconds,
+                        fmt::format("{:.4g}..{:.4g}", row.quartile_1, row.quartile_3), or_dash(row.ratio, 3),
+                        or_dash(row.max_error_ulp, 3), or_dash(row.max_relative_error, 2),
+                        row.pareto_optimal ? " *" : "");
     previous = &row;
   }
   return text;
@@ -51,7 +54,12 @@ Json bench_json(const BenchReport& report) {
                                    {"method", row.method},
                                    {"max_error_ulp", row.max_error_ulp},
                                    {"max_relative_error", row.max_relative_error},
-                                   {"times", {{"nanoseconds", row.nanoseconds}, {"ratio", row.ratio}}}};
+                                   {"times",
+                                    {{"nanoseconds", row.nanoseconds},
+                                     {"quartiles", json_list(std::array{row.quartile_1, row.quartile_3},
+                                                             [](double time) { return Json(time); })},
+                                     {"ratio", row.ratio},
+                                     {"pareto_optimal", row.pareto_optimal}}}};
                              })},
           {"error_ratios", ratios(true)},
           {"times", {{"ratios", ratios(false)}}}};

@@ -8,7 +8,8 @@ namespace nipref::verify {
 namespace {
 
 constexpr auto notes =
-    "\nMedians of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref.\n"
+    "\nMedians and quartiles of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref.\n"
+    "*: none of the ways to the same values was as quick and more right, or as right and quicker.\n"
     "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits:\n"
     "10^-N of the scale) and relative to the value.\n"
     "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";

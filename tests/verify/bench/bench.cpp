@@ -113,14 +113,28 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
 }
 
 TEST_CASE("the bench's JSON has the agreed shape") {
-  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1}},
+  const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13}},
                                    {{"what", 2, 3}}};
   const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).text());
   REQUIRE(json["rows"].size() == 1);
   const auto expected = nlohmann::ordered_json::parse(
       R"({"quantity":"I1","range":"alpha in [1e-6,1e-3]","method":"fast full","max_error_ulp":0.5,"max_relative_error":1e-16,
-          "times":{"nanoseconds":12.5,"ratio":1.0}})");
+          "times":{"nanoseconds":12.5,"quartiles":[12.0,13.0],"ratio":1.0,"pareto_optimal":false}})");
   CHECK(json["rows"][0] == expected);
+}
+
+TEST_CASE("a way is marked if none beats it, and ways to other values do not matter") {
+  const auto row = [](const char* method, double time, std::optional<double> error,
+                      const char* arguments = "all") {
+    return verify::BenchRow{"I1", arguments, method, time, error, error, {}};
+  };
+  std::vector<verify::BenchRow> rows{row("exact", 10, 1e-16),         row("coarse", 2, 1e-6),
+                                     row("slow and coarse", 5, 1e-6), row("slower", 11, 1e-16),
+                                     row("unknown", 1, {}),           row("other", 99, 1, "few")};
+  verify::mark_pareto_optimal(rows);
+  std::string marked;
+  for (const auto& one : rows) marked += one.pareto_optimal ? one.method + " " : "";
+  CHECK(marked == "exact coarse other ");
 }
 
 TEST_CASE("what the bench did not compare is a dash and null") {
@@ -129,8 +143,7 @@ TEST_CASE("what the bench did not compare is a dash and null") {
   const auto row = nlohmann::json::parse(verify::bench_json(report).text())["rows"][0];
   CHECK(row.at("max_error_ulp").is_null());
   CHECK(row.at("max_relative_error").is_null());
-  CHECK(verify::bench_text(report.rows).find("        250           -          -         -\n") !=
-        std::string::npos);
+  CHECK(verify::bench_text(report.rows).find("           -          -         -\n") != std::string::npos);
 }
 
 TEST_CASE("a missed ratio of times fails a run only where it is strict, one of errors always") {

@@ -11,6 +11,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/verify/bench/internal/elastic_nip.hpp>
+#include <nipref/verify/bench/internal/timed_row.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
@@ -86,13 +87,7 @@ std::vector<BenchRow> rows_of(const Case& at, int rounds) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double length = all[i].length();
     const bool comparable = all[i].name.find("friction") == std::string::npos;
-    rows.push_back({elastic_nip,
-                    at.arguments,
-                    all[i].name,
-                    1e9 * timings[i].seconds,
-                    {},
-                    {},
-                    timings[i].seconds / timings[4].seconds});
+    rows.push_back(timed_row(elastic_nip, at.arguments, all[i].name, timings[i], timings[4]));
     if (!comparable) continue;
     const double error = std::fabs(truth.error_of(length));
     rows.back().max_error_ulp = error / ulp_of(length);
@@ -122,7 +117,9 @@ BenchRow replay_row(int rounds) {
     return cells;
   };
   const auto timings = time_interleaved({contender(replay_all)}, rounds);
-  return {elastic_nip, "all rows of Tables III-X", "replay", 1e9 * timings[0].seconds, {}, {}, {}};
+  BenchRow row = timed_row(elastic_nip, "all rows of Tables III-X", "replay", timings[0], timings[0]);
+  row.ratio.reset();
+  return row;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/bench/internal/half_space.hpp>
+#include <nipref/verify/bench/internal/timed_row.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
@@ -48,9 +49,9 @@ void append_rows(BenchReport& report, const std::string& arguments,
   const auto timings = time_interleaved(contenders);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     const std::optional<double> error = methods[i].error;
-    report.rows.push_back({half_space, arguments, methods[i].name, 1e9 * timings[i].seconds,
-                           error ? std::optional(*error / 0x1p-52) : std::nullopt, error,
-                           timings[i].seconds / timings[0].seconds});
+    report.rows.push_back(timed_row(half_space, arguments, methods[i].name, timings[i], timings[0]));
+    report.rows.back().max_error_ulp = error ? std::optional(*error / 0x1p-52) : std::nullopt;
+    report.rows.back().max_relative_error = error;
   }
 }
 

@@ -35,10 +35,9 @@ double seconds_per_evaluation(const Contender& contender, const Round& round) {
   return seconds / static_cast<double>(round.count * round.passes);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Of sorted values.
+double quantile(const std::vector<double>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
 }
 
 }  // namespace
@@ -60,7 +59,11 @@ std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, i
     }
   }
   std::vector<Timing> timings;
-  for (std::size_t i = 0; i < contenders.size(); ++i) timings.push_back({median(samples[i]), plans[i].count});
+  for (std::size_t i = 0; i < contenders.size(); ++i) {
+    std::ranges::sort(samples[i]);
+    timings.push_back(
+        {quantile(samples[i], 0.5), quantile(samples[i], 0.25), quantile(samples[i], 0.75), plans[i].count});
+  }
   return timings;
 }
 

@@ -16,8 +16,9 @@ struct Contender {
 };
 
 struct Timing {
-  double seconds;     ///< median over the rounds of the time of one evaluation
-  std::size_t count;  ///< different evaluations in a round
+  double seconds;                 ///< median over the rounds of the time of one evaluation
+  double quartile_1, quartile_3;  ///< of the same
+  std::size_t count;              ///< different evaluations in a round
 };
 
 /// Times the contenders side by side: each round runs every one of them once, so that a change of the
