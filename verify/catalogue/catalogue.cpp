@@ -14,11 +14,16 @@ namespace {
 
 std::vector<Quantity> gather() {
   std::vector<Quantity> all;
-  for (auto group : {root_entries(), kernel_entries(), displacement_entries(), memory_entries(),
-                     moving_load_entries(), half_space_entries(), transverse_half_space_entries(),
-                     half_space_contact_entries(), elliptic_contact_entries(), seed_sphere_entries()}) {
-    std::move(group.begin(), group.end(), std::back_inserter(all));
-  }
+  const auto add = [&](std::string_view subject, std::initializer_list<std::vector<Quantity>> groups) {
+    for (std::vector<Quantity> group : groups) {
+      for (Quantity& quantity : group) quantity.subject = subject;
+      std::ranges::move(group, std::back_inserter(all));
+    }
+  };
+  add("sheet", {root_entries(), kernel_entries(), displacement_entries()});
+  add("memory", {memory_entries(), moving_load_entries()});
+  add("half_space", {half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
+                     elliptic_contact_entries(), seed_sphere_entries()});
   return all;
 }
 

@@ -113,6 +113,7 @@ struct Quantity {
   /// quantities.
   bool timed_alone = true;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
+  std::string_view subject = {};  ///< the folder of the house that it is computed in, set by the catalogue
 
   std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
   std::vector<Peer> peers;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output_file.hpp>
@@ -30,6 +31,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
     out << (line.json ? verify::version_answer_text() : verify::version_text());
     return 0;
   }
+  if (const auto isa = line.option("isa")) fast::use_instruction_set(*isa);
   if (line.verb == "list") return verify::list_verb(line, out);
   if (line.verb == "eval") return verify::eval_verb(line, out);
   if (line.verb == "solve") return verify::solve_verb(line, out);

@@ -52,6 +52,12 @@ const OptionText junit_option{"junit", "file for the outcome as JUnit XML"};
 const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
 const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
 
+const OptionText since_option{"since", "with --changed: a revision of git's (default HEAD)"};
+const OptionText changed_flag{
+    "changed", "what the files that differ from git's last revision have a part in, new files too"};
+const OptionText isa_option{
+    "isa", "baseline, v3 or v4: fast runs its code for that, as on another machine (default: the best)"};
+
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
 const OptionText quiet_flag{"quiet", "tell no progress"};
@@ -103,9 +109,10 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, or contacts for hard cases of whole contacts and random scenes (default: all "
         "of it)",
-        {points_text, density_option, rtol_option, scenes_option, seed_option},
-        {quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
-        {"nipref audit I1 I6 --points 1e6", "nipref audit contacts --scenes 20000 --seed 7"}},
+        {points_text, density_option, rtol_option, scenes_option, seed_option, since_option, isa_option},
+        {changed_flag, quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref audit --changed --quick", "nipref audit I1 I6 --points 1e6",
+         "nipref audit contacts --scenes 20000 --seed 7"}},
     VerbText{
         "points",
         "Arguments for somebody else's program, as CSV; it adds a column of values for grade.",
@@ -131,7 +138,7 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
         "it)",
-        {},
+        {isa_option},
         {strict_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref bench I1", "nipref bench elastic-nip --strict"}},
     VerbText{"report",

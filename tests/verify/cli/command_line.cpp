@@ -214,6 +214,13 @@ TEST_CASE("an error in two digits is never less than the error") {
   CHECK(answer["results"]["fast"]["error"].get<double>() >= 1.23456e-5 * answer["scale"].get<double>());
 }
 
+TEST_CASE("another instruction set of this processor can be asked for, and no other") {
+  const Outcome outcome = run("audit I3 points=500 isa=baseline --json");
+  CHECK(outcome.status == 0);
+  CHECK(json::parse(outcome.out)["nipref"]["instruction_set"] == "baseline");
+  check_call_refused("bench I3 --isa v9", "isa = v9: must be what this processor has: baseline");
+}
+
 TEST_CASE("audit as JSON says what was promised, and the worst argument exactly") {
   const Outcome outcome = run("audit I3 points=500 --json");
   CHECK(outcome.status == 0);

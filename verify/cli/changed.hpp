@@ -1,0 +1,16 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+namespace nipref::verify {
+
+/// Paths from the top of the tree of what differs from a revision of git's, new files too, in the tree that holds the
+/// current folder. BadInput naming "since" if git does not know the revision, or there is no such tree.
+std::vector<std::string> changed_files(const std::string& revision);
+
+/// The subjects of the catalogue whose quantities the files have a part in, by the arrows of the house; "contacts"
+/// where whole contacts are computed from them.
+std::set<std::string> touched_subjects(const std::vector<std::string>& files);
+
+}  // namespace nipref::verify
