@@ -50,21 +50,27 @@ Interval rational(const mpq_class& value, double nats) {
 
 double ln_magnitude(const mpq_class& x) { return Exact(x).log2_magnitude() * ln2; }
 
-MemoryKernel memory_kernel(Kernel kernel) {
+Symbol symbol_of(Kernel kernel) {
   switch (kernel) {
     case Kernel::I1:
-      return MemoryKernel::I1;
+      return Symbol::normal;
     case Kernel::I4:
-      return MemoryKernel::I4;
+      return Symbol::I4;
     case Kernel::I5:
-      return MemoryKernel::I5;
+      return Symbol::I5;
     default:
-      return MemoryKernel::I3;
+      return Symbol::I3;
   }
 }
 
+/// For what is as large as 1/rate and shall be good to e^{-nats}.
+double nats_over_rate(const mpq_class& rate, double nats) {
+  return nats + std::max(0.0, -ln_magnitude(rate));
+}
+
 /// int_alpha^inf e^{-rate (w - alpha)} (pi/2) sign(w) dw
-Interval sign_history(const Exact& alpha, const mpq_class& rate, double nats) {
+Interval sign_history(const Exact& alpha, const mpq_class& rate, double absolute_nats) {
+  const double nats = nats_over_rate(rate, absolute_nats);
   const Interval half_pi = Interval::pi(working_precision(nats, 1) + 64) / 2;
   const Interval long_ago = half_pi / rational(rate, nats);
   if (alpha.sign() >= 0) return long_ago;
@@ -73,25 +79,23 @@ Interval sign_history(const Exact& alpha, const mpq_class& rate, double nats) {
 
 Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats) {
   if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
-  return steady_memory(memory_kernel(kernel), alpha, Exact(rate), nats);
+  return steady_memory(symbol_of(kernel), alpha, Exact(rate), nats);
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
 Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats) {
-  // Each part is as large as 1/rate may be; the interval is relative to that.
-  const double large = std::max(0.0, -ln_magnitude(rate));
   const double nats = std::max(wanted_nats + 2, 40.0);
-  if (!place.start) return whole_history(kernel, place.alpha, rate, nats + large);
+  if (!place.start) return whole_history(kernel, place.alpha, rate, nats);
   const mpq_class way = place.start->value() - place.alpha.value();
   if (kernel == Kernel::I2) {
-    const Interval half_pi = Interval::pi(working_precision(nats + large, 1) + 64) / 2;
-    return half_pi * sign_memory(rate, way, place.start->value(), nats + large);
+    const double large = nats_over_rate(rate, nats);
+    const Interval half_pi = Interval::pi(working_precision(large, 1) + 64) / 2;
+    return half_pi * sign_memory(rate, way, place.start->value(), large);
   }
-  const Interval now = whole_history(kernel, place.alpha, rate, nats);
   const mpq_class faded = rate * way;
-  // No |history| exceeds 4 max(1, 1/rate).
-  if (faded.get_d() > nats + large + 4) return now.widened(exp(Interval(-nats, 64)));
-  return now - exp(-rational(faded, nats + large)) * whole_history(kernel, *place.start, rate, nats);
+  const double left = std::max(nats - faded.get_d(), 1.0);
+  return whole_history(kernel, place.alpha, rate, nats) -
+         exp(-rational(faded, nats_over_rate(rate, nats))) * whole_history(kernel, *place.start, rate, left);
 }
 
 /// theta * I(place), without the sheet's 1/pi.
@@ -115,7 +119,7 @@ struct Part {
       const mpq_class amplitude = term.amplitude / way_per_time;
       const mpq_class rate = term.rate / way_per_time;
       const double needed = nats + ln_magnitude(amplitude) + 3;
-      sum = sum + rational(amplitude, std::max(needed, 40.0) + std::max(0.0, -ln_magnitude(rate))) *
+      sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
                       history(kernel, place, rate, needed);
     }
     return negative ? -sum : sum;
@@ -127,9 +131,7 @@ double size_nats(const ExactMaterial& material) {
   return std::max(0.0, -ln_magnitude(material.normal().instantaneous));
 }
 
-/// The widths of the memory's intervals are estimates, see fading.hpp, and so is what enclose() makes of
-/// them.
-Estimated sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
+Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
                       int digits) {
   return enclose(digits, first_nats, [&](double nats) {
     Interval sum(64);
@@ -177,7 +179,7 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
   return slowest;
 }
 
-Estimated Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
+Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
                 int digits) {
   const ExactFunction normal = material.normal();
   const double distance = std::abs(place.alpha.approximate());
@@ -185,7 +187,7 @@ Estimated Un_at(const Place& place, const mpq_class& way_per_time, const ExactMa
   return sum_over_pi({{normal, Kernel::I1, place}}, way_per_time, first_nats, digits);
 }
 
-Estimated Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
+Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
                 const ExactMaterial& material, int digits) {
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
@@ -237,7 +239,7 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
   return {{theta1, {{theta1 * rate, rate}}}, {theta2, {{theta2 * rate, rate2}}}};
 }
 
-Estimated moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
+Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
@@ -247,7 +249,7 @@ Estimated moving_load_normal_displacement(const Exact& t, const Exact& T, const 
   return Un_at(place, way_per_time, material, digits);
 }
 
-Estimated moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
@@ -255,7 +257,7 @@ Estimated moving_load_tangential_displacement(const Exact& t, const Exact& T, co
                material, digits);
 }
 
-Estimated moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
+Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits) {
   check_nonzero_argument(alpha, "alpha");
@@ -263,7 +265,7 @@ Estimated moving_load_steady_normal_displacement(const Exact& alpha, const Exact
   return Un_at({alpha, std::nullopt}, way_per_time, material, digits);
 }
 
-Estimated moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
+Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
                                                      const Exact& half_thickness,
                                                      const ExactMaterial& material, int digits) {
   check_argument(alpha, "alpha");

@@ -2,7 +2,7 @@
 #include <vector>
 
 #include <nipref/data/material/viscoelastic.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
@@ -46,8 +46,7 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 /// t >= 0 is the time since the load started, T the time at which it passes the point looked at, t0 the one
 /// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units.
 /// The way of the load in T, t0, T - t and t0 - t is at most 1000 half thicknesses. Results in 1/stress for a
-/// unit load per length. A value takes milliseconds, but seconds where the load is still some hundreds of
-/// half thicknesses away and what there is of it is below e^{-2.1} to that power.
+/// unit load per length. A value takes milliseconds.
 ///
 /// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
 ///
@@ -56,27 +55,26 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///
-/// The error includes every error of the quadrature, but those of the memory integrals by measured constants,
-/// see fading.hpp, so that it is an estimate; it is meant to hold with a large margin. Otherwise the promise
-/// is Enclosure's. Bad arguments throw data::BadInput.
+/// Every function promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for what the
+/// sheet answers at once, fading.hpp for what it remembers. Bad arguments throw data::BadInput.
 
 /// Normal displacement; t != T.
-Estimated moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
+Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits);
 
 /// Tangential displacement against the point held. At T = t, where it jumps, the mean of both sides (sign(0)
 /// = 0), at t0 = t it is continuous.
-Estimated moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
+Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits);
 
 /// The same for a load that started infinitely long ago, alpha half thicknesses behind the point (alpha > 0:
 /// the load has yet to come) and eta behind the one held; |alpha|, |eta| <= 1000.
-Estimated moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
+Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits);
-Estimated moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
+Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
                                                      const Exact& half_thickness,
                                                      const ExactMaterial& material, int digits);
 

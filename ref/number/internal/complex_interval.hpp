@@ -12,5 +12,7 @@ ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval conj(const ComplexInterval& x);
+/// 1/x; parts are infinite where x contains 0.
+ComplexInterval inverse(const ComplexInterval& x);
 
 }  // namespace nipref::ref

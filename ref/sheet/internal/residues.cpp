@@ -33,11 +33,6 @@ struct PoleKey {
   auto operator<=>(const PoleKey&) const = default;
 };
 
-ComplexInterval inverse(const ComplexInterval& x) {
-  const Interval size = square(x.real) + square(x.imag);
-  return {x.real / size, -(x.imag / size)};
-}
-
 Pole make_pole(const PoleKey& key) {
   const ComplexInterval z = sheet_root_interval(key.n, key.precision);
   return {z, inverse({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)})};
@@ -65,8 +60,8 @@ constexpr std::array<Coefficient, 7> coefficients{
     {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {-1, 1, 3}, {1, -1, 2}, {1, -1, 1}}};
 
 /// 2 c_n e^{i x z_n}, without the sign of c_n.
-ComplexInterval term(const Coefficient& c, const Pole& pole, const Exact& exact_x) {
-  const Interval x(exact_x, pole.z.real.precision());
+ComplexInterval term(const Coefficient& c, const Pole& pole, const Exact& magnitude) {
+  const Interval x(magnitude, pole.z.real.precision());
   const Interval size = exp(-(x * pole.z.imag));
   const Interval angle = x * pole.z.real;
   ComplexInterval result{size * cos(angle), size * sin(angle)};
@@ -82,6 +77,32 @@ mpfr_prec_t term_precision(long n, double x, double nats) {
   return working_precision(std::max(nats - x * imaginary, 1.0), x * (imaginary + 3));
 }
 
+/// The factor that memory gives a wave e^{i x z}: 1/(rate - i z) where it is to come, 1/(rate + i z) where it has
+/// passed.
+ComplexInterval fading(const Exact& exact_rate, bool to_come, const ComplexInterval& z) {
+  const Interval rate(exact_rate, z.real.precision());
+  return to_come ? inverse({rate + z.imag, -z.real}) : inverse({rate - z.imag, z.real});
+}
+
+/// What the roots give: -2 pi Im sum c_n f_n e^{i x z_n} for an even symbol, 2 pi Re of it for an odd one,
+/// with factors f_n of at most 1.
+template <class Factor>
+Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
+  const double x = exact_x.approximate();
+  const bool odd = bounds(symbol).parity == Parity::odd;
+  const Coefficient c = coefficients[static_cast<std::size_t>(symbol)];
+  const long terms = terms_needed(x, nats);
+  Interval sum(mpfr_prec_t{64});
+  for (long n = terms; n >= 1; --n) {
+    const auto root = pole(n, term_precision(n, x, nats));
+    const ComplexInterval next = with_factor(term(c, *root, exact_x), root->z);
+    sum = sum + (odd ? next.real : next.imag);
+  }
+  const Interval series = Interval::pi(sum.precision()) * (static_cast<long>(odd ? c.sign : -c.sign) * sum);
+  const Interval tail = 7 * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(exact_x, 64)) / 2));
+  return series.widened(tail);
+}
+
 }  // namespace
 
 // Measured: the rule takes about as long as nats^2/10^4 terms do, whatever x.
@@ -89,20 +110,19 @@ bool residues_are_cheaper(double x, double nats) {
   return x >= 1 && static_cast<double>(terms_needed(x, nats)) <= 1e-4 * nats * nats;
 }
 
-Interval residue_series(Symbol symbol, const Exact& exact_x, double nats) {
-  const double x = exact_x.approximate();
-  const bool odd = bounds(symbol).parity == Parity::odd;
-  const Coefficient c = coefficients[static_cast<std::size_t>(symbol)];
-  const long terms = terms_needed(x, nats);
-  Interval sum(mpfr_prec_t{64});
-  for (long n = terms; n >= 1; --n) {
-    const ComplexInterval next = term(c, *pole(n, term_precision(n, x, nats)), exact_x);
-    sum = sum + (odd ? next.real : next.imag);
-  }
-  const Interval pi = Interval::pi(std::max(sum.precision(), working_precision(odd ? nats : 1.0, 1)));
-  const Interval series = pi * (static_cast<long>(odd ? c.sign : -c.sign) * sum);
-  const Interval tail = 7 * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(exact_x, 64)) / 2));
-  return (odd ? pi / 4 + series : series).widened(tail);
+Interval residue_series(Symbol symbol, const Exact& x, double nats) {
+  const Interval series = sum_over_roots(
+      symbol, x, nats, [](const ComplexInterval& term, const ComplexInterval&) { return term; });
+  if (bounds(symbol).parity == Parity::even) return series;
+  return Interval::pi(std::max(series.precision(), working_precision(nats, 1))) / 4 + series;
+}
+
+Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats) {
+  const bool to_come = x.sign() > 0;
+  const Interval series = sum_over_roots(
+      symbol, x.magnitude(), nats,
+      [&](const ComplexInterval& term, const ComplexInterval& z) { return term * fading(rate, to_come, z); });
+  return !to_come && bounds(symbol).parity == Parity::odd ? -series : series;
 }
 
 }  // namespace nipref::ref

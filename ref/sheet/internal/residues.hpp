@@ -31,6 +31,17 @@ bool residues_are_cheaper(double x, double nats);
 /// e^{-pi x}) <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 
+/// The part of the roots in int_x^inf e^{-rate (w - x)} I(w) dw, the memory of a kernel (I1, I3, I4 or I5 for
+/// the symbol of its name), |x| >= 1, rate > 0, all else as above:
+///
+///     x > 0    even -2 pi Im, odd +2 pi Re of sum_n c_n e^{i x z_n}/(rate - i z_n)
+///     x < 0    even -2 pi Im, odd -2 pi Re of sum_n c_n e^{i |x| z_n}/(rate + i z_n).
+///
+/// As Re z_n, Im z_n > 1, no factor 1/(rate -+ i z_n) exceeds 1, and none does on the lines Im z = k pi > rate
+/// + 1, so that the series is exact, but for the poles at 0 and i rate (memory/internal/fading.hpp), and what
+/// is left out has the same bound.
+Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats);
+
 /// z_n to about `precision` bits: proven as sheet_root() says.
 ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision);
 

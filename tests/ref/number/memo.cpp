@@ -29,9 +29,9 @@ std::size_t size(const std::vector<char>& value) { return value.size(); }
 std::vector<std::string> values() {
   const Exact one(1.0);
   const Enclosure kernel = I1(Exact(0.75), 60);
-  const Estimated memory =
+  const Enclosure memory =
       moving_load_normal_displacement(one, Exact(2.0), one, one, exact_solid(Solid::thesis, one, one), 40);
-  return {kernel.value_text(), kernel.bound_text(), memory.value_text(), memory.error_text()};
+  return {kernel.value_text(), kernel.bound_text(), memory.value_text(), memory.bound_text()};
 }
 
 }  // namespace

@@ -184,12 +184,16 @@ TEST_CASE("ref takes the text exactly: 0.1 is not the double nearest to it") {
 
 TEST_CASE("eval calls a bound what is proven, and an estimate what is not") {
   const auto ref_says = [](const std::string& arguments) { return run("eval " + arguments + " --path ref"); };
-  const std::string kernel = "I1 alpha=0.73", load = "Un t=3 T=2 tau=0.5 digits=20";
-  CHECK(ref_says(kernel).out.find("error bound") != std::string::npos);
-  CHECK(ref_says(kernel).out.find("estimated") == std::string::npos);
-  CHECK(ref_says(load).out.find("estimated error") != std::string::npos);
-  CHECK(ref_says(load).out.find("bound") == std::string::npos);
-  const json estimated = json::parse(ref_says(load + " --json").out)["results"]["ref"];
+  const std::string kernel = "I1 alpha=0.73", load = "Un t=3 T=2 tau=0.5 digits=20",
+                    die = "die.exponent poisson=0.3 friction=0.1 speed=0.3 psi_deg=20 digits=20";
+  for (const std::string& proven : {kernel, load}) {
+    CHECK(ref_says(proven).out.find("error bound") != std::string::npos);
+    CHECK(ref_says(proven).out.find("estimated") == std::string::npos);
+    CHECK(json::parse(ref_says(proven + " --json").out)["results"]["ref"].at("proven") == true);
+  }
+  CHECK(ref_says(die).out.find("estimated error") != std::string::npos);
+  CHECK(ref_says(die).out.find("bound") == std::string::npos);
+  const json estimated = json::parse(ref_says(die + " --json").out)["results"]["ref"];
   CHECK(estimated.at("proven") == false);
   CHECK(std::stod(estimated.at("error").get<std::string>()) <= 1e-20);
 }

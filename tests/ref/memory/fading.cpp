@@ -1,0 +1,198 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
+
+#include "support/decimal.hpp"
+
+// Proves what contour_memory() says of its paths on a mesh of cells in interval arithmetic, and compares its values
+// with the residue series, which shares nothing with it but the symbols.
+
+using namespace nipref::ref;
+using nipref::test::exact;
+
+namespace {
+
+constexpr mpfr_prec_t mesh_precision = 64;
+constexpr Symbol fading_kernels[] = {Symbol::normal, Symbol::I3, Symbol::I4, Symbol::I5};
+
+Interval cell(double lower, double upper) {
+  Interval result(mesh_precision);
+  mpfi_interv_d(result.get(), lower, upper);
+  return result;
+}
+
+double highest(const Interval& x) { return mpfr_get_d(x.upper(), MPFR_RNDU); }
+double lowest(const Interval& x) { return mpfr_get_d(x.lower(), MPFR_RNDD); }
+Interval size_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
+ComplexInterval multiple(long factor, const ComplexInterval& z) { return {factor * z.real, factor * z.imag}; }
+ComplexInterval plus_one(const ComplexInterval& z) { return {z.real + 1, z.imag}; }
+
+/// The hyperbola Im t = angle - 1/2 of the first path, 1/2 - angle of the second, at t = Re t + ...
+struct Hyperbola {
+  Hyperbola(bool up, const Interval& angle, const Interval& t)
+      : z{sinh(t) * cos(angle), cosh(t) * sin(angle)}, slope{cosh(t) * cos(angle), sinh(t) * sin(angle)} {
+    if (up) return;
+    z.imag = Interval(1.5, mesh_precision) - z.imag;
+    slope.imag = -slope.imag;
+  }
+  ComplexInterval z, slope;
+};
+
+struct Exponentials {
+  explicit Exponentials(const ComplexInterval& z)
+      : square{exp(-2 * z.real) * cos(2 * z.imag), -(exp(-2 * z.real) * sin(2 * z.imag))},
+        d{plus_one(multiple(4, z * square) - square * square)} {}
+  ComplexInterval square;  ///< e^{-2z}
+  ComplexInterval d;       ///< 2 e^{-2z} S
+};
+
+double decay_of(Symbol kernel) { return kernel == Symbol::normal ? 0 : bounds(kernel).decay; }
+
+/// |G| e^{r Re z}, I1's whole symbol and r = 0 for `normal`: with E = e^{-z}, D = 2 E^2 S it is (1 - E^2)^2/(z D),
+/// and otherwise 4/D, 2 (1 - E^2)/(z D), 2 (1 + E^2)/D.
+Interval symbol_size(Symbol kernel, const ComplexInterval& z) {
+  const Exponentials of(z);
+  const Interval over = 1 / size_of(of.d);
+  const Interval difference = size_of(plus_one(multiple(-1, of.square)));
+  switch (kernel) {
+    case Symbol::I3:
+      return 4 * over;
+    case Symbol::I4:
+      return 2 * difference * over / size_of(z);
+    case Symbol::I5:
+      return 2 * size_of(plus_one(of.square)) * over;
+    default:
+      return square(difference) * over / size_of(z);
+  }
+}
+
+/// |G z' v| e^{r Re z}
+Interval integrand_size(Symbol kernel, const Hyperbola& at) {
+  const Interval divisor = lowest(at.z.imag) >= 0 ? size_of(at.z) : at.z.real;
+  return symbol_size(kernel, at.z) * size_of(at.slope) / divisor;
+}
+
+/// [0, 6] in cells that are narrow near 0, and wide beyond 3, where D and the brackets of G are nearly 1.
+template <class Visit>
+void over_mesh(Visit visit) {
+  for (double left = 0; left < 6;) {
+    const double width = left < 0.5 ? 1.0 / 256 : left < 3 ? 1.0 / 64 : 1.0 / 32;
+    visit(cell(left, left + width), width);
+    left += width;
+  }
+}
+
+/// A bound of the integral of |G z' v E| over both halves of a hyperbola, |t| <= 6.
+double edge_integral(Symbol kernel, bool up, double angle) {
+  double sum = 0;
+  over_mesh([&](const Interval& t, double width) {
+    const Hyperbola at(up, Interval(angle, mesh_precision), t);
+    const double growth = up ? 0 : std::max(0.0, highest(at.z.imag));
+    const Interval wave =
+        Interval(growth, mesh_precision) - Interval(decay_of(kernel), mesh_precision) * at.z.real;
+    sum += 2 * width * highest(integrand_size(kernel, at) * exp(wave));
+  });
+  return sum * (1 + 1e-12);
+}
+
+/// A bound of |G z' v| e^{k t + r Re z} on the path.
+double path_maximum(Symbol kernel, bool up) {
+  double largest = 0;
+  over_mesh([&](const Interval& t, double) {
+    const Interval scaled = integrand_size(kernel, Hyperbola(up, Interval(0.5, mesh_precision), t));
+    const double bound = highest(kernel == Symbol::normal ? scaled * exp(t) : scaled);
+    largest = bound <= largest ? largest : bound;  // a NaN would stay
+  });
+  return largest;
+}
+
+Interval half_pi() { return Interval::pi(mesh_precision) / 2; }
+
+bool contains_zero(const Interval& x) { return mpfi_has_zero(x.get()) > 0; }
+
+}  // namespace
+
+// Beyond t = 6, where Re z > 110, D and the factors of G in brackets are 1 to 90 digits: there |G z' v| is, but for
+// that, 4, 2 or 2/|z| times e^{-r Re z} |z'| v, or |z' v|/|z|, and |z'| v <= 1/cos(15/16) < 1.7. The integrals gain
+// less than 2 * 1.7 int |z|^{-1} dt < 0.02, and on the path |z'| v < 1.15, e^t/|z| < 2.1.
+TEST_CASE("memory by contour: the constants of its error hold on an interval mesh, and are not loose") {
+  for (const Symbol kernel : fading_kernels) {
+    CAPTURE(bounds(kernel).name);
+    for (const bool up : {true, false}) {
+      CAPTURE(up);
+      const double edges = edge_integral(kernel, up, 1.0 / 16) + edge_integral(kernel, up, 15.0 / 16);
+      CHECK(edges + 0.04 <= 30);
+      CHECK(edges >= 5);
+      CHECK(path_maximum(kernel, up) <= 5);
+    }
+  }
+}
+
+// For |Im z| <= pi/2 S has no root but 0: with 2z = u + iv, |v| <= pi, sinh 2z = -2z means cosh u sin v = -v, whose
+// sides have opposite signs unless v = 0, and then sinh u = -u. Beyond t = 6 |1 - D| < (4 |z| + 1) e^{-2 Re z} is small.
+TEST_CASE("memory by contour: neither path nor what its strip sweeps meets a root of S") {
+  constexpr double turn = 1.0 / 64;
+  int cells = 0;
+  for (const bool up : {true, false}) {
+    for (double angle = 0; angle < 15.0 / 16; angle += turn) {
+      over_mesh([&](const Interval& t, double) {
+        const Hyperbola at(up, cell(angle, angle + turn), t);
+        const Interval height = up ? at.z.imag : -at.z.imag;
+        if (highest(height) < lowest(half_pi())) return;
+        const Exponentials of(at.z);
+        REQUIRE_FALSE((contains_zero(of.d.real) && contains_zero(of.d.imag)));
+        ++cells;
+      });
+    }
+  }
+  CHECK(cells > 1000);
+}
+
+namespace {
+
+/// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
+void check_same(const Interval& x, const Interval& y, double nats) {
+  Real width(64);
+  mpfi_diam_abs(width.get(), Interval(x - y).get());
+  CHECK(mpfr_get_d(width.get(), MPFR_RNDU) <= 5 * std::exp(-nats));
+  CHECK(contains_zero(x - y));
+}
+
+}  // namespace
+
+TEST_CASE("memory by contour is what the residue series gives where both can") {
+  for (const Symbol kernel : fading_kernels) {
+    for (const std::string rate : {"1e-9", "0.04", "1.25", "2.0943951", "3.1415926", "17", "1e7"}) {
+      CAPTURE(bounds(kernel).name);
+      CAPTURE(rate);
+      for (const double nats : {50.0, 90.0}) {
+        check_same(contour_memory(kernel, exact("1"), exact(rate), nats),
+                   steady_memory(kernel, exact("1"), exact(rate), nats), nats);
+        check_same(contour_memory(kernel, exact("-1"), exact(rate), nats),
+                   steady_memory(kernel, exact("-1"), exact(rate), nats), nats);
+      }
+    }
+  }
+}
+
+TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
+  for (const Symbol kernel : fading_kernels) {
+    for (const std::string alpha : {"-0.99", "-0.3", "-1e-7", "1e-30", "1e-3", "0.6"}) {
+      for (const std::string rate : {"1e-5", "0.7", "1e5"}) {
+        CAPTURE(bounds(kernel).name);
+        CAPTURE(alpha);
+        CAPTURE(rate);
+        const Interval best = contour_memory(kernel, exact(alpha), exact(rate), 75);
+        for (const double nats : {1.0, 5.0, 20.0, 40.0}) {
+          const Interval rough = contour_memory(kernel, exact(alpha), exact(rate), nats);
+          CHECK(contains_zero(rough - best));
+        }
+      }
+    }
+  }
+}
