@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -102,21 +103,6 @@ std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_
   return std::nullopt;
 }
 
-Float axis_ratio(const Ellipse& ellipse) { return exp(-ellipse.eta()); }
-
-Float stiffness(const Ellipse& ellipse, const Lines& lines) {
-  const SquaredWidth squared_width(ellipse);
-  Float first = 0, third = 0;
-  for (const auto& [at, compliance] : lines) {
-    const Float square = squared_width.at(at).value;
-    const Float term = at.weight * compliance / sqrt(square);
-    first += term;
-    third += term / square;
-  }
-  const auto count = static_cast<long>(lines.size());
-  return 8 * pi() / 3 * sqrt(third / count) / pow(first / count, Float(1.5));
-}
-
 constexpr double slenderest = 1e-12;
 
 /// Hertz's axes within a few per cent, along and across the motion.
@@ -131,43 +117,180 @@ CrowdedDirections directions_for(const SurfaceAnswer& surface, double curvature_
   return {Exact(degrees), smallest, 1 / (is_along ? std::min(width, slenderness) : width)};
 }
 
-/// `value` of the ellipse and K on lines, doubled until it changes no more.
-template <class Value>
-Estimated of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits, Value value) {
+/// An ellipse of unit product of its half-axes under K on lines.
+struct Level {
+  Ellipse ellipse;
+  Float first;   ///< int K/w dpsi
+  Float third;   ///< int K/w^3 dpsi
+  Float moment;  ///< int K cos^2/w^3 dpsi
+
+  Level(const Ellipse& found, const Lines& lines) : ellipse(found) {
+    const SquaredWidth squared_width(found);
+    for (const auto& [at, compliance] : lines) {
+      const Float square = squared_width.at(at).value;
+      const Float term = at.weight * compliance / sqrt(square);
+      first += term;
+      third += term / square;
+      moment += term / square * at.cosine * at.cosine;
+    }
+    for (Float* sum : {&first, &third, &moment}) *sum /= static_cast<long>(lines.size());
+  }
+  [[nodiscard]] Float axis_ratio() const { return exp(-ellipse.eta()); }
+  [[nodiscard]] Float stiffness() const { return 8 * pi() / 3 * sqrt(third) / pow(first, Float(1.5)); }
+  /// From the centre to the edge.
+  [[nodiscard]] Float radius(const Exact& degrees) const {
+    const Float psi = to_float(degrees) * pi() / 180, c = cos(psi), s = sin(psi);
+    // The half-width of the ellipse turned by 90 degrees is 1 over the radius of this one.
+    return 1 / sqrt(SquaredWidth({-ellipse.p, -ellipse.q}).at({degrees, c, s, 1}).value);
+  }
+};
+
+/// What two numbers of directions say.
+struct TwoLevels {
+  Level coarse, fine;
+};
+
+/// With twice as many lines until ellipse and integrals change no more, of a ratio that is allowed, by
+/// `lines` of working digits.
+TwoLevels solve_levels(const SurfaceAnswer& surface, const WorkingSurface& lines,
+                       const Exact& curvature_ratio, int digits) {
+  const Float curvatures = to_float(curvature_ratio);
+  Ellipse ellipse = first_ellipse(curvatures);
+  std::optional<Level> coarse, fine;
+  const auto agree = [&](const auto& value) {
+    return abs(value(*fine) - value(*coarse)) <= tolerance(digits) * abs(value(*fine)) / 10;
+  };
+  double_directions(
+      digits, directions_for(surface, curvature_ratio.approximate()),
+      [&](const Exact& degrees) { return lines.at(degrees).compliance; },
+      [&](const Lines& compliance) {
+        const std::optional<Ellipse> found = solve_ellipse(compliance, curvatures, ellipse);
+        if (!found) return false;
+        ellipse = *found;
+        coarse = fine;
+        fine = Level(ellipse, compliance);
+        return coarse && agree([](const Level& level) { return level.axis_ratio(); }) &&
+               agree([](const Level& level) { return level.first; }) &&
+               agree([](const Level& level) { return level.third; }) &&
+               agree([](const Level& level) { return level.moment; }) &&
+               agree([](const Level& level) { return level.radius(Exact(0.0)); }) &&
+               agree([](const Level& level) { return level.radius(Exact(90.0)); });
+      });
+  return {*coarse, *fine};
+}
+
+void check_ratio(const Exact& curvature_ratio) {
   const double ratio = curvature_ratio.approximate();
   if (!(ratio >= slenderest && ratio <= 1 / slenderest))
     throw data::BadInput("curvature_ratio", curvature_ratio.text(), "must lie between 1e-12 and 1e12");
+}
+
+Estimated of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits,
+                     Float (Level::*value)() const) {
+  check_ratio(curvature_ratio);
   return with_digits(digits, [&](int working) {
-    const WorkingSurface lines(surface, working);
-    const Float curvatures = to_float(curvature_ratio);
-    Ellipse ellipse = first_ellipse(curvatures);
-    std::optional<Float> last;
-    Float change = 1;
-    double_directions(
-        digits, directions_for(surface, ratio),
-        [&](const Exact& degrees) { return lines.at(degrees).compliance; },
-        [&](const Lines& compliance) {
-          const std::optional<Ellipse> found = solve_ellipse(compliance, curvatures, ellipse);
-          if (!found) return false;
-          ellipse = *found;
-          const Float finer = value(ellipse, compliance);
-          if (last) change = abs(finer - *last);
-          last = finer;
-          return is_settled(change, finer, digits);
-        });
-    return estimated(*last, change, digits);
+    const auto [coarse, fine] =
+        solve_levels(surface, WorkingSurface(surface, working), curvature_ratio, digits);
+    return estimated((fine.*value)(), abs((fine.*value)() - (coarse.*value)()), digits);
   });
 }
 
 }  // namespace
 
 Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
-  return of_ellipse(surface, curvature_ratio, digits,
-                    [](const Ellipse& ellipse, const Lines&) { return axis_ratio(ellipse); });
+  return of_ellipse(surface, curvature_ratio, digits, &Level::axis_ratio);
 }
 
 Estimated elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
-  return of_ellipse(surface, curvature_ratio, digits, stiffness);
+  return of_ellipse(surface, curvature_ratio, digits, &Level::stiffness);
+}
+
+// A pressure p0 sqrt(1 - ...) on the ellipse s times as large displaces by (p0 s^2/4) int K (1 - (n.x)^2/w^2)/w,
+// so that with the curvature C along the motion p0 = 2 s C/moment, F = (2 pi/3) p0 s^2, approach = p0 s first/4.
+struct EllipticContact::Implementation {
+  HalfSpaceLoad load;
+  Float curvature;  ///< along the motion
+  int digits, working;
+  long exponent;
+  TwoLevels levels;
+
+  template <class Function>
+  [[nodiscard]] Estimated of(const Function& function) const {
+    const WorkingDigits scope(working);
+    return of_levels(function(levels.fine), function(levels.coarse), digits);
+  }
+  /// Stress: 2 C/moment.
+  [[nodiscard]] Float pressure_over_scale(const Level& level) const {
+    return ldexp(2 * curvature / level.moment, exponent);
+  }
+  /// Force over the cube of the span along the motion.
+  [[nodiscard]] Float factor(const Level& level) const {
+    const Float span = 2 * level.radius(Exact(0.0));
+    return 2 * pi() / 3 * pressure_over_scale(level) / (span * span * span);
+  }
+  /// Of a level's ellipse to the contact's.
+  [[nodiscard]] Float scale(const Level& level) const {
+    return span_along_of(load, factor(level)) / (2 * level.radius(Exact(0.0)));
+  }
+};
+
+EllipticContact::EllipticContact(SurfaceAnswer surface, const Indenter& body, const HalfSpaceLoad& load,
+                                 int digits) {
+  const Exact ratio(mpq_class(body.across.value() / body.along.value()));
+  check_ratio(ratio);
+  const int working = working_digits(digits);
+  const long exponent = stress_exponent(surface);
+  const WorkingDigits scope(working);
+  implementation_ = std::make_shared<const Implementation>(
+      Implementation{load, to_float(body.along), digits, working, exponent,
+                     solve_levels(surface, WorkingSurface(surface, working, exponent), ratio, digits)});
+}
+
+Estimated EllipticContact::axis_ratio() const {
+  return implementation_->of([](const Level& level) { return level.axis_ratio(); });
+}
+
+Estimated EllipticContact::orientation() const {
+  const WorkingDigits scope(implementation_->working);
+  const auto& [coarse, fine] = implementation_->levels;
+  const auto degrees = [](const Ellipse& ellipse) {
+    Float twice(0.0);
+    mpfr_atan2(twice.get(), ellipse.q.get(), ellipse.p.get(), MPFR_RNDN);
+    return Float(90 * twice / pi());
+  };
+  const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
+  // Twice the turn, in radians: one that is not small may as well be any.
+  const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
+  const Float error = turn < Float(0.25) ? Float(90 * turn) : Float(90);
+  return {to_real(degrees(fine.ellipse)), to_real(error), implementation_->digits};
+}
+
+Estimated EllipticContact::span(const Exact& degrees) const {
+  return implementation_->of(
+      [&](const Level& level) -> Float { return 2 * implementation_->scale(level) * level.radius(degrees); });
+}
+
+Estimated EllipticContact::span_ratio(const Exact& degrees) const {
+  return implementation_->of(
+      [&](const Level& level) -> Float { return level.radius(degrees) / level.radius(Exact(0.0)); });
+}
+
+Estimated EllipticContact::approach() const {
+  return implementation_->of([&](const Level& level) -> Float {
+    const Float scale = implementation_->scale(level);
+    return scale * scale * implementation_->curvature * level.first / (2 * level.moment);
+  });
+}
+
+Estimated EllipticContact::force() const {
+  return implementation_->of(
+      [&](const Level& level) { return force_of(implementation_->load, implementation_->factor(level)); });
+}
+
+Estimated EllipticContact::peak_pressure() const {
+  return implementation_->of([&](const Level& level) -> Float {
+    return implementation_->scale(level) * implementation_->pressure_over_scale(level);
+  });
 }
 
 }  // namespace nipref::ref

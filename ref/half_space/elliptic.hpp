@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+
+#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimated.hpp>
 
@@ -22,5 +25,25 @@ Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvatu
 /// pi/3) I3^(1/2)/I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. A sphere at rest:
 /// Hertz's 8/(3 K).
 Estimated elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
+
+/// All of that contact for a body and a load; what a load makes of it goes in closed form with powers of one scale.
+class EllipticContact {
+ public:
+  /// Curvature ratios as above.
+  EllipticContact(SurfaceAnswer surface, const Indenter& body, const HalfSpaceLoad& load, int digits);
+
+  [[nodiscard]] Estimated axis_ratio() const;  ///< minor over major axis
+  /// Of the major axis, degrees from the motion, -90 to 90; the error is 90 if the ellipse is a circle.
+  [[nodiscard]] Estimated orientation() const;
+  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< diameter, unit of length
+  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< over that along the motion
+  [[nodiscard]] Estimated approach() const;
+  [[nodiscard]] Estimated force() const;
+  [[nodiscard]] Estimated peak_pressure() const;
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
 
 }  // namespace nipref::ref

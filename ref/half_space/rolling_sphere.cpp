@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 
@@ -7,15 +12,48 @@ namespace {
 /// K K_nn - S^2 vanishes at the critical speed.
 constexpr int cancelled_digits = 32;
 
+/// One line of a rolling contact.
+struct RollingLine {
+  Float index;      ///< P
+  Float slowness;   ///< sqrt(wS/wD) = sqrt(K_nn/K)
+  Float stiffness;  ///< sqrt(K_nn/K/(K K_nn - S^2)): amplitudes are as large as this times the span
+
+  RollingLine(const WorkingSurface& surface, const Exact& degrees) {
+    const WorkingAnswer line = surface.at(degrees);
+    const Float product = line.compliance * line.in_line;
+    index = atanh(line.coupling / sqrt(product)) / pi();
+    slowness = sqrt(line.in_line / line.compliance);
+    stiffness = slowness / sqrt(product - line.coupling * line.coupling);
+  }
+};
+
+/// int_0^1 t sqrt(1 - t^2) cos(P ln((1 - t)/(1 + t))) dt
+Float oscillating_moment(const Float& index, int digits) {
+  return unit_integral(digits, [&](const Float& t, const Float& rest) -> Float {
+    return t * sqrt(rest * (1 + t)) * cos(index * log(rest / (1 + t)));
+  });
+}
+
+/// In force = factor span^3, as stresses are counted. (brock2012 54)
+Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, double radius,
+                    int digits, int working) {
+  const Float along = RollingLine(lines, Exact(0.0)).stiffness;
+  const auto [fine, coarse] = half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
+    const RollingLine line(lines, degrees);
+    const Float ratio = along / line.stiffness;
+    return ratio * ratio * oscillating_moment(line.index, working);
+  });
+  const Float unit = along / (4 * Float(radius));
+  return {unit * fine, unit * coarse};
+}
+
 }  // namespace
 
 Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,
       [&](int working) {
-        const WorkingAnswer line = WorkingSurface(surface, working).at(degrees);
-        const Float q = line.coupling / sqrt(line.compliance * line.in_line);
-        return closed(atanh(q) / pi(), digits);
+        return closed(RollingLine(WorkingSurface(surface, working), degrees).index, digits);
       },
       cancelled_digits);
 }
@@ -25,14 +63,87 @@ Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
       digits,
       [&](int working) {
         const WorkingSurface lines(surface, working);
-        const auto squared_amplitude = [&](const Exact& at) -> Float {
-          const WorkingAnswer line = lines.at(at);
-          return line.in_line / line.compliance /
-                 (line.compliance * line.in_line - line.coupling * line.coupling);
-        };
-        return closed(sqrt(squared_amplitude(Exact(0.0)) / squared_amplitude(degrees)), digits);
+        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
+        return closed(along.stiffness / line.stiffness, digits);
       },
       cancelled_digits);
+}
+
+struct RollingSphere::Implementation {
+  SurfaceAnswer surface;
+  double radius;
+  HalfSpaceLoad load;
+  int digits, working;
+  long exponent;
+  mutable std::optional<Levels> factor = {};  ///< in force = factor span^3, when it is first asked for
+
+  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
+  [[nodiscard]] Float ratio(const Exact& degrees) const {
+    return RollingLine(lines(), Exact(0.0)).stiffness / RollingLine(lines(), degrees).stiffness;
+  }
+  /// A function of the factor.
+  template <class Function>
+  [[nodiscard]] Estimated of_factor(const Function& function) const {
+    if (!factor) {
+      const auto [degrees, width] = peak_of_compliance(surface);
+      const CrowdedDirections directions(Exact(degrees), width, 1);
+      const auto [fine, coarse] = force_factor(lines(), directions, radius, digits, working);
+      factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
+    }
+    if (std::holds_alternative<data::GivenNormalForce>(load) && !(factor->fine > Float(0)))
+      throw data::BadInput("speed", "(near the Rayleigh speed)",
+                           "must be farther below it: here the tractions pull");
+    return of_levels(function(factor->fine), function(factor->coarse), digits);
+  }
+  /// A function of the span along the motion.
+  template <class Function>
+  [[nodiscard]] Estimated of_span(const Function& function) const {
+    if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
+      const WorkingDigits scope(working);
+      const Float value = function(Float(given->along));
+      return of_levels(value, value, digits);
+    }
+    return of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
+  }
+  /// B = sqrt(wS/wD) - P L/(2 r0) times the traction's size. (brock2012 49)
+  [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
+    const Float lean = line.slowness - line.index * span / (2 * Float(radius));
+    if (!(lean > Float(0)))
+      throw data::BadInput("span", static_cast<double>(span), "must be small against the radius");
+    return ldexp(span * lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
+  }
+};
+
+RollingSphere::RollingSphere(SurfaceAnswer surface, double radius, const HalfSpaceLoad& load, int digits) {
+  const int working = working_digits(digits, cancelled_digits);
+  const long exponent = stress_exponent(surface);
+  implementation_ = std::make_shared<const Implementation>(
+      Implementation{std::move(surface), radius, load, digits, working, exponent});
+}
+
+Estimated RollingSphere::span_ratio(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float ratio = implementation_->ratio(degrees);
+  return of_levels(ratio, ratio, implementation_->digits);
+}
+
+Estimated RollingSphere::span(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float ratio = implementation_->ratio(degrees);
+  return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
+}
+
+Estimated RollingSphere::force() const {
+  const WorkingDigits scope(implementation_->working);
+  return implementation_->of_factor(
+      [&](const Float& factor) { return force_of(implementation_->load, factor); });
+}
+
+Estimated RollingSphere::peak_pressure() const {
+  const WorkingDigits scope(implementation_->working);
+  const RollingLine line(implementation_->lines(), Exact(0.0));
+  return implementation_->of_span(
+      [&](const Float& along) { return implementation_->central_pressure(line, along); });
 }
 
 }  // namespace nipref::ref

@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+
+#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimated.hpp>
 
@@ -17,5 +20,24 @@ Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int 
 /// L(psi)/L(0) of a rolling sphere by the papers' rule, to first order in span over radius: amplitudes, whose
 /// squares go like K_nn/K/(K K_nn - S^2), are equal at the centre. (brock2012 53)
 Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+
+/// A rolling sphere of a radius, known exactly, and its load, to first order in span over radius as the paper has
+/// it. Force = factor span^3 is monotone: a given force is turned into the span in closed form.
+class RollingSphere {
+ public:
+  /// The integral over the lines is made when it is first needed: BadInput "digits" where they do not give them,
+  /// "speed" where a force is given and the tractions pull in sum, just below the Rayleigh speed.
+  RollingSphere(SurfaceAnswer surface, double radius, const HalfSpaceLoad& load, int digits);
+
+  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
+  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
+  [[nodiscard]] Estimated force() const;                           ///< (brock2012 54)
+  /// At the centre. BadInput "span" for a contact that is not small against the radius.
+  [[nodiscard]] Estimated peak_pressure() const;
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
 
 }  // namespace nipref::ref

@@ -1,5 +1,7 @@
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <nipref/ref/half_space/internal/contact.hpp>
@@ -32,22 +34,6 @@ struct SlidingLine {
   [[nodiscard]] Float Q() const { return pow(1 + omega, 1 + omega) * pow(-omega, -omega); }
 };
 
-/// int_0^1 f(x, 1 - x) dx for f with algebraic ends.
-Float unit_integral(int digits, const std::function<Float(const Float& left, const Float& right)>& f) {
-  const Float step = Float(1) / (digits + 20) * 2;
-  // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
-  const int last =
-      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
-  Float sum = 0;
-  for (int i = -last; i <= last; ++i) {
-    const Float s = i * step;
-    const Float growth = exp(pi() * sinh(s));
-    const Float right = 1 / (1 + growth), left = growth / (1 + growth);
-    sum += f(left, right) * step * pi() * cosh(s) * left * right;
-  }
-  return sum;
-}
-
 /// int |x| (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, cut at the kink x = 0.
 Float line_moment(const Float& omega, int digits) {
   const Float ahead = -omega, behind = 1 + omega;
@@ -62,6 +48,31 @@ Float line_moment(const Float& omega, int digits) {
   return front + back;
 }
 
+/// Of the body along a line.
+Float curvature_of(const Indenter& body, const Exact& degrees) {
+  const Float c = cosine(degrees), s = sine(degrees);
+  return to_float(body.along) * c * c + to_float(body.across) * s * s;
+}
+
+/// The curvature has a zero at tan = i sqrt(along/across).
+CrowdedDirections directions_for(const PeakOfCompliance& peak, const Indenter& body) {
+  const Float slenderness = sqrt(to_float(body.along) / to_float(body.across)), width = peak.width;
+  return {Exact(peak.degrees), std::min(width, slenderness), std::max(Float(1), slenderness)};
+}
+
+/// In force = factor span^3, stresses as `lines` count them.
+Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
+                    const Indenter& body, int digits, int working) {
+  const SlidingLine along(lines, friction, Exact(0.0));
+  const Float steepness = to_float(body.along) * along.Q() / along.h;
+  // On a line of span L and curvature C the pressure is (C/h) L times that of span 1, and L = steepness h/(C Q).
+  return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
+    const SlidingLine line(lines, friction, degrees);
+    const Float curvature = curvature_of(body, degrees);
+    const Float span = steepness * line.h / (curvature * line.Q());
+    return curvature * pow(span, 3) / line.h * line_moment(line.omega, working);
+  });
+}
 }  // namespace
 
 Estimated sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
@@ -83,27 +94,91 @@ Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction
 Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits) {
   return with_digits(digits, [&](int working) {
     const WorkingSurface lines(surface, working);
-    const SlidingLine along(lines, friction, Exact(0.0));
-    const Float steepness = along.Q() / along.h;
-    // On a line of span L the pressure is (C/h) L times that of span 1, and L = steepness h/Q.
-    const auto of_line = [&](const Exact& degrees) -> Float {
-      const SlidingLine line(lines, friction, degrees);
-      const Float span = steepness * line.h / line.Q();
-      return pow(span, 3) / line.h * line_moment(line.omega, working);
-    };
-    const auto [degrees, width] = peak_of_compliance(surface);
-    const CrowdedDirections directions(Exact(degrees), width, 1);
-    Float sum = 0, change = 1;
-    double_directions(digits, directions, of_line, [&](const std::vector<DirectionValue>& values) {
-      Float total = 0;
-      for (const auto& [at, value] : values) total += at.weight * value;
-      total /= static_cast<long>(values.size());
-      change = abs(total - sum);
-      sum = total;
-      return is_settled(change, sum, digits);
-    });
-    return estimated(sum, change, digits);
+    const Indenter unit{Exact(1.0), Exact(1.0)};
+    const CrowdedDirections directions = directions_for(peak_of_compliance(surface), unit);
+    const auto [fine, coarse] = force_factor(lines, directions, friction, unit, digits, working);
+    return estimated(fine, abs(fine - coarse), digits);
   });
+}
+
+struct SlidingContact::Implementation {
+  SurfaceAnswer surface;
+  Indenter body;
+  Exact friction;
+  HalfSpaceLoad load;
+  int digits;
+  int working = 0;
+  long exponent = 0;
+  Float steepness = {};                       ///< peak pressure over span
+  mutable std::optional<Levels> factor = {};  ///< in force = factor span^3, when it is first asked for
+
+  [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
+  /// Of the papers' rule: A(0) Q(0) h/(A Q h(0)).
+  [[nodiscard]] Float ratio(const Exact& degrees) const {
+    const SlidingLine line(lines(), friction, degrees);
+    return steepness_in_unit() * line.h / (curvature_of(body, degrees) * line.Q());
+  }
+  [[nodiscard]] Float steepness_in_unit() const { return ldexp(steepness, -exponent); }
+  /// A function of the factor.
+  template <class Function>
+  [[nodiscard]] Estimated of_factor(const Function& function) const {
+    const WorkingDigits scope(working);
+    if (!factor) {
+      const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
+      const auto [fine, coarse] = force_factor(lines(), directions, friction, body, digits, working);
+      factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
+    }
+    return of_levels(function(factor->fine), function(factor->coarse), digits);
+  }
+  /// A function of the span along the motion.
+  template <class Function>
+  [[nodiscard]] Estimated of_span(const Function& function) const {
+    if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
+      const WorkingDigits scope(working);
+      const Float value = function(Float(given->along));
+      return of_levels(value, value, digits);
+    }
+    return of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
+  }
+};
+
+SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
+                               const HalfSpaceLoad& load, int digits) {
+  Implementation made{std::move(surface), body, friction, load, digits};
+  made.working = working_digits(digits);
+  made.exponent = stress_exponent(made.surface);
+  const WorkingDigits scope(made.working);
+  const SlidingLine along(made.lines(), friction, Exact(0.0));
+  made.steepness = ldexp(to_float(body.along) * along.Q() / along.h, made.exponent);
+  implementation_ = std::make_shared<const Implementation>(std::move(made));
+}
+
+Estimated SlidingContact::span_ratio(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float ratio = implementation_->ratio(degrees);
+  return of_levels(ratio, ratio, implementation_->digits);
+}
+
+Estimated SlidingContact::span(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float ratio = implementation_->ratio(degrees);
+  return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
+}
+
+Estimated SlidingContact::force() const {
+  return implementation_->of_factor(
+      [&](const Float& factor) { return force_of(implementation_->load, factor); });
+}
+
+Estimated SlidingContact::friction_force() const {
+  return implementation_->of_factor([&](const Float& factor) -> Float {
+    return to_float(implementation_->friction) * force_of(implementation_->load, factor);
+  });
+}
+
+Estimated SlidingContact::peak_pressure() const {
+  return implementation_->of_span(
+      [&](const Float& along) -> Float { return implementation_->steepness * along; });
 }
 
 }  // namespace nipref::ref

@@ -1,4 +1,7 @@
 #pragma once
+#include <memory>
+
+#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimated.hpp>
 
@@ -24,5 +27,24 @@ Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction
 /// F3/(C L^3) of a body of equal curvatures C, L its span along the motion; unit of stress: minus the
 /// integral of sigma33 |x| over the lines of half a turn. (brock2012 36, brock2013 36 with Q^3)
 Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
+
+/// All of that for a body and a load. Force = factor span^3 is monotone, so that a given force is turned into the
+/// span in closed form.
+class SlidingContact {
+ public:
+  /// The integral over the lines is made when it is first needed: BadInput "digits" where they do not give them.
+  SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
+                 const HalfSpaceLoad& load, int digits);
+
+  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
+  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
+  [[nodiscard]] Estimated force() const;
+  [[nodiscard]] Estimated friction_force() const;
+  [[nodiscard]] Estimated peak_pressure() const;  ///< the same on every line, unit of stress
+
+ private:
+  struct Implementation;
+  std::shared_ptr<const Implementation> implementation_;
+};
 
 }  // namespace nipref::ref

@@ -30,7 +30,7 @@ struct SceneSolution {
     std::vector<Number> numbers;  ///< of a profile: one for each of `positions`, otherwise one
     /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
     /// is of another kind: that of line loads is their distance to the continuous contact. The reference's
-    /// digits are of the result, of a profile the largest of its numbers.
+    /// digits are of the result, of a profile the largest of its numbers, but of no less than that size either.
     std::vector<long double> allowed = {};
     /// Whether each error is as small as was asked, where that was asked. What misses it is the best there is.
     [[nodiscard]] std::optional<bool> met() const;

@@ -70,8 +70,11 @@ struct SolveSystem {
   SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem& problem) const {
     return solve_rolling(scene, problem, digits);
   }
-  SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem&) const {
-    scene.origin.refuse("half_space", "(a table)", "must be left out: the reference solves nips only");
+  SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem& problem) const {
+    const RefSurface surface(problem);
+    surface.check_subcritical(scene.origin);
+    return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
+                           std::pow(10.0L, -digits));
   }
 };
 

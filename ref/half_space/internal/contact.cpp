@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -31,17 +32,30 @@ Float number(const Real& real) {
 
 WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
   const LineAnswer line = answer_(degrees, digits_);
-  return {number(line.compliance), number(line.coupling), number(line.coupling_across), number(line.in_line)};
+  const auto in_unit = [&](const Real& real) { return ldexp(number(real), exponent_); };
+  return {in_unit(line.compliance), in_unit(line.coupling), in_unit(line.coupling_across),
+          in_unit(line.in_line)};
+}
+
+long stress_exponent(const SurfaceAnswer& surface) {
+  constexpr int enough = 16;
+  const Real compliance = surface(Exact(0.0), enough).compliance;
+  return mpfr_regular_p(compliance.get()) != 0 ? -mpfr_get_exp(compliance.get()) : 0;
 }
 
 Float tolerance(int digits) { return pow(Float(10), -digits); }
 
-Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled) {
+int working_digits(int digits, int cancelled) {
   if (digits < 16 || digits > most_digits)
     throw data::BadInput("digits", std::to_string(digits),
                          "must be from 16 to " + std::to_string(most_digits));
-  const WorkingDigits working(digits + guard_digits + cancelled);
-  return compute(digits + guard_digits + cancelled);
+  return digits + guard_digits + cancelled;
+}
+
+Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled) {
+  const int digits_here = working_digits(digits, cancelled);
+  const WorkingDigits working(digits_here);
+  return compute(digits_here);
 }
 
 Estimated estimated(const Float& value, const Float& error, int digits) {
@@ -51,10 +65,54 @@ Estimated estimated(const Float& value, const Float& error, int digits) {
   return {to_real(value), to_real(sum), digits};
 }
 
+Estimated of_levels(const Float& fine, const Float& coarse, int digits) {
+  const Float rounding = tolerance(digits + guard_digits / 2) * abs(fine);
+  return {to_real(fine), to_real(abs(fine - coarse) + rounding), digits};
+}
+
+Float span_along_of(const HalfSpaceLoad& load, const Float& factor) {
+  if (const auto* span = std::get_if<data::GivenSpan>(&load)) return span->along;
+  return pow(std::get<data::GivenNormalForce>(load).force / factor, Float(1) / 3);
+}
+
+Float force_of(const HalfSpaceLoad& load, const Float& factor) {
+  if (const auto* force = std::get_if<data::GivenNormalForce>(&load)) return force->force;
+  const Float span = span_along_of(load, factor);
+  return factor * span * span * span;
+}
+
 Estimated closed(const Float& value, int digits) { return estimated(value, 0, digits); }
 
 bool is_settled(const Float& change, const Float& value, int digits) {
   return change <= tolerance(digits) * at_most_1(value) / 10;
+}
+
+Float unit_integral(int digits, const std::function<Float(const Float& left, const Float& right)>& f) {
+  const Float step = Float(1) / (digits + 20) * 2;
+  // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
+  const int last =
+      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
+  Float sum = 0;
+  for (int i = -last; i <= last; ++i) {
+    const Float s = i * step;
+    const Float growth = exp(pi() * sinh(s));
+    const Float right = 1 / (1 + growth), left = growth / (1 + growth);
+    sum += f(left, right) * step * pi() * cosh(s) * left * right;
+  }
+  return sum;
+}
+
+Levels half_turn_integral(int digits, const CrowdedDirections& directions,
+                          const std::function<Float(const Exact& degrees)>& value) {
+  Levels levels;
+  double_directions(digits, directions, value, [&](const std::vector<DirectionValue>& values) {
+    Float total = 0;
+    for (const auto& [at, term] : values) total += at.weight * term;
+    levels.coarse = levels.fine;
+    levels.fine = total / static_cast<long>(values.size());
+    return abs(levels.fine - levels.coarse) <= tolerance(digits) * abs(levels.fine) / 10;
+  });
+  return levels;
 }
 
 void double_directions(int digits, const CrowdedDirections& directions,

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/internal/crowded_directions.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimated.hpp>
@@ -21,7 +22,9 @@ struct WorkingAnswer {
 /// The surface at working digits.
 class WorkingSurface {
  public:
-  WorkingSurface(const SurfaceAnswer& answer, int digits) : answer_(answer), digits_(digits) {}
+  /// Stresses count in units of 2^exponent.
+  WorkingSurface(const SurfaceAnswer& answer, int digits, long exponent = 0)
+      : answer_(answer), digits_(digits), exponent_(exponent) {}
 
   /// BadInput "surface" where it answers with what is not finite.
   [[nodiscard]] WorkingAnswer at(const Exact& degrees) const;
@@ -29,10 +32,18 @@ class WorkingSurface {
  private:
   const SurfaceAnswer& answer_;
   int digits_;
+  long exponent_;
 };
+
+/// Of the unit of stress, a power of 2, in which the compliance along the motion is about 1.
+long stress_exponent(const SurfaceAnswer& surface);
 
 /// 10^-digits.
 Float tolerance(int digits);
+
+/// So many working digits that a result may be good to `digits`, `cancelled` more for what cancels before.
+/// BadInput unless 16 <= digits <= 100.
+int working_digits(int digits, int cancelled = 0);
 
 /// `compute(working)` at so many working digits that the result may be good to `digits`: for the roundings of
 /// thousands of terms, and the small factors of what is computed from the integrals; `cancelled` more for what
@@ -46,6 +57,16 @@ Estimated estimated(const Float& value, const Float& error, int digits);
 /// Without quadrature: what the surface's own digits and rounding leave.
 Estimated closed(const Float& value, int digits);
 
+/// Of two levels of a quadrature, without asking how far apart they are: the error is their difference, relative
+/// rounding and the surface's own digits included.
+Estimated of_levels(const Float& fine, const Float& coarse, int digits);
+
+/// The span that a load makes along the motion, where force = factor span^3.
+Float span_along_of(const HalfSpaceLoad& load, const Float& factor);
+
+/// The force that goes with a span along the motion: the given one exactly.
+Float force_of(const HalfSpaceLoad& load, const Float& factor);
+
 /// Whether so large a change of a value of that size is good enough to end a quadrature.
 bool is_settled(const Float& change, const Float& value, int digits);
 
@@ -54,6 +75,17 @@ struct DirectionValue {
   CrowdedDirections::Direction at;
   Float value;
 };
+
+/// An integral over the lines of half a turn: twice as many directions at each level until two agree to
+/// 10^-digits of it; BadInput as below.
+struct Levels {
+  Float fine, coarse;
+};
+Levels half_turn_integral(int digits, const CrowdedDirections& directions,
+                          const std::function<Float(const Exact& degrees)>& value);
+
+/// int_0^1 f(x, 1 - x) dx for f with algebraic ends.
+Float unit_integral(int digits, const std::function<Float(const Float& left, const Float& right)>& f);
 
 /// Values at 8, 16, 32 ... of the directions, until `settled` says of them that they are enough; BadInput
 /// "digits" where 4096 are not.

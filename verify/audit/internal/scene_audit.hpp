@@ -36,7 +36,7 @@ struct SceneFindings {
 };
 
 /// Solves scene `index` of `seed` as `solve` does, and compares each number with the reference (elastic
-/// contact without friction, L/B up to 20; what HalfSpaceTruth has), with the same nip at 1e-13, and with its
+/// contact without friction, L/B up to 20; half-spaces, where lines differ a share only of what takes seconds), with the same nip at 1e-13, and with its
 /// identities. A comparison with a truth of larger estimate, or an identity of twice the estimate, says
 /// nothing, unless it contradicts.
 SceneFindings audit_scene(const std::string& seed, std::uint64_t index, const SceneSolvers& solvers);

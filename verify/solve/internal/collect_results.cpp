@@ -48,13 +48,19 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
   return allowed;
 }
 
-std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>&,
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
                                         const SceneSolution<LongEstimate>::Result& result,
-                                        const std::vector<double>&) {
+                                        const std::vector<double>& positions) {
   long double largest = 0;
   for (const LongEstimate& number : result.numbers)
     largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));
-  return std::vector<long double>(result.numbers.size(), accuracy * largest);
+  std::vector<long double> allowed;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+    const double place = result.what->is_profile ? positions[i] : 0;
+    const long double least = contact.least_size(result.what->name, place).value_or(0);
+    allowed.push_back(accuracy * std::max(largest, least));
+  }
+  return allowed;
 }
 
 }  // namespace nipref::verify

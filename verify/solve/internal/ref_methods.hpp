@@ -6,12 +6,13 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimated.hpp>
+#include <nipref/verify/solve/internal/ref_surface.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {
 
-// A nip solved by the reference. Each `check_` throws BadInput for what the reference does not
+// A contact solved by the reference. Each `check_` throws BadInput for what the reference does not
 // have, naming the scene's key; each `solve_` throws BadInput naming "load" or "contact_length" if that is
 // not allowed.
 
@@ -29,6 +30,13 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::El
 void check_ref_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem);
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                int digits);
+
+/// A body on a half-space: line answers and, where all lines are alike, the critical speed are proven, contacts
+/// estimated. Nothing is computed before it is asked for. BadInput "digits" where the digits are not reached,
+/// "span" where a rolling sphere's is too large.
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_half_space(const RefSurface& surface,
+                                                                  const data::HalfSpaceProblem& problem,
+                                                                  int digits);
 
 /// Refuses whatever the scene wants beside `known`.
 void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known);

@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include <nipref/ref/number/internal/enclosed_system.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// NaN if one of them is: what is no number must not pass for a small one.
+Float larger(const Float& a, const Float& b) { return a >= b || !(a == a) ? a : b; }
+
+Float row_sum_norm(const Matrix& matrix) {
+  Float largest = 0;
+  for (Matrix::Index i = 0; i < matrix.rows(); ++i) {
+    Float sum = 0;
+    for (Matrix::Index j = 0; j < matrix.columns(); ++j) sum += abs(matrix(i, j));
+    largest = larger(largest, sum);
+  }
+  return largest;
+}
+
+Float largest_of(const Matrix& matrix) {
+  Float largest = 0;
+  for (Matrix::Index i = 0; i < matrix.size(); ++i) largest = larger(largest, abs(matrix(i)));
+  return largest;
+}
+
+}  // namespace
+
+// Sums of n products are off by at most (n + 2) units of the sum of their sizes.
+std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system) {
+  const auto n = system.matrix.rows();
+  const Matrix inverse = system.matrix.inverse();
+  const Float unit = (n + 2) * std::numeric_limits<Float>::epsilon();
+  const Float size = row_sum_norm(system.matrix) + n * system.error;
+  const Float inverse_size = row_sum_norm(inverse);
+  const Float defect = row_sum_norm(Matrix::identity(n) - inverse * system.matrix) +
+                       unit * inverse_size * size + inverse_size * n * system.error;
+  if (!(defect < 0.5)) return std::nullopt;
+  EnclosedSolutions result{{}, 0, 0, size * inverse_size};
+  for (Matrix::Index column = 0; column < system.right.columns(); ++column) {
+    const Vector right = system.right.column(column), unknowns = inverse * right;
+    const Vector residual = right - system.matrix * unknowns;
+    const Float of_residual = unit * (size * largest_of(unknowns) + 4 * largest_of(right)) +
+                              n * system.error * largest_of(unknowns) +
+                              (system.right_error.size() > 0 ? system.right_error(column) : Float(0));
+    const Float error =
+        inverse_size * (largest_of(residual) + of_residual) / (1 - defect) * (1 + Float(1e-3));
+    std::vector<Interval> enclosed;
+    for (Matrix::Index i = 0; i < n; ++i)
+      enclosed.push_back(interval_of(unknowns(i)).widened(interval_of(error)));
+    result.unknowns.push_back(std::move(enclosed));
+    result.error = larger(result.error, error);
+    result.largest = larger(result.largest, largest_of(unknowns));
+  }
+  return result;
+}
+
+}  // namespace nipref::ref

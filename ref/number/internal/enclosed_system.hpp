@@ -1,0 +1,30 @@
+#pragma once
+#include <optional>
+#include <vector>
+
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/interval.hpp>
+
+namespace nipref::ref {
+
+/// A linear system whose coefficients are known to an error.
+struct NearlyKnownSystem {
+  Matrix matrix;
+  Matrix right;               ///< a column for each right-hand side
+  Float error = 0;            ///< of each coefficient of the matrix
+  Vector right_error = {};  ///< of each coefficient of a column, beyond rounding; a row for each column
+};
+
+/// Of every system within those errors: there is no singular one among them.
+struct EnclosedSolutions {
+  std::vector<std::vector<Interval>> unknowns;  ///< by column of the right-hand side
+  Float error;                                  ///< largest radius of one
+  Float largest;                                ///< middle of one
+  Float condition;                              ///< of the matrix, in the largest row sum
+};
+
+/// Solves with an approximate inverse C: |x - truth| <= |C (b - A x)|/(1 - |1 - C A|), with the coefficients'
+/// errors and all rounding added. Nothing if the working precision does not suffice for |1 - C A| < 1/2.
+std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system);
+
+}  // namespace nipref::ref

@@ -1,0 +1,99 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+using namespace nipref;
+
+namespace {
+
+data::Scene example(const char* name, const data::SceneOverrides& overrides = {}) {
+  return data::load_scene(data::example_scene(name), overrides);
+}
+
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+/// Everything that the example can want, by both paths: differences are within fast's estimates, the reference's
+/// errors beyond them.
+void check_both_paths(data::Scene scene) {
+  CAPTURE(scene.title);
+  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
+  problem.profile = data::Positions{{-60, 0, 20, 90}};
+  scene.wanted = {"span_along",    "span_across",    "span_ratio", "normal_force", "friction_force",
+                  "peak_pressure", "critical_speed", "span",       "compliance",   "coupling"};
+  if (problem.rule == data::ContourRule::exact)
+    scene.wanted.insert(scene.wanted.end(), {"axis_ratio", "approach", "orientation"});
+  const auto fast = verify::solve(scene);
+  const auto ref = verify::solve_by_ref(scene, 18);
+  for (std::size_t k = 0; k < fast.results.size(); ++k) {
+    CAPTURE(fast.results[k].what->name);
+    CHECK(ref.results[k].met().value_or(false));
+    for (std::size_t i = 0; i < fast.results[k].numbers.size(); ++i) {
+      const fast::Estimate& mine = fast.results[k].numbers[i];
+      const verify::LongEstimate& theirs = ref.results[k].numbers[i];
+      const double rounding = 0x1p-53 * std::fabs(mine.value);
+      CHECK(std::fabs(mine.value - number(theirs.value)) <= mine.error + number(theirs.error) + rounding);
+      CHECK(number(theirs.error) <= 1e-17 * std::max(std::fabs(mine.value), 0.01 * mine.error * 0x1p52));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the reference solves every kind of contact with a half-space, the force given or the span") {
+  check_both_paths(example("half-space-sliding-die"));
+  check_both_paths(example("half-space-sliding-die-exact"));
+  check_both_paths(example("half-space-rolling-sphere"));
+  check_both_paths(example("half-space-sphere-normal-axis"));
+  auto rolling = example("half-space-rolling-sphere");
+  std::get<data::HalfSpaceProblem>(rolling.system).given = data::GivenNormalForce{100};
+  check_both_paths(rolling);
+  auto exact = example("half-space-near-critical", {{"sliding.direction", "-30"}});
+  std::get<data::HalfSpaceProblem>(exact.system).given = data::GivenSpan{1e-4};
+  check_both_paths(exact);
+}
+
+TEST_CASE("the reference solves contacts with a half-space 1e-9 below its critical speed") {
+  auto scene = example("half-space-near-critical");
+  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
+  problem.speed = 2922.52532135133 * (1 - 1e-9);
+  check_both_paths(scene);
+  problem.rule = data::ContourRule::stationary_force;
+  check_both_paths(scene);
+}
+
+TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
+  // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
+  auto scene = example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
+  scene.wanted = {"orientation"};
+  const auto ref = verify::solve_by_ref(scene, 20);
+  CHECK(std::fabs(std::strtold(ref["orientation"].value.c_str(), nullptr) - 30) <= 1e-18L);
+}
+
+TEST_CASE(
+    "the reference says which results about half-spaces are proven, and repeats what is given exactly") {
+  const auto solved = verify::solve_by_ref(example("half-space-sliding-die"), 20);
+  CHECK(solved["critical_speed"].proven);
+  CHECK(solved["normal_force"].proven);
+  CHECK(number(solved["normal_force"].error) == 0);
+  // 0.3 is not the decimal.
+  CHECK(solved["friction_force"].value.substr(0, 20) == "299.9999999999999888");
+  CHECK_FALSE(solved["span_along"].proven);
+  CHECK_FALSE(solved["peak_pressure"].proven);
+}
+
+TEST_CASE("the reference refuses a half-space's supercritical speed, naming the scene's key") {
+  try {
+    static_cast<void>(
+        verify::solve_by_ref(example("half-space-sliding-die", {{"sliding.speed", "2923"}}), 20));
+    FAIL("not refused");
+  } catch (const data::BadInput& error) {
+    CHECK(error.argument().find("sliding.speed") != std::string::npos);
+  }
+}

@@ -1,0 +1,124 @@
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/ref_surface.hpp>
+
+namespace nipref::verify {
+namespace {
+
+ref::Real joined(const ref::Real& a, const ref::Real& b, int sign) {
+  ref::Real total = a;
+  if (sign > 0) {
+    mpfr_add(total.get(), a.get(), b.get(), MPFR_RNDN);
+  } else {
+    mpfr_sub(total.get(), a.get(), b.get(), MPFR_RNDN);
+  }
+  return total;
+}
+
+ref::Interval interval(const ref::Enclosure& enclosure) {
+  const mpfr_prec_t precision = enclosure.value.precision() + 64;
+  const ref::Interval middle(enclosure.value, enclosure.value, precision);
+  return middle.widened(ref::Interval(enclosure.error_bound, enclosure.error_bound, precision));
+}
+
+}  // namespace
+
+struct RefSurface::SurfaceOf {
+  double speed;
+
+  Surface operator()(const data::IsotropicSolid& solid) const {
+    return {ref::sagittal_stiffness(ref::ExactTransverse(solid)), speed, true};
+  }
+  Surface operator()(const data::TransverselyIsotropicBody& body) const {
+    const ref::ExactTransverse solid(body.solid);
+    if (body.axis == data::SymmetryAxis::normal) return {ref::sagittal_stiffness(solid), speed, true};
+    return {ref::exact_stiffness(solid, body.axis), speed, false};
+  }
+};
+
+RefSurface::RefSurface(const data::HalfSpaceProblem& problem)
+    : rolls_(std::holds_alternative<data::RigidRollingSphere>(problem.body)),
+      direction_(problem.direction),
+      half_space_(std::visit(SurfaceOf{problem.speed}, problem.half_space)) {
+  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body))
+    body_ = SurfaceOf{sphere->moving_patch ? problem.speed : 0}(sphere->solid);
+}
+
+void RefSurface::check_subcritical(const data::SceneOrigin& origin) const {
+  const ref::SurfaceDirection motion = ref::SurfaceDirection::of_degrees(ref::Exact(direction_));
+  const auto check = [&](const Surface& surface) {
+    if (surface.is_alike) {
+      ref::check_subcritical(surface.solid, ref::Exact(surface.speed), motion, motion);
+    } else {
+      ref::check_subcritical(surface.solid, ref::Exact(surface.speed), motion);
+    }
+  };
+  try {
+    check(half_space_);
+    if (body_) check(*body_);
+  } catch (const data::BadInput& error) {
+    origin.refuse_as(rolls_ ? "rolling.speed" : "sliding.speed", error);
+  }
+}
+
+ref::LineResponse RefSurface::along(const Surface& surface, const ref::Exact& from_motion, int digits) const {
+  ++*evaluations_;
+  const ref::Exact psi(mpq_class(from_motion.value() + ref::Exact(direction_).value()));
+  return ref::line_response(surface.solid, ref::Exact(surface.speed),
+                            ref::SurfaceDirection::of_degrees(ref::Exact(direction_)),
+                            ref::SurfaceDirection::of_degrees(psi), digits);
+}
+
+ref::SurfaceAnswer RefSurface::answer() const {
+  return [surface = *this](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
+    const ref::LineResponse below = surface.along(surface.half_space_, degrees, digits);
+    if (!surface.body_)
+      return {below.compliance.value, below.coupling.value, below.coupling_across.value, below.in_line.value};
+    const ref::LineResponse above = surface.along(*surface.body_, degrees, digits);
+    return {joined(below.compliance.value, above.compliance.value, 1),
+            joined(below.coupling.value, above.coupling.value, -1),
+            joined(below.coupling_across.value, above.coupling_across.value, -1), below.in_line.value};
+  };
+}
+
+ref::Enclosure RefSurface::compliance(double degrees, int digits) const {
+  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).compliance;
+  if (!body_) return below;
+  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).compliance;
+  return ref::enclosure_of(interval(below) + interval(above), digits);
+}
+
+ref::Enclosure RefSurface::coupling(double degrees, int digits) const {
+  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).coupling;
+  if (!body_) return below;
+  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).coupling;
+  return ref::enclosure_of(interval(below) - interval(above), digits);
+}
+
+ref::Estimated RefSurface::critical(const Surface& surface, int digits, bool& proven) const {
+  const ref::SurfaceDirection motion = ref::SurfaceDirection::of_degrees(ref::Exact(direction_));
+  if (!surface.is_alike) {
+    proven = false;
+    return ref::critical_speed(surface.solid, motion, digits).speed;
+  }
+  const auto of_wave = ref::surface_wave_speed(surface.solid, motion, motion, digits);
+  return of_wave ? *of_wave : ref::limiting_speed(surface.solid, motion, motion, digits);
+}
+
+LongEstimate RefSurface::critical_speed(int digits) const {
+  bool proven = true;
+  ref::Estimated slowest = critical(half_space_, digits, proven);
+  // A patch that does not move in the body is never critical there.
+  if (body_ && body_->speed > 0) {
+    ref::Estimated of_body = critical(*body_, digits, proven);
+    if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
+  }
+  return {slowest.value_text(), slowest.error_text(), proven};
+}
+
+}  // namespace nipref::verify

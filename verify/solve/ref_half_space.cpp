@@ -1,0 +1,146 @@
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/ref/half_space/elliptic.hpp>
+#include <nipref/ref/half_space/rolling_sphere.hpp>
+#include <nipref/ref/half_space/sliding.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/ref_surface.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
+
+namespace nipref::verify {
+namespace {
+
+struct RefIndenterOf {
+  ref::Indenter operator()(const data::RigidDie& die) const {
+    return ref::Indenter::of_radii(die.radius_along, die.radius_across);
+  }
+  ref::Indenter operator()(const auto& sphere) const {
+    return ref::Indenter::of_radii(sphere.radius, sphere.radius);
+  }
+};
+
+constexpr int least_digits = 16;
+
+/// A double of the scene, or the product of two.
+LongEstimate exactly(double value, double factor, int digits) {
+  ref::Real exact(2 * std::numeric_limits<double>::digits);
+  mpfr_set_d(exact.get(), value, MPFR_RNDN);
+  mpfr_mul_d(exact.get(), exact.get(), factor, MPFR_RNDN);
+  return long_estimate(ref::Enclosure{exact, ref::Real(exact.precision()), digits});
+}
+
+/// What all methods have in common; Contact has spans and forces by the names of the results.
+template <class Contact>
+class RefOnHalfSpace : public SolvedContact<LongEstimate> {
+ public:
+  using Make = Contact (*)(const RefSurface&, const data::HalfSpaceProblem&, int digits);
+
+  RefOnHalfSpace(RefSurface surface, const data::HalfSpaceProblem& problem, int digits, Make make)
+      : surface_(std::move(surface)), problem_(problem), digits_(digits), make_(make) {}
+
+  [[nodiscard]] LongEstimate number(std::string_view name) const final {
+    if (name == "span_along") return span(0);
+    if (name == "span_across") return span(90);
+    if (name == "span_ratio") return long_estimate(contact().span_ratio(ref::Exact(90.0)));
+    if (name == "normal_force") return force();
+    if (name == "friction_force") return friction_force();
+    if (name == "peak_pressure") return long_estimate(contact().peak_pressure());
+    if (name == "critical_speed") return surface_.critical_speed(digits_);
+    return of_ellipse(name);
+  }
+  [[nodiscard]] LongEstimate at(std::string_view name, double degrees) const final {
+    if (name == "span") return span(degrees);
+    if (name == "compliance") return long_estimate(surface_.compliance(degrees, digits_));
+    return long_estimate(surface_.coupling(degrees, digits_));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double degrees) const final {
+    return half_space_result_size(name,
+                                  [&] { return surface_.compliance(degrees, least_digits).to_double(); });
+  }
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
+    work.line_responses = surface_.evaluations();
+    return work;
+  }
+
+ private:
+  [[nodiscard]] const Contact& contact() const {
+    if (!contact_) contact_ = make_(surface_, problem_, digits_);
+    return *contact_;
+  }
+  [[nodiscard]] LongEstimate span(double degrees) const {
+    const auto* given = std::get_if<data::GivenSpan>(&problem_.given);
+    if (given != nullptr && degrees == 0) return exactly(given->along, 1, digits_);
+    return long_estimate(contact().span(ref::Exact(degrees)));
+  }
+  [[nodiscard]] LongEstimate force() const {
+    if (const auto* given = std::get_if<data::GivenNormalForce>(&problem_.given))
+      return exactly(given->force, 1, digits_);
+    return long_estimate(contact().force());
+  }
+  [[nodiscard]] LongEstimate friction_force() const {
+    if (problem_.friction == 0) return exactly(0, 1, digits_);
+    if (const auto* given = std::get_if<data::GivenNormalForce>(&problem_.given))
+      return exactly(given->force, problem_.friction, digits_);
+    if constexpr (requires { contact().friction_force(); }) return long_estimate(contact().friction_force());
+    throw data::BadInput("wanted", "friction_force", "must be of a contact that slides");
+  }
+  /// Scene::check lets these be wanted of the exact method only.
+  [[nodiscard]] LongEstimate of_ellipse(std::string_view name) const {
+    if constexpr (requires { contact().axis_ratio(); }) {
+      if (name == "axis_ratio") return long_estimate(contact().axis_ratio());
+      if (name == "approach") return long_estimate(contact().approach());
+      return orientation();
+    }
+    throw data::BadInput("wanted", name, "must be out of what this method has");
+  }
+  /// From x1, -90 to 90: an axis has no sense.
+  [[nodiscard]] LongEstimate orientation() const {
+    ref::Estimated from_motion = contact().orientation();
+    mpfr_prec_round(from_motion.value.get(), from_motion.value.precision() + 64, MPFR_RNDN);
+    mpfr_add_d(from_motion.value.get(), from_motion.value.get(), problem_.direction, MPFR_RNDN);
+    ref::Real half_turn(64);
+    mpfr_set_ui(half_turn.get(), 180, MPFR_RNDN);
+    mpfr_remainder(from_motion.value.get(), from_motion.value.get(), half_turn.get(), MPFR_RNDN);
+    return long_estimate(from_motion);
+  }
+
+  RefSurface surface_;
+  data::HalfSpaceProblem problem_;
+  int digits_;
+  Make make_;
+  mutable std::optional<Contact> contact_;
+};
+
+ref::EllipticContact ellipse(const RefSurface& surface, const data::HalfSpaceProblem& problem, int digits) {
+  return {surface.answer(), std::visit(RefIndenterOf{}, problem.body), problem.given, digits};
+}
+
+ref::SlidingContact slide(const RefSurface& surface, const data::HalfSpaceProblem& problem, int digits) {
+  return {surface.answer(), std::visit(RefIndenterOf{}, problem.body), ref::Exact(problem.friction),
+          problem.given, digits};
+}
+
+ref::RollingSphere roll(const RefSurface& surface, const data::HalfSpaceProblem& problem, int digits) {
+  return {surface.answer(), std::get<data::RigidRollingSphere>(problem.body).radius, problem.given, digits};
+}
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_half_space(const RefSurface& surface,
+                                                                  const data::HalfSpaceProblem& problem,
+                                                                  int digits) {
+  if (problem.rule == data::ContourRule::exact)
+    return std::make_unique<RefOnHalfSpace<ref::EllipticContact>>(surface, problem, digits, ellipse);
+  if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
+    return std::make_unique<RefOnHalfSpace<ref::RollingSphere>>(surface, problem, digits, roll);
+  return std::make_unique<RefOnHalfSpace<ref::SlidingContact>>(surface, problem, digits, slide);
+}
+
+}  // namespace nipref::verify
