@@ -38,6 +38,13 @@ std::string Enclosure::bound_text() const { return error_text(value, error_bound
 double Enclosure::to_double() const { return mpfr_get_d(value.get(), MPFR_RNDN); }
 double Enclosure::error_of(double x) const { return ref::error_of(x, value); }
 
+Interval interval_of(const Enclosure& enclosure) {
+  constexpr mpfr_prec_t spare_bits = 64;
+  const mpfr_prec_t precision = enclosure.value.precision() + spare_bits;
+  const Interval middle(enclosure.value, enclosure.value, precision);
+  return middle.widened(Interval(enclosure.error_bound, enclosure.error_bound, precision));
+}
+
 Enclosure enclosure_of(const Interval& interval, int digits) {
   Enclosure result{Real(interval.precision()), Real(bound_precision), digits};
   mpfi_mid(result.value.get(), interval.get());

@@ -31,6 +31,9 @@ void check_digits(int digits);
 /// A truth that is exactly 0; BadInput for digits out of range.
 Enclosure exact_zero(int digits);
 
+/// All that the truth may be.
+Interval interval_of(const Enclosure& enclosure);
+
 /// Middle and half-width of an interval; that the latter keeps the promise is the caller's business.
 Enclosure enclosure_of(const Interval& interval, int digits);
 

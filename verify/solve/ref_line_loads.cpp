@@ -1,10 +1,10 @@
 #include <map>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include <nipref/ref/elastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
 
 namespace nipref::verify {
@@ -14,22 +14,38 @@ using ref::Enclosure;
 using ref::LineLoadSolution;
 
 const std::map<std::string_view, Enclosure LineLoadSolution::*> numbers{
+    {"contact_length", &LineLoadSolution::contact_length},
     {"load", &LineLoadSolution::load},
     {"indentation", &LineLoadSolution::indentation},
     {"edge_displacement", &LineLoadSolution::edge_displacement},
+    {"trailing_displacement", &LineLoadSolution::edge_displacement},
+    {"peak_pressure", &LineLoadSolution::peak_pressure},
+    {"peak_shear", &LineLoadSolution::peak_shear},
 };
 
 class RefLineLoads : public SolvedContact<LongEstimate> {
  public:
-  RefLineLoads(double contact_length, LineLoadSolution solution)
-      : contact_length_(contact_length), solution_(std::move(solution)) {}
+  RefLineLoads(const data::ElasticNip& nip, const ref::LineLoadMethod& method, LineLoadSolution solution,
+               int digits)
+      : nip_(nip), method_(method), solution_(std::move(solution)), digits_(digits) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (name == "rolling_resistance") return long_estimate(ref::exact_zero(digits_));
+    if (name == "creep_ratio") return long_estimate(ref::creep_ratio(nip_, solution_, method_, digits_));
+    if (name == "leading_length" || name == "trailing_length")
+      return long_estimate(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
     return long_estimate(solution_.*numbers.at(name));
   }
-  /// There are no profiles: check_ref_line_loads refuses them.
-  [[nodiscard]] LongEstimate at(std::string_view name, double) const override { return number(name); }
-  [[nodiscard]] ProfileExtent profile_extent() const override { return {0, contact_length_ / 2}; }
+  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
+    if (name == "pressure") return long_estimate(ref::element_pressure(solution_, y, digits_));
+    if (name == "shear") return long_estimate(ref::element_shear(solution_, y, digits_));
+    const auto displacement =
+        name == "normal_displacement" ? ref::normal_displacement : ref::tangential_displacement;
+    return long_estimate(displacement(nip_, solution_, method_, y, digits_));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {0, solution_.contact_length.to_double() / 2};
+  }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
     work.unknowns = static_cast<int>(1 + solution_.line_loads.size() + solution_.shear_loads.size());
@@ -37,35 +53,38 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
   }
 
  private:
-  double contact_length_;
+  data::ElasticNip nip_;
+  ref::LineLoadMethod method_;
   LineLoadSolution solution_;
+  int digits_;
+};
+
+ref::Grip grip_of(const data::ElasticNipProblem& problem) {
+  if (problem.friction == data::Friction::none) return {};
+  if (problem.creep_ratio) return {ref::Grip::Creep::given, *problem.creep_ratio};
+  return {ref::Grip::Creep::thesis};
+}
+
+struct SolveRefLineLoads {
+  const data::ElasticNipProblem& problem;
+  const ref::LineLoadMethod& method;
+  int digits;
+
+  LineLoadSolution operator()(const data::GivenLoad& load) const {
+    return ref::line_loads_for_load(problem.nip, method, load.per_length, digits, grip_of(problem));
+  }
+  LineLoadSolution operator()(const data::GivenLength& length) const {
+    return ref::line_loads_for_length(problem.nip, method, length.contact_length, digits, grip_of(problem));
+  }
 };
 
 }  // namespace
 
-void check_ref_line_loads(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                          const data::LineLoads& loads) {
-  if (const auto* load = std::get_if<data::GivenLoad>(&problem.given)) {
-    scene.origin.refuse("load.per_length", load->per_length,
-                        "must be a [contact] length for the reference's line loads");
-  }
-  if (problem.friction == data::Friction::full && !problem.creep_ratio) {
-    scene.origin.refuse("friction.creep_ratio", "(missing)", "must be given for the reference's line loads");
-  }
-  if (loads.residue_terms > 0) {
-    scene.origin.refuse("method.residue_terms", loads.residue_terms, "must be 0 for the reference");
-  }
-  check_wanted_of_ref(scene, {"load", "indentation", "edge_displacement"});
-}
-
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
                                                                   const data::LineLoads& loads, int digits) {
-  const double length = std::get<data::GivenLength>(problem.given).contact_length;
-  const int elements = loads.leading_elements;
+  const ref::LineLoadMethod method(loads.leading_elements, loads.residue_terms);
   return std::make_unique<RefLineLoads>(
-      length, problem.creep_ratio ? ref::gripped_line_loads_for_length(problem.nip, elements, length,
-                                                                       *problem.creep_ratio, digits)
-                                  : ref::line_loads_for_length(problem.nip, elements, length, digits));
+      problem.nip, method, std::visit(SolveRefLineLoads{problem, method, digits}, problem.given), digits);
 }
 
 }  // namespace nipref::verify

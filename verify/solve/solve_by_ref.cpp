@@ -38,9 +38,6 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
 
 SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
                                           int digits) {
-  if (const auto* loads = std::get_if<data::LineLoads>(&problem.method)) {
-    check_ref_line_loads(scene, problem, *loads);
-  }
   return collect_results(scene, problem.profile, *solve_named(scene, problem, digits),
                          std::pow(10.0L, -digits));
 }

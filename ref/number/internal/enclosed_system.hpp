@@ -10,8 +10,8 @@ namespace nipref::ref {
 /// A linear system whose coefficients are known to an error.
 struct NearlyKnownSystem {
   Matrix matrix;
-  Matrix right;               ///< a column for each right-hand side
-  Float error = 0;            ///< of each coefficient of the matrix
+  Matrix right;             ///< a column for each right-hand side
+  Float error = 0;          ///< of each coefficient of the matrix
   Vector right_error = {};  ///< of each coefficient of a column, beyond rounding; a row for each column
 };
 

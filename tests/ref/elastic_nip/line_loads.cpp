@@ -22,8 +22,10 @@ using test::quarter_inch_nip;
 
 TEST_CASE("ref line loads: fewer digits enclose more digits") {
   for (const double length : {1e-3, 0.1, 2.0}) {
-    const auto coarse = ref::gripped_line_loads_for_length(quarter_inch_nip, 4, length, 1e-3, 20);
-    const auto fine = ref::gripped_line_loads_for_length(quarter_inch_nip, 4, length, 1e-3, 60);
+    const auto coarse =
+        ref::line_loads_for_length(quarter_inch_nip, 4, length, 20, {ref::Grip::Creep::given, 1e-3});
+    const auto fine =
+        ref::line_loads_for_length(quarter_inch_nip, 4, length, 60, {ref::Grip::Creep::given, 1e-3});
     CHECK(difference(coarse.indentation, fine.indentation) <=
           error(coarse.indentation) + error(fine.indentation));
     CHECK(error(coarse.indentation) <= 1e-20 * std::fabs(coarse.indentation.to_double()) * 1e3);
@@ -38,7 +40,8 @@ TEST_CASE("ref line loads displace the sheet to the roller, summed load by load 
   const int m = 3;
   const ref::Exact young(quarter_inch_nip.material.young), poisson(quarter_inch_nip.material.poisson);
   const double length = 0.375, creep = -0.0009765625;  // exact in binary, so that all distances are
-  const auto solution = ref::gripped_line_loads_for_length(quarter_inch_nip, m, length, creep, 40);
+  const auto solution =
+      ref::line_loads_for_length(quarter_inch_nip, m, length, 40, {ref::Grip::Creep::given, creep});
   for (int i = -m; i <= m; ++i) {
     double u = 0, v = 0;
     for (int k = -m; k < m; ++k) {
@@ -77,7 +80,8 @@ TEST_CASE(
       const double by_rounding = std::fabs(exact_solve.load.error_of(computed.load));
       CHECK(std::fabs(truth.load.error_of(computed.load)) <= 1.01 * (by_kernels + by_rounding));
     }
-    const auto truth = ref::gripped_line_loads_for_length(quarter_inch_nip, m, 0.1, 1e-4, 30);
+    const auto truth =
+        ref::line_loads_for_length(quarter_inch_nip, m, 0.1, 30, {ref::Grip::Creep::given, 1e-4});
     const auto computed = fast::gripped_line_loads_for_length(quarter_inch_nip, m, 0.1, 1e-4);
     CHECK(relative_error(truth.load, computed.load) < 1e-15 * truth.condition);
   }
@@ -91,8 +95,9 @@ TEST_CASE("ref line loads refuse bad input by name") {
                        doctest::Contains("contact_length"), BadInput);
   CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 2, 0.1, 5), doctest::Contains("digits"),
                        BadInput);
-  CHECK_THROWS_WITH_AS(ref::gripped_line_loads_for_length(quarter_inch_nip, 2, 0.1, HUGE_VAL, 30),
-                       doctest::Contains("creep"), BadInput);
+  CHECK_THROWS_WITH_AS(
+      ref::line_loads_for_length(quarter_inch_nip, 2, 0.1, 30, {ref::Grip::Creep::given, HUGE_VAL}),
+      doctest::Contains("creep"), BadInput);
   const std::array<double, 3> odd{1, 2, 3};
   CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(quarter_inch_nip, odd, 0.1, 30),
                        doctest::Contains("kernel"), BadInput);

@@ -86,8 +86,9 @@ ContactAudit audit_line_loads(Friction friction, double ratio, double poisson, i
                      shear ? std::optional(fast::oscillation(solution.shear_loads)) : std::nullopt,
                      1e-15 * condition};
   if (m > most_ref_elements || ratio > longest_ref_line_loads) return audit;
-  const auto truth = shear ? ref::gripped_line_loads_for_length(nip, m, length, creep, contact_digits)
-                           : ref::line_loads_for_length(nip, m, length, contact_digits);
+  const auto truth =
+      shear ? ref::line_loads_for_length(nip, m, length, contact_digits, {ref::Grip::Creep::given, creep})
+            : ref::line_loads_for_length(nip, m, length, contact_digits);
   audit.error = error_of(solution.line_loads, truth.line_loads);
   if (shear) {
     audit.error = std::max(*audit.error, error_of(solution.shear_loads, truth.shear_loads));

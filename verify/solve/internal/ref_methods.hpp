@@ -22,8 +22,7 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::Ela
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::ElasticNipProblem& problem,
                                                                int digits);
 
-void check_ref_line_loads(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                          const data::LineLoads& loads);
+/// Proven.
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
                                                                   const data::LineLoads& loads, int digits);
 

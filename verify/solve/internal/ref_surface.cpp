@@ -20,12 +20,6 @@ ref::Real joined(const ref::Real& a, const ref::Real& b, int sign) {
   return total;
 }
 
-ref::Interval interval(const ref::Enclosure& enclosure) {
-  const mpfr_prec_t precision = enclosure.value.precision() + 64;
-  const ref::Interval middle(enclosure.value, enclosure.value, precision);
-  return middle.widened(ref::Interval(enclosure.error_bound, enclosure.error_bound, precision));
-}
-
 }  // namespace
 
 struct RefSurface::SurfaceOf {
@@ -90,14 +84,14 @@ ref::Enclosure RefSurface::compliance(double degrees, int digits) const {
   const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).compliance;
   if (!body_) return below;
   const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).compliance;
-  return ref::enclosure_of(interval(below) + interval(above), digits);
+  return ref::enclosure_of(ref::interval_of(below) + ref::interval_of(above), digits);
 }
 
 ref::Enclosure RefSurface::coupling(double degrees, int digits) const {
   const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).coupling;
   if (!body_) return below;
   const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).coupling;
-  return ref::enclosure_of(interval(below) - interval(above), digits);
+  return ref::enclosure_of(ref::interval_of(below) - ref::interval_of(above), digits);
 }
 
 ref::Estimated RefSurface::critical(const Surface& surface, int digits, bool& proven) const {

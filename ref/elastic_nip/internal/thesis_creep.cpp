@@ -1,0 +1,121 @@
+#include <nipref/ref/elastic_nip/internal/thesis_creep.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// constant + linear x + square x^2.
+struct Quadratic {
+  Interval constant, linear, square;
+
+  [[nodiscard]] Interval at(const Interval& x) const { return constant + x * (linear + x * square); }
+};
+
+/// -1 or 1; 0 where an interval does not tell.
+int sign(const Interval& x) {
+  if (mpfr_sgn(x.lower()) > 0) return 1;
+  return mpfr_sgn(x.upper()) < 0 ? -1 : 0;
+}
+
+bool is_zero(const Interval& x) { return mpfr_zero_p(x.lower()) != 0 && mpfr_zero_p(x.upper()) != 0; }
+
+/// What meets every condition f >= 0: the number of least size is 0 or a root of one of them.
+class Conditions {
+ public:
+  void require(Quadratic f) { all_.push_back(std::move(f)); }
+
+  /// Nothing where that is not known.
+  [[nodiscard]] std::optional<std::optional<Interval>> least() const {
+    if (all_.empty()) return std::nullopt;
+    const Interval zero(all_.front().constant.precision());
+    const std::optional<bool> at_zero = met(zero, all_.size());
+    if (!at_zero) return std::nullopt;
+    if (*at_zero) return std::optional(zero);
+    std::optional<Interval> best;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      const auto roots = roots_of(all_[k]);
+      if (!roots) return std::nullopt;
+      for (const Interval& root : *roots) {
+        const std::optional<bool> is_met = met(root, k);
+        if (!is_met) return std::nullopt;
+        if (!*is_met) continue;
+        if (!best) {
+          best = root;
+          continue;
+        }
+        const int nearer = sign(square(*best) - square(root));
+        if (nearer == 0) return std::nullopt;
+        if (nearer > 0) best = root;
+      }
+    }
+    return best;
+  }
+
+ private:
+  /// All conditions but one, whose root x is.
+  [[nodiscard]] std::optional<bool> met(const Interval& x, std::size_t but) const {
+    bool is_known = true;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      if (k == but) continue;
+      const int at_x = sign(all_[k].at(x));
+      if (at_x < 0) return false;
+      if (at_x == 0) is_known = false;
+    }
+    return is_known ? std::optional(true) : std::nullopt;
+  }
+
+  static std::optional<std::vector<Interval>> roots_of(const Quadratic& f) {
+    if (is_zero(f.square)) {
+      if (sign(f.linear) == 0) return std::nullopt;
+      return std::vector{-(f.constant / f.linear)};
+    }
+    const Interval discriminant = square(f.linear) - 4 * (f.square * f.constant);
+    const int has_roots = sign(discriminant);
+    if (has_roots < 0) return std::vector<Interval>{};
+    if (has_roots == 0 || sign(f.square) == 0 || sign(f.linear) == 0) return std::nullopt;
+    const Interval root = sqrt(discriminant);
+    const Interval q = -(sign(f.linear) > 0 ? f.linear + root : f.linear - root) / 2;
+    return std::vector{q / f.square, f.constant / q};
+  }
+
+  std::vector<Quadratic> all_;
+};
+
+/// (a + b x) (c + d x) - (e + f x) (g + h x)
+Quadratic difference_of_products(const Interval& a, const Interval& b, const Interval& c, const Interval& d,
+                                 const Interval& e, const Interval& f, const Interval& g, const Interval& h) {
+  return {a * c - e * g, a * d + b * c - (e * h + f * g), b * d - f * h};
+}
+
+/// With shear loads that push outwards (sign 1) or inwards (-1).
+Conditions conditions(const std::vector<Interval>& at_zero, const std::vector<Interval>& per_creep,
+                      long sign) {
+  const std::size_t m = at_zero.size() / 2;
+  const Interval none(at_zero.front().precision());
+  Conditions result;
+  for (std::size_t k = 0; k < m; ++k) {
+    result.require({at_zero[k], per_creep[k], none});
+    result.require({sign * at_zero[m + k], sign * per_creep[m + k], none});
+  }
+  for (std::size_t k = 0; k + 1 < m; ++k) {
+    Quadratic rise =
+        difference_of_products(at_zero[m + k + 1], per_creep[m + k + 1], at_zero[k], per_creep[k],
+                               at_zero[m + k], per_creep[m + k], at_zero[k + 1], per_creep[k + 1]);
+    result.require({sign * rise.constant, sign * rise.linear, sign * rise.square});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
+                                     const std::vector<Interval>& per_creep) {
+  const auto inwards = conditions(at_zero, per_creep, -1).least();
+  const auto outwards = conditions(at_zero, per_creep, 1).least();
+  if (!inwards || !outwards) return std::nullopt;
+  if (!*inwards || !*outwards) return *inwards ? *inwards : *outwards;
+  const int nearer = sign(square(**inwards) - square(**outwards));
+  if (nearer == 0) return std::nullopt;
+  return nearer > 0 ? *outwards : *inwards;
+}
+
+}  // namespace nipref::ref

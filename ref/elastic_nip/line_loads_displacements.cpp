@@ -1,0 +1,123 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/ref/sheet/internal/kernel_over.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr int guard_digits = 10;
+
+/// Line loads and a place.
+struct Sums {
+  const data::ElasticNip& nip;
+  const LineLoadSolution& solution;
+  int residue_terms, digits;
+  Interval y;
+
+  [[nodiscard]] mpfr_prec_t precision() const { return y.precision(); }
+  [[nodiscard]] Interval number(double value) const { return {value, precision()}; }
+  [[nodiscard]] Interval poisson() const { return number(nip.material.poisson); }
+  [[nodiscard]] Interval theta1() const { return (poisson() + 1L) / number(nip.material.young); }
+  [[nodiscard]] Interval theta2() const { return theta1() * (1 - 2 * poisson()); }
+
+  /// Of Y from the k-th load of the side Y > 0 (sign -1) or Y < 0 (1), in half-thicknesses.
+  [[nodiscard]] Interval distance(std::size_t k, long sign) const {
+    const auto count = static_cast<long>(solution.line_loads.size());
+    const Interval width = interval_of(solution.contact_length) / (4 * count);
+    const Interval position = (2 * static_cast<long>(k) + 1) * width;
+    return 2 * (y + sign * position) / number(nip.sheet_thickness);
+  }
+  /// sum of load * (kernel at the near load + far_sign * kernel at its image)
+  template <class Kernel>
+  [[nodiscard]] Interval over(const std::vector<Enclosure>& loads, long far_sign,
+                              const Kernel& kernel) const {
+    Interval sum(precision());
+    for (std::size_t k = 0; k < loads.size(); ++k) {
+      const Interval both = kernel(distance(k, -1)) + far_sign * kernel(distance(k, 1));
+      sum = sum + interval_of(loads[k]) * both;
+    }
+    return sum;
+  }
+  [[nodiscard]] Interval kernel(SheetKernel which, const Interval& alpha) const {
+    return kernel_over(which, alpha, residue_terms, digits + guard_digits);
+  }
+  /// N I(alpha) of an even kernel.
+  [[nodiscard]] auto even(SheetKernel which) const {
+    return [this, which](const Interval& alpha) { return (theta1() + theta2()) * kernel(which, alpha); };
+  }
+  /// N I3 - theta2 I2.
+  [[nodiscard]] auto step() const {
+    return [this](const Interval& alpha) {
+      const Interval half_pi = Interval::pi(precision()) / 2;
+      const Interval part = theta2() * (mpfr_sgn(alpha.upper()) < 0 ? -half_pi : half_pi);
+      return (theta1() + theta2()) * kernel(SheetKernel::I3, alpha) - part;
+    };
+  }
+  [[nodiscard]] Interval normal() const {
+    const Interval sum = over(solution.line_loads, 1, even(SheetKernel::I1));
+    return (sum - over(solution.shear_loads, -1, step())) / Interval::pi(precision());
+  }
+  [[nodiscard]] Interval tangential() const {
+    const Interval sum = over(solution.line_loads, 1, step());
+    return (sum + over(solution.shear_loads, -1, even(SheetKernel::I6))) / Interval::pi(precision());
+  }
+};
+
+Sums sums_at(const data::ElasticNip& nip, const LineLoadSolution& solution, const LineLoadMethod& method,
+             const Interval& y, int digits) {
+  nip.check();
+  return {nip, solution, method.residue_terms, digits, y};
+}
+
+Interval place(const LineLoadSolution& solution, double y) {
+  if (!std::isfinite(y)) throw data::BadInput("y", y, "must be finite");
+  return {y, interval_of(solution.contact_length).precision()};
+}
+
+Enclosure of_element(const std::vector<Enclosure>& loads, const LineLoadSolution& solution, double y,
+                     int digits) {
+  constexpr double border = 1 + 0x1p-50;
+  if (!std::isfinite(y)) throw data::BadInput("y", y, "must be finite");
+  const double length = solution.contact_length.to_double();
+  if (loads.empty() || std::fabs(y) > length / 2 * border) return exact_zero(digits);
+  const auto element =
+      static_cast<std::size_t>(std::fabs(y) / length * 2 * static_cast<double>(loads.size()) * border);
+  const Interval force = interval_of(loads[std::min(element, loads.size() - 1)]);
+  const Interval density = 2 * static_cast<long>(loads.size()) * force / interval_of(solution.contact_length);
+  return enclosure_of(density, digits);
+}
+
+}  // namespace
+
+Enclosure normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                              const LineLoadMethod& method, double y, int digits) {
+  return enclosure_of(sums_at(nip, solution, method, place(solution, y), digits).normal(), digits);
+}
+
+Enclosure tangential_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                                  const LineLoadMethod& method, double y, int digits) {
+  if (y == 0) return exact_zero(digits);
+  return enclosure_of(sums_at(nip, solution, method, place(solution, y), digits).tangential(), digits);
+}
+
+Enclosure creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                      const LineLoadMethod& method, int digits) {
+  if (solution.gripped_creep) return *solution.gripped_creep;
+  const Interval end = interval_of(solution.contact_length) / 2;
+  return enclosure_of(sums_at(nip, solution, method, end, digits).tangential() / end, digits);
+}
+
+Enclosure element_pressure(const LineLoadSolution& solution, double y, int digits) {
+  return of_element(solution.line_loads, solution, y, digits);
+}
+
+Enclosure element_shear(const LineLoadSolution& solution, double y, int digits) {
+  Enclosure shear = of_element(solution.shear_loads, solution, y, digits);
+  if (y < 0) mpfr_neg(shear.value.get(), shear.value.get(), MPFR_RNDN);
+  return shear;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,26 @@
+#pragma once
+#include <nipref/ref/elastic_nip/line_loads.hpp>
+
+namespace nipref::ref {
+
+// What solved line loads do to the surface; all proven. `method`: what they were solved with. Y: along the sheet from
+// the middle of the nip, known exactly, unit of length. Bounds are 10^-digits of what is summed, about.
+
+/// Towards the middle plane; BadInput "y" at the place of a line load.
+Enclosure normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                              const LineLoadMethod& method, double y, int digits);
+
+/// Along Y, against the middle of the nip; the same otherwise.
+Enclosure tangential_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                                  const LineLoadMethod& method, double y, int digits);
+
+/// Without friction (2/L) v(L/2) (thesis 5.16); with it the one that was solved for.
+Enclosure creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                      const LineLoadMethod& method, int digits);
+
+/// The normal, or shear, load of the element around Y over its width, 0 outside the contact; the shear's sign is
+/// that along Y. A place within 1e-15 of a border counts to the outer element, but at the end to the last.
+Enclosure element_pressure(const LineLoadSolution& solution, double y, int digits);
+Enclosure element_shear(const LineLoadSolution& solution, double y, int digits);
+
+}  // namespace nipref::ref

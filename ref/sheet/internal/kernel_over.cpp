@@ -1,0 +1,43 @@
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet/internal/kernel_over.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+#include <nipref/ref/sheet/plain_series.hpp>
+
+namespace nipref::ref {
+namespace {
+
+Enclosure kernel_at(SheetKernel kernel, const Exact& alpha, int digits) {
+  if (kernel == SheetKernel::I1) return I1(alpha, digits);
+  return kernel == SheetKernel::I3 ? I3(alpha, digits) : I6(alpha, Exact(0.0), digits);
+}
+
+PlainKernel plain(SheetKernel kernel) {
+  if (kernel == SheetKernel::I1) return PlainKernel::I1;
+  return kernel == SheetKernel::I3 ? PlainKernel::I3 : PlainKernel::I6_alpha_part;
+}
+
+Interval point(const Real& x, mpfr_prec_t precision) { return {x, x, precision}; }
+
+}  // namespace
+
+Interval kernel_over(SheetKernel kernel, const Interval& alpha, int residue_terms, int digits) {
+  if (mpfi_has_zero(alpha.get()) > 0)
+    throw data::BadInput("y", mpfi_get_d(alpha.get()), "must not be the place of a line load");
+  if (residue_terms > 0) return plain_series(plain(kernel), alpha, residue_terms);
+  const mpfr_prec_t precision = alpha.precision();
+  Real middle(precision), nearest(precision), farthest(precision);
+  mpfi_mid(middle.get(), alpha.get());
+  mpfi_mig(nearest.get(), alpha.get());
+  mpfi_mag(farthest.get(), alpha.get());
+  mpq_class exact;
+  mpfr_get_q(exact.get_mpq_t(), middle.get());
+  const Enclosure value = kernel_at(kernel, Exact(exact), digits);
+  Real radius(precision);
+  mpfi_diam_abs(radius.get(), alpha.get());
+  const Interval far = point(farthest, precision), slope = 2 * (far + 1L) / point(nearest, precision);
+  return point(value.value, precision)
+      .widened(point(value.error_bound, precision))
+      .widened(slope * point(radius, precision));
+}
+
+}  // namespace nipref::ref
