@@ -83,8 +83,11 @@ double ViscoelasticLineLoadSurface::tangential_displacement(double y) const {
 
 double element_pressure(const ViscoelasticLineLoads& loads, double y) {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
-  if (loads.loads.empty() || y > loads.leading_length || y < -loads.trailing_length) return 0;
-  const auto element = static_cast<std::size_t>((loads.leading_length - y) / loads.element_width());
+  // A place on a border counts to the trailing element, as far as rounding knows borders.
+  const double border = 0x1p-50 * loads.leading_length;
+  const double from_end = loads.leading_length - y + border;
+  if (loads.loads.empty() || from_end < 0 || y < -loads.trailing_length - border) return 0;
+  const auto element = static_cast<std::size_t>(from_end / loads.element_width());
   return loads.loads[std::min(element, loads.loads.size() - 1)] / loads.element_width();
 }
 

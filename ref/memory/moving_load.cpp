@@ -3,12 +3,15 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
@@ -16,6 +19,8 @@ namespace nipref::ref {
 namespace {
 
 constexpr double ln2 = std::numbers::ln2;
+/// Nats are rounded up to multiples of this where what they give is kept.
+constexpr double nats_grain = 16;
 
 /// Where the load is seen from a point of the surface, in half thicknesses: `alpha` before it now, and, if it
 /// has started at all, `start` before it when it did.
@@ -26,7 +31,24 @@ struct Place {
 
 enum class Kernel { I1, I2, I3, I4, I5 };
 
-Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats) {
+PlainKernel plain_kernel(Kernel kernel) {
+  switch (kernel) {
+    case Kernel::I1:
+      return PlainKernel::I1;
+    case Kernel::I4:
+      return PlainKernel::I4;
+    case Kernel::I5:
+      return PlainKernel::I5;
+    default:
+      return PlainKernel::I3;
+  }
+}
+
+/// residue_terms: 0, or of the thesis's sums. I2 is its constant alone, in both.
+Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int residue_terms) {
+  if (residue_terms > 0 && kernel != Kernel::I2 && alpha.sign() != 0)
+    return plain_kernel_at(plain_kernel(kernel), alpha, residue_terms,
+                           std::ceil(std::max(nats, 40.0) / nats_grain) * nats_grain);
   switch (kernel) {
     case Kernel::I1:
       return I1_interval(alpha, nats);
@@ -77,15 +99,43 @@ Interval sign_history(const Exact& alpha, const mpq_class& rate, double absolute
   return long_ago * (2 * exp(rational(mpq_class(rate * alpha.value()), nats)) - 1);
 }
 
-Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats) {
+/// What is remembered from infinity.
+struct HistoryKey {
+  Kernel kernel;
+  mpq_class alpha, rate;
+  double nats;
+  int residue_terms;
+
+  friend bool operator<(const HistoryKey& a, const HistoryKey& b) {
+    return std::tie(a.kernel, a.nats, a.residue_terms, a.alpha, a.rate) <
+           std::tie(b.kernel, b.nats, b.residue_terms, b.alpha, b.rate);
+  }
+};
+
+Interval make_history(const HistoryKey& key) {
+  const Exact alpha(key.alpha), rate(key.rate);
+  return key.residue_terms > 0 ? plain_memory(plain_kernel(key.kernel), alpha, rate, key.residue_terms,
+                                              nats_over_rate(key.rate, key.nats))
+                               : steady_memory(symbol_of(key.kernel), alpha, rate, key.nats);
+}
+
+std::size_t size_of_history(const Interval& history) {
+  return static_cast<std::size_t>(history.precision()) + sizeof(HistoryKey);
+}
+
+/// Kept, as the loads of a contact see the same distances: with up to 16 nats more than were asked for.
+Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats,
+                       int residue_terms) {
+  static Memo<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
   if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
-  return steady_memory(symbol_of(kernel), alpha, Exact(rate), nats);
+  return *kept.at({kernel, alpha.value(), rate, std::ceil(nats / nats_grain) * nats_grain, residue_terms});
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
-Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats) {
+Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats,
+                 int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
-  if (!place.start) return whole_history(kernel, place.alpha, rate, nats);
+  if (!place.start) return whole_history(kernel, place.alpha, rate, nats, residue_terms);
   const mpq_class way = place.start->value() - place.alpha.value();
   if (kernel == Kernel::I2) {
     const double large = nats_over_rate(rate, nats);
@@ -93,9 +143,10 @@ Interval history(Kernel kernel, const Place& place, const mpq_class& rate, doubl
     return half_pi * sign_memory(rate, way, place.start->value(), large);
   }
   const mpq_class faded = rate * way;
-  const double left = std::max(nats - faded.get_d(), 1.0);
-  return whole_history(kernel, place.alpha, rate, nats) -
-         exp(-rational(faded, nats_over_rate(rate, nats))) * whole_history(kernel, *place.start, rate, left);
+  const double left = faded.get_d() < nats ? nats : 1.0;
+  return whole_history(kernel, place.alpha, rate, nats, residue_terms) -
+         exp(-rational(faded, nats_over_rate(rate, nats))) *
+             whole_history(kernel, *place.start, rate, left, residue_terms);
 }
 
 /// theta * I(place), without the sheet's 1/pi.
@@ -104,10 +155,12 @@ struct Part {
   Kernel kernel;
   Place place;
   bool negative = false;
+  int residue_terms = 0;
 
   [[nodiscard]] Interval at_once(double nats) const {
     const double needed = std::max(nats + ln_magnitude(theta.instantaneous) + 3, 40.0);
-    return rational(theta.instantaneous, needed) * kernel_interval(kernel, place.alpha, needed);
+    return rational(theta.instantaneous, needed) *
+           kernel_interval(kernel, place.alpha, needed, residue_terms);
   }
 
   /// `way_per_time` is speed/half_thickness.
@@ -120,7 +173,7 @@ struct Part {
       const mpq_class rate = term.rate / way_per_time;
       const double needed = nats + ln_magnitude(amplitude) + 3;
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
-                      history(kernel, place, rate, needed);
+                      history(kernel, place, rate, needed, residue_terms);
     }
     return negative ? -sum : sum;
   }
@@ -179,22 +232,22 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
   return slowest;
 }
 
-Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material,
-                int digits) {
+Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material, int digits,
+                int residue_terms = 0) {
   const ExactFunction normal = material.normal();
   const double distance = std::abs(place.alpha.approximate());
   const double first_nats = size_nats(material) + distance * decay_of_normal(normal, place, way_per_time);
-  return sum_over_pi({{normal, Kernel::I1, place}}, way_per_time, first_nats, digits);
+  return sum_over_pi({{normal, Kernel::I1, place, false, residue_terms}}, way_per_time, first_nats, digits);
 }
 
 Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
-                const ExactMaterial& material, int digits) {
+                const ExactMaterial& material, int digits, int residue_terms = 0) {
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
-  return sum_over_pi({{material.normal(), Kernel::I3, alpha},
-                      {material.theta2, Kernel::I2, alpha, true},
-                      {material.theta2, Kernel::I4, eta},
-                      {material.theta1, Kernel::I5, eta, true}},
+  return sum_over_pi({{material.normal(), Kernel::I3, alpha, false, residue_terms},
+                      {material.theta2, Kernel::I2, alpha, true, residue_terms},
+                      {material.theta2, Kernel::I4, eta, false, residue_terms},
+                      {material.theta1, Kernel::I5, eta, true, residue_terms}},
                      way_per_time, size_nats(material), digits);
 }
 
@@ -241,20 +294,20 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
 
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
-                                          int digits) {
+                                          int digits, int residue_terms) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
   const Place place = started_place(t, T, way_per_time, "T");
   if (place.alpha.sign() == 0)
     throw data::BadInput("T", T.approximate(), "must differ from t: the displacement is infinite there");
-  return Un_at(place, way_per_time, material, digits);
+  return Un_at(place, way_per_time, material, digits, residue_terms);
 }
 
 Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
-                                              const ExactMaterial& material, int digits) {
+                                              const ExactMaterial& material, int digits, int residue_terms) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
   return Vn_at(started_place(t, T, way_per_time, "T"), started_place(t, t0, way_per_time, "t0"), way_per_time,
-               material, digits);
+               material, digits, residue_terms);
 }
 
 Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,

@@ -55,19 +55,23 @@ ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///
+/// residue_terms: 0, or 1 to 500 for the first so many residues of each kernel, as the thesis sums them; the error is
+/// that of the sum.
+///
 /// Every function promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for what the
 /// sheet answers at once, fading.hpp for what it remembers. Bad arguments throw data::BadInput.
 
 /// Normal displacement; t != T.
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
-                                          int digits);
+                                          int digits, int residue_terms = 0);
 
 /// Tangential displacement against the point held. At T = t, where it jumps, the mean of both sides (sign(0)
 /// = 0), at t0 = t it is continuous.
 Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
-                                              const ExactMaterial& material, int digits);
+                                              const ExactMaterial& material, int digits,
+                                              int residue_terms = 0);
 
 /// The same for a load that started infinitely long ago, alpha half thicknesses behind the point (alpha > 0:
 /// the load has yet to come) and eta behind the one held; |alpha|, |eta| <= 1000.

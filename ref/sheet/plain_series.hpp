@@ -8,8 +8,8 @@ namespace nipref::ref {
 
 inline constexpr int most_residue_terms = 500;
 
-/// I1, I3 and, without the part that depends on eta alone, I6.
-enum class PlainKernel { I1, I3, I6_alpha_part };
+/// I6 without the part that depends on eta alone.
+enum class PlainKernel { I1, I3, I4, I5, I6_alpha_part };
 
 /// The sum at every |alpha| of an interval without 0, `alpha` of one sign; its precision is the work's. BadInput
 /// for terms beyond 1 to 500. (thesis AI.8, AI.9)

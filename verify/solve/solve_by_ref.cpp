@@ -44,13 +44,16 @@ SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::
 
 SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
                                           const data::ViscoelasticNipProblem& problem, int digits) {
-  check_ref_rolling(scene, problem);
+  const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
+  if (loads == nullptr) check_ref_rolling(scene, problem);
   const Solved solved = [&] {
     try {
-      return solve_ref_rolling(problem, digits);
+      return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)
+                              : solve_ref_rolling(problem, digits);
     } catch (const data::BadInput& error) {
       if (error.argument() == "digits") throw;
-      if (error.argument() == "nip.material") scene.origin.refuse_as("material", error);
+      if (error.argument() == "nip.material" || error.argument().ends_with(" rate"))
+        scene.origin.refuse_as("material", error);
       refuse_given(scene, problem.given, error);
     }
   }();

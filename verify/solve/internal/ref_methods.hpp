@@ -30,6 +30,10 @@ void check_ref_rolling(const data::Scene& scene, const data::ViscoelasticNipProb
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                int digits);
 
+/// Estimated.
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads, int digits);
+
 /// A body on a half-space: line answers and, where all lines are alike, the critical speed are proven, contacts
 /// estimated. Nothing is computed before it is asked for. BadInput "digits" where the digits are not reached,
 /// "span" where a rolling sphere's is too large.

@@ -1,0 +1,61 @@
+#pragma once
+#include <memory>
+#include <optional>
+
+#include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/number/estimated.hpp>
+
+namespace nipref::ref {
+
+/// The thesis's discretisation of the viscoelastic nip, the same equations as fast/viscoelastic_nip/line_loads: line
+/// loads at the centres of equal elements that started, all at once, `approach` before the first matching point
+/// came into the nip. (thesis 2.2, 7.2)
+struct ViscoelasticLineLoadMethod {
+  int leading_elements;  ///< m1, 1 to 100
+  std::optional<int>
+      trailing_elements;  ///< m2, 0 to 100; absent: searched for as the thesis does (section 2.5)
+  double approach;        ///< C_L, half-thicknesses, > 0; at most 500 with the contact
+  int residue_terms;      ///< of the plain sums, 1 to 500; 0: exact kernels
+};
+
+/// That contact in multiprecision, of the doubles exactly; the material's rates real. Errors are estimated: those of
+/// the influences go through the system as enclosed_system.hpp says, and what a length that carries a load lacks
+/// goes into every result by how it changed over the last step of the search for it.
+class ViscoelasticLineLoads {
+ public:
+  /// digits: 16 to 30, otherwise BadInput, as for a method, length or load out of its domain, or a load that no
+  /// length up to the roller's radius is found to carry.
+  static ViscoelasticLineLoads for_length(const data::ViscoelasticNip& nip,
+                                          const ViscoelasticLineLoadMethod& method, double contact_length,
+                                          int digits);
+  static ViscoelasticLineLoads for_load(const data::ViscoelasticNip& nip,
+                                        const ViscoelasticLineLoadMethod& method, double load, int digits);
+
+  [[nodiscard]] Estimated contact_length() const;
+  [[nodiscard]] Estimated leading_length() const;
+  [[nodiscard]] Estimated trailing_length() const;
+  [[nodiscard]] Estimated indentation() const;
+  [[nodiscard]] Estimated leading_displacement() const;
+  [[nodiscard]] Estimated trailing_displacement() const;
+  [[nodiscard]] Estimated load() const;
+  [[nodiscard]] Estimated peak_pressure() const;
+  [[nodiscard]] Estimated rolling_resistance() const;
+  [[nodiscard]] Estimated creep_ratio() const;  ///< (thesis 7.16, 7.17)
+
+  // At Y, from the line through the rollers' centres, positive ahead; BadInput "y" as in fast's.
+  [[nodiscard]] Estimated pressure(double y) const;  ///< of the element; a border is the trailing one's
+  [[nodiscard]] Estimated normal_displacement(double y) const;
+  [[nodiscard]] Estimated tangential_displacement(double y) const;
+
+  [[nodiscard]] int systems() const;  ///< that were solved
+  [[nodiscard]] int elements() const;
+
+ private:
+  struct Implementation;
+  explicit ViscoelasticLineLoads(std::shared_ptr<const Implementation> implementation)
+      : implementation_(std::move(implementation)) {}
+
+  std::shared_ptr<const Implementation> implementation_;
+};
+
+}  // namespace nipref::ref

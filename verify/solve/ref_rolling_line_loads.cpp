@@ -1,0 +1,81 @@
+#include <map>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include <nipref/ref/viscoelastic_nip/line_loads.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using RefViscoelasticLineLoads = ref::ViscoelasticLineLoads;
+using RefEstimate = ref::Estimated (RefViscoelasticLineLoads::*)() const;
+
+const std::map<std::string_view, RefEstimate> rolling_line_load_numbers{
+    {"contact_length", &RefViscoelasticLineLoads::contact_length},
+    {"leading_length", &RefViscoelasticLineLoads::leading_length},
+    {"trailing_length", &RefViscoelasticLineLoads::trailing_length},
+    {"load", &RefViscoelasticLineLoads::load},
+    {"indentation", &RefViscoelasticLineLoads::indentation},
+    {"edge_displacement", &RefViscoelasticLineLoads::leading_displacement},
+    {"trailing_displacement", &RefViscoelasticLineLoads::trailing_displacement},
+    {"rolling_resistance", &RefViscoelasticLineLoads::rolling_resistance},
+    {"creep_ratio", &RefViscoelasticLineLoads::creep_ratio},
+    {"peak_pressure", &RefViscoelasticLineLoads::peak_pressure},
+};
+
+class RefRollingLineLoads : public SolvedContact<LongEstimate> {
+ public:
+  RefRollingLineLoads(RefViscoelasticLineLoads solution, int digits)
+      : solution_(std::move(solution)), digits_(digits) {}
+
+  [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (name == "peak_shear") return long_estimate(ref::exact_zero(digits_));
+    return long_estimate((solution_.*rolling_line_load_numbers.at(name))());
+  }
+  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
+    if (name == "shear") return long_estimate(ref::exact_zero(digits_));
+    if (name == "pressure") return long_estimate(solution_.pressure(y));
+    if (name == "normal_displacement") return long_estimate(solution_.normal_displacement(y));
+    return long_estimate(solution_.tangential_displacement(y));
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {-solution_.trailing_length().to_double(), solution_.leading_length().to_double()};
+  }
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
+    work.systems = static_cast<std::uint64_t>(solution_.systems());
+    work.unknowns = solution_.elements() + 1;
+    return work;
+  }
+
+ private:
+  RefViscoelasticLineLoads solution_;
+  int digits_;
+};
+
+struct SolveRefRollingLineLoads {
+  const data::ViscoelasticNip& nip;
+  ref::ViscoelasticLineLoadMethod method;
+  int digits;
+
+  RefViscoelasticLineLoads operator()(const data::GivenLoad& load) const {
+    return RefViscoelasticLineLoads::for_load(nip, method, load.per_length, digits);
+  }
+  RefViscoelasticLineLoads operator()(const data::GivenLength& length) const {
+    return RefViscoelasticLineLoads::for_length(nip, method, length.contact_length, digits);
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling_line_loads(
+    const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads, int digits) {
+  const ref::ViscoelasticLineLoadMethod method{loads.leading_elements, loads.trailing_elements,
+                                               loads.approach_lengths, loads.residue_terms};
+  return std::make_unique<RefRollingLineLoads>(
+      std::visit(SolveRefRollingLineLoads{problem.nip, method, digits}, problem.given), digits);
+}
+
+}  // namespace nipref::verify
