@@ -58,8 +58,9 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"replay", {"support", "catalogue"}},
       {"bench", {"support", "catalogue", "replay"}},
       {"grade", {"support", "catalogue", "audit"}},
+      {"witness", {"support", "solve"}},
       {"c_interface", {"support", "catalogue"}},
-      {"cli", {"support", "catalogue", "audit", "grade", "solve", "replay", "bench"}}}},
+      {"cli", {"support", "catalogue", "audit", "grade", "solve", "replay", "bench", "witness"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

@@ -44,12 +44,14 @@ std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
   return essential;
 }
 
-void print_as_text(const BenchReport& speed, const Audits& audits, const std::vector<Replay>& tables,
-                   std::ostream& out) {
+void print_as_text(const BenchReport& speed, const Audits& audits, const Witness& witness,
+                   const std::vector<Replay>& tables, std::ostream& out) {
   out << "nipref report\n\n"
       << version_text() << "\nAccuracy: fast against ref at the worst arguments found\n\n"
       << audit_text(audits.quantities, {}) << "\nHard cases of the contacts, and random scenes\n\n"
-      << contact_audits_text(audits.contacts) << "\nSpeed against error (all ranges: nipref bench)\n\n"
+      << contact_audits_text(audits.contacts)
+      << "\nWhat an outside finite-element program makes of converged contacts\n\n"
+      << witness_text(witness) << "\nSpeed against error (all ranges: nipref bench)\n\n"
       << bench_text(essential_rows(speed.rows)) << "\n"
       << ratios_text(speed.ratios) << "\nTables of the seeds, replayed\n\n"
       << tables_text(tables, true) << interruption_text();
@@ -58,8 +60,9 @@ void print_as_text(const BenchReport& speed, const Audits& audits, const std::ve
 }  // namespace
 
 Json report_json(const BenchReport& speed, const std::vector<AuditResult>& quantities,
-                 const ContactAudits& contacts, const std::vector<Replay>& tables) {
+                 const ContactAudits& contacts, const Witness& witness, const std::vector<Replay>& tables) {
   return {{"audit", audits_json(quantities, contacts, {})},
+          {"witness", witness_json(witness)},
           {"bench", bench_json(speed)},
           {"tables", tables_json(tables)}};
 }
@@ -72,14 +75,16 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   // Before the audit, which would build ref's nodes: their cost is measured.
   const BenchReport speed = bench_all({select_quantities({}), bench_groups()}, progress);
   const Audits audits = run_audits(line, options, progress);
+  const Witness witness = outside_witness();
   const std::vector<Replay> tables = replay_and_correct(replayable_tables(), progress);
   if (line.json) {
-    out << answer_text("report", report_json(speed, audits.quantities, audits.contacts, tables),
+    out << answer_text("report", report_json(speed, audits.quantities, audits.contacts, witness, tables),
                        line.no_times);
   } else {
-    print_as_text(speed, audits, tables, out);
+    print_as_text(speed, audits, witness, tables, out);
   }
-  return audits.kept() && !fall_short(tables) && all_met(speed, line.has("strict")) ? 0 : 1;
+  return audits.kept() && witness.agrees() && !fall_short(tables) && all_met(speed, line.has("strict")) ? 0
+                                                                                                        : 1;
 }
 
 }  // namespace nipref::verify

@@ -84,15 +84,16 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
-/// scene's accuracy is not used. It has, of nips only, and refuses with BadInput whatever else the scene says or
-/// wants:
-/// - the continuous contact of an elastic nip without friction, with proven bounds; digits from 16 to 100
-///   (ref/elastic_nip/converged.hpp);
-/// - line loads of given contact length, with friction of given creep ratio, no residue_terms: load,
-///   indentation, edge_displacement, with proven bounds on the error of the discrete system, not of its
-///   distance to the continuous contact; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
+/// scene's accuracy is not used, and the errors of line loads are those of the discrete system, not its distance to
+/// the continuous contact. It has, and refuses with BadInput whatever else the scene says or wants:
+/// - the continuous contact of an elastic nip, without friction with proven bounds, with it estimated; digits from 16
+///   to 100 (ref/elastic_nip/converged.hpp, gripped.hpp);
+/// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);
 /// - the continuous contact of a viscoelastic nip with real rates, but no tangential displacements and no
-///   creep, with estimated errors; digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp).
+///   creep, with estimated errors; digits from 16 to 30 (ref/viscoelastic_nip/converged.hpp);
+/// - its line loads, real rates, estimated; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
+/// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
+///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
 [[nodiscard]] SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
 }  // namespace nipref::verify

@@ -91,6 +91,10 @@ TEST_CASE("ref line loads refuse bad input by name") {
   using data::BadInput;
   CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 0, 0.1, 30),
                        doctest::Contains("elements_per_side"), BadInput);
+  CHECK_THROWS_WITH_AS(ref::line_loads_for_load(quarter_inch_nip, 2, -1, 30), doctest::Contains("load = -1"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, {2, 501}, 0.1, 30),
+                       doctest::Contains("residue_terms = 501"), data::BadInput);
   CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 2, -0.1, 30),
                        doctest::Contains("contact_length"), BadInput);
   CHECK_THROWS_WITH_AS(ref::line_loads_for_length(quarter_inch_nip, 2, 0.1, 5), doctest::Contains("digits"),
@@ -105,4 +109,36 @@ TEST_CASE("ref line loads refuse bad input by name") {
   const std::array<double, 4> singular{1, 1, 1, 1};
   CHECK_THROWS_WITH_AS(ref::line_loads_from_kernel_values(quarter_inch_nip, singular, 0.1, 30),
                        doctest::Contains("kernel = 1"), BadInput);
+}
+
+TEST_CASE("ref line loads: a given load is carried at a length that is proven, whatever the digits") {
+  for (const auto kind : {ref::Grip::Creep::none, ref::Grip::Creep::given, ref::Grip::Creep::thesis}) {
+    const ref::Grip grip{kind, kind == ref::Grip::Creep::given ? 1e-4 : 0};
+    const auto coarse = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 18, grip);
+    const auto fine = ref::line_loads_for_load(quarter_inch_nip, 3, 100, 34, grip);
+    CHECK(difference(coarse.contact_length, fine.contact_length) <= error(coarse.contact_length));
+    CHECK(difference(coarse.indentation, fine.indentation) <= error(coarse.indentation));
+    CHECK(difference(coarse.peak_pressure, fine.peak_pressure) <= error(coarse.peak_pressure));
+    CHECK(error(coarse.contact_length) <= 1e-18 * coarse.contact_length.to_double());
+    CHECK(std::fabs(fine.load.to_double() - 100) <= 1e-13);
+    CHECK(error(fine.load) <= 1e-30);
+  }
+}
+
+TEST_CASE("ref line loads: the thesis's creep is that in double") {
+  for (const double length : {0.05, 0.1, 0.3}) {
+    const auto solve = [&] {
+      return ref::line_loads_for_length(quarter_inch_nip, 3, length, 20, {ref::Grip::Creep::thesis});
+    };
+    const auto theirs = fast::thesis_line_loads_for_length(quarter_inch_nip, 3, length);
+    REQUIRE(theirs.has_value() == (length < 0.2));
+    if (!theirs) {
+      CHECK_THROWS_AS(solve(), data::BadInput);
+      continue;
+    }
+    const auto mine = solve();
+    CHECK(mine.gripped_creep->to_double() == doctest::Approx(*theirs->gripped_creep).epsilon(1e-9));
+    CHECK(mine.load.to_double() == doctest::Approx(theirs->load).epsilon(1e-9));
+    CHECK(mine.peak_shear.to_double() == doctest::Approx(theirs->peak_shear).epsilon(1e-9));
+  }
 }

@@ -81,3 +81,19 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
   };
   refused(no_number, Exact(1.0), "surface = nan");
 }
+
+TEST_CASE("the reference's contact of a sphere at rest is Hertz's, the force given or the span") {
+  // K = 1 - nu = 3/4: F = 8/(3 K) sqrt(R) approach^(3/2), a^2 = R approach, peak = 3 F/(2 pi a^2).
+  const double radius = 2, force = 0.01, K = 0.75;
+  const auto body = ref::Indenter::of_radii(radius, radius);
+  const ref::EllipticContact contact(isotropic_surface(0.25, 1e-30), body, data::GivenNormalForce{force}, 20);
+  const double approach = std::pow(3 * K * force / (8 * std::sqrt(radius)), 2.0 / 3);
+  const double a = std::sqrt(radius * approach);
+  CHECK(contact.approach().to_double() == doctest::Approx(approach).epsilon(1e-14));
+  CHECK(contact.span(Exact(33.0)).to_double() == doctest::Approx(2 * a).epsilon(1e-14));
+  CHECK(contact.peak_pressure().to_double() ==
+        doctest::Approx(3 * force / (2 * std::numbers::pi * a * a)).epsilon(1e-14));
+  CHECK(mpfr_get_d(contact.orientation().error.get(), MPFR_RNDN) == 90);
+  const ref::EllipticContact back(isotropic_surface(0.25, 1e-30), body, data::GivenSpan{2 * a}, 20);
+  CHECK(back.force().to_double() == doctest::Approx(force).epsilon(1e-14));
+}

@@ -117,7 +117,8 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
                                    {"half-space", "all", "contour", 9, {}, {}, {}}},
                                   {{"what", 2, 3}}};
   const verify::Json report =
-      verify::report_json(speed, {kept, broken}, {{contact}, {}}, replayed_and_corrected());
+      verify::report_json(speed, {kept, broken}, {{contact}, {}}, {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}},
+                          replayed_and_corrected());
   const json answer = json::parse(verify::answer_text("report", report));
   CHECK(answer_schema().misfit(answer, "report") == "");
   CHECK_FALSE(holds_empty_text(answer));

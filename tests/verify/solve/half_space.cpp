@@ -187,3 +187,13 @@ TEST_CASE("what does not fit together is refused at its key") {
                 "roller = ");
   check_refused(spans + isotropic + die + sliding("0.1") + load + exact, "half_space = ", " --path ref");
 }
+
+TEST_CASE("a friction force has the rounding of its product, though force and friction are given") {
+  const data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die"));
+  const auto solved = verify::solve(scene);
+  const double force =
+      std::get<data::GivenNormalForce>(std::get<data::HalfSpaceProblem>(scene.system).given).force;
+  // 0.3 is no binary number: 1000 times it is 1.1e-14 below 300.
+  CHECK(std::fabs(std::fma(0.3, force, -solved["friction_force"].value)) > 1e-14);
+  CHECK(solved["friction_force"].error >= std::fabs(std::fma(0.3, force, -solved["friction_force"].value)));
+}

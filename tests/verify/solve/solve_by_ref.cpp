@@ -8,6 +8,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -141,19 +142,62 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   CHECK(verify::solution_text(estimated).find(" bound ") == std::string::npos);
 }
 
-TEST_CASE("what the reference does not have is refused by its key") {
+TEST_CASE("the reference's line loads carry a given load, all of their results as in double") {
   data::Scene scene = line_load_scene();
+  scene.wanted = {"contact_length",
+                  "leading_length",
+                  "trailing_displacement",
+                  "rolling_resistance",
+                  "creep_ratio",
+                  "peak_pressure",
+                  "peak_shear",
+                  "load",
+                  "pressure",
+                  "shear",
+                  "normal_displacement",
+                  "tangential_displacement"};
   problem_of(scene).given = data::GivenLoad{100};
-  check_unsolvable(scene, "load.per_length = 100: must be a [contact] length");
-  scene = line_load_scene();
-  problem_of(scene).method = data::LineLoads{5, 5, 100};
-  check_unsolvable(scene, "method.residue_terms = 100: must be 0");
-  scene = line_load_scene();
-  problem_of(scene).friction = data::Friction::full;
-  check_unsolvable(scene, "friction.creep_ratio = (missing): must be given");
-  scene = line_load_scene();
-  scene.wanted = {"peak_pressure"};
-  check_unsolvable(scene, "wanted[0] = peak_pressure: must be one of what the reference has here: load");
+  problem_of(scene).method = data::LineLoads{3, 3, 100};
+  for (const bool friction : {false, true}) {
+    if (friction) problem_of(scene).friction = data::Friction::full;  // with the thesis's creep
+    const auto fast = verify::solve(scene);
+    const auto reference = verify::solve_by_ref(scene, 18);
+    for (std::size_t r = 0; r < scene.wanted.size(); ++r) {
+      CAPTURE(scene.wanted[r]);
+      CHECK(reference.results[r].met().value_or(false));
+      for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
+        const double value = fast.results[r].numbers[i].value;
+        const verify::LongEstimate& truth = reference.results[r].numbers[i];
+        CHECK(std::fabs(std::stod(truth.value) - value) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
+        CHECK(truth.proven);
+      }
+    }
+  }
+}
+
+TEST_CASE("every example that takes the reference less than about a second is solved by it") {
+  for (const char* name :
+       {"half-space-near-critical", "half-space-rolling-sphere", "half-space-sliding-die",
+        "half-space-sliding-die-exact", "half-space-sphere-in-plane-axis", "half-space-sphere-normal-axis",
+        "intermediate-frictionless", "intermediate-full-friction", "intermediate-full-friction-line-loads",
+        "thick-frictionless", "thick-frictionless-line-loads", "thick-full-friction",
+        "thin-frictionless-line-loads"}) {
+    CAPTURE(name);
+    const data::Scene scene = data::load_scene(data::example_scene(name));
+    const auto fast = verify::solve(scene);
+    const auto reference = verify::solve_by_ref(scene, 16);
+    CHECK(reference.missed().empty());
+    for (std::size_t r = 0; r < scene.wanted.size(); ++r) {
+      CAPTURE(scene.wanted[r]);
+      for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
+        const fast::Estimate& number = fast.results[r].numbers[i];
+        const verify::LongEstimate& truth = reference.results[r].numbers[i];
+        const double rounding = 1e-15 * std::fabs(number.value);
+        CHECK(std::fabs(number.value - std::stod(truth.value)) <=
+              number.error + std::stod(truth.error) + rounding);
+      }
+    }
+  }
 }
 
 TEST_CASE("lengths and digits beyond the reference's solvers are refused by name") {

@@ -25,20 +25,20 @@ constexpr double longest_by_ref = 20;  // L/B
 constexpr double dear_share = 1.0 / 16;
 
 /// What the reference says: more digits than a double's, and how far it may be off.
-struct Truth {
+struct RefNumber {
   long double value;
   double error;
 };
 
 /// Of the reference's decimal text, the rounding to a long double, which has 19 digits, in the error.
-Truth truth_of(const LongEstimate& number) {
+RefNumber ref_number(const LongEstimate& number) {
   const long double value = std::strtold(number.value.c_str(), nullptr);
   return {value, std::strtod(number.error.c_str(), nullptr) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
 /// What a number is compared with.
 struct Other {
-  Truth number;
+  RefNumber number;
   bool is_truth;  ///< and not an identity
 };
 
@@ -86,7 +86,7 @@ class Comparisons {
   };
 
   void compare(const std::string& name, std::size_t k, std::size_t i, const Other& with) {
-    const Truth& other = with.number;
+    const RefNumber& other = with.number;
     const Solution::Result& result = solved_.results[k];
     const Estimate& mine = result.numbers[i];
     Checked& checked = checked_[k][i];
@@ -124,7 +124,7 @@ class Comparisons {
   }
 
   void note_largest(double ratio, const std::string& name, const Solution::Result& result, std::size_t i,
-                    const Truth& other) {
+                    const RefNumber& other) {
     if (ratio <= findings_.largest_ratio) return;
     findings_.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
@@ -172,7 +172,7 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
     try {
       const LongEstimate number =
           result.what->is_profile ? contact->at(name, solved.positions[i]) : contact->number(name);
-      return std::optional(Other{truth_of(number), true});
+      return std::optional(Other{ref_number(number), true});
     } catch (const data::BadInput&) {
       return std::optional<Other>();  // where no proof is found, or not the digits
     }
@@ -190,7 +190,7 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
   const auto truth = solvers.ref(drawn.scene(), ref_digits);
   comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
     const LongEstimate& number = truth.profile(result.what->name)[i];
-    return std::optional(Other{truth_of(number), true});
+    return std::optional(Other{ref_number(number), true});
   });
 }
 

@@ -52,7 +52,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     if (name == "span_across") return span(across);
     if (name == "span_ratio") return span_ratio(across);
     if (name == "normal_force") return force();
-    if (name == "friction_force") return times(friction_, force());
+    if (name == "friction_force") return times(Estimate{friction_, 0}, force());
     if (name == "peak_pressure") return peak_pressure();
     if (name == "critical_speed") return to_rounding(response_.critical_speed());
     return of_ellipse(name);

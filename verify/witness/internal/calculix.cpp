@@ -1,5 +1,3 @@
-#pragma once
-#include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,37 +5,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
-#include "support/strip_mesh.hpp"
+#include <nipref/verify/witness/internal/calculix.hpp>
+#include <nipref/verify/witness/internal/strip_mesh.hpp>
 
-/// An outside witness for contacts: the finite-element program CalculiX (ccx), where it is installed.
-namespace nipref::test::calculix {
+namespace nipref::verify::calculix {
+namespace {
 
-/// What is prescribed of the strip's surface for 0 <= y <= contact_end: u = indentation - y^2/(2 radius)
-/// towards the middle plane, and v = creep y where it sticks. The rest of the surface is free, and the strip
-/// symmetric about the middle plane and about y = 0.
-struct IndentedStrip {
-  double young, poisson, half_thickness, contact_end, indentation, radius;
-  std::optional<double> creep;
-};
-
-struct SurfaceDisplacement {
-  double normal;      ///< towards the middle plane
-  double tangential;  ///< along y
-};
-
-struct Response {
-  double reaction;                                ///< of the prescribed nodes, against the indentation
-  std::map<double, SurfaceDisplacement> surface;  ///< by y
-};
-
-inline bool is_installed() { return std::system("command -v ccx >/dev/null 2>&1") == 0; }
-
-inline void write_geometry(std::ostream& out, const StripMesh& mesh) {
+void write_geometry(std::ostream& out, const StripMesh& mesh) {
   out << "*NODE\n";
   for (std::size_t k = 0; k < mesh.across.size(); ++k) {
     for (std::size_t i = 0; i < mesh.along.size(); ++i) {
@@ -56,7 +34,7 @@ inline void write_geometry(std::ostream& out, const StripMesh& mesh) {
   }
 }
 
-inline void write_sets(std::ostream& out, const StripMesh& mesh) {
+void write_sets(std::ostream& out, const StripMesh& mesh) {
   const auto write = [&](const char* name, std::size_t count, auto node) {
     out << "*NSET,NSET=" << name << '\n';
     for (std::size_t i = 0; i < count; ++i) out << node(i) << ",\n";
@@ -67,7 +45,7 @@ inline void write_sets(std::ostream& out, const StripMesh& mesh) {
   write("SURFACE", mesh.along.size(), [&](std::size_t i) { return mesh.surface_number(i); });
 }
 
-inline void write_step(std::ostream& out, const IndentedStrip& strip, const StripMesh& mesh) {
+void write_step(std::ostream& out, const IndentedStrip& strip, const StripMesh& mesh) {
   out << fmt::format("*MATERIAL,NAME=SHEET\n*ELASTIC\n{:.12e},{:.12e}\n", strip.young, strip.poisson)
       << "*SOLID SECTION,ELSET=STRIP,MATERIAL=SHEET\n*STEP\n*STATIC\n*BOUNDARY\nMIDDLEPLANE,2,2\nMIDDLE,1,1\n";
   for (std::size_t i = 0; i < mesh.contact_nodes; ++i) {
@@ -81,7 +59,7 @@ inline void write_step(std::ostream& out, const IndentedStrip& strip, const Stri
 }
 
 /// From the program's printed results.
-inline Response read_response(std::istream& in, const StripMesh& mesh) {
+Response read_response(std::istream& in, const StripMesh& mesh) {
   Response response{NAN, {}};
   std::string line;
   bool forces = false;
@@ -100,10 +78,13 @@ inline Response read_response(std::istream& in, const StripMesh& mesh) {
   return response;
 }
 
-/// What CalculiX makes of it, in a folder of its own that is gone afterwards.
-inline Response respond(const IndentedStrip& strip) {
+}  // namespace
+
+bool is_installed() { return std::system("command -v ccx >/dev/null 2>&1") == 0; }
+
+Response respond(const IndentedStrip& strip) {
   std::string folder = (std::filesystem::temp_directory_path() / "nipref-ccx-XXXXXX").string();
-  REQUIRE(mkdtemp(folder.data()) != nullptr);
+  if (mkdtemp(folder.data()) == nullptr) throw std::runtime_error("no temporary folder for CalculiX");
   const StripMesh mesh(strip.half_thickness, strip.contact_end);
   {
     std::ofstream input(folder + "/strip.inp");
@@ -115,9 +96,9 @@ inline Response respond(const IndentedStrip& strip) {
   std::ifstream printed(folder + "/strip.dat");
   const Response response = read_response(printed, mesh);
   std::filesystem::remove_all(folder);
-  CHECK(status == 0);
-  REQUIRE(response.surface.size() == mesh.along.size());
+  if (status != 0 || response.surface.size() != mesh.along.size())
+    throw std::runtime_error("CalculiX did not solve a strip");
   return response;
 }
 
-}  // namespace nipref::test::calculix
+}  // namespace nipref::verify::calculix

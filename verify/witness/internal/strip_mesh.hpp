@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace nipref::test::calculix {
+namespace nipref::verify::calculix {
 
 /// Positions of nodes along a side, corners and the middles between them in turn.
 using Side = std::vector<double>;
@@ -61,4 +61,4 @@ struct StripMesh {
   std::size_t contact_nodes;  ///< columns 0 .. contact_nodes - 1 are prescribed
 };
 
-}  // namespace nipref::test::calculix
+}  // namespace nipref::verify::calculix

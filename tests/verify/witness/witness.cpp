@@ -1,0 +1,25 @@
+#include <doctest/doctest.h>
+
+#include <nipref/verify/witness/witness.hpp>
+
+using namespace nipref;
+
+TEST_CASE("an outside finite-element program confirms converged contacts") {
+  const verify::Witness witness = verify::outside_witness();
+  MESSAGE(verify::witness_text(witness));
+  CHECK(witness.agrees());
+  if (witness.installed) CHECK(witness.contacts.size() == 4);
+}
+
+TEST_CASE("a witness that differs in anything does not agree, and says so") {
+  const verify::Witnessed good{0.25, true, 1e-6, 1e-6, 1e-5};
+  CHECK(verify::Witness{true, {good}}.agrees());
+  for (const auto member :
+       {&verify::Witnessed::load, &verify::Witnessed::normal, &verify::Witnessed::tangential}) {
+    verify::Witnessed bad = good;
+    bad.*member = 1e-3;
+    CHECK_FALSE(verify::Witness{true, {good, bad}}.agrees());
+    CHECK(verify::witness_text({true, {bad}}).find("DIFFERS") != std::string::npos);
+  }
+  CHECK(verify::witness_text({}).find("not installed") != std::string::npos);
+}
