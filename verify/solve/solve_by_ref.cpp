@@ -45,7 +45,7 @@ SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::
 SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
                                           const data::ViscoelasticNipProblem& problem, int digits) {
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
-  if (loads == nullptr) check_ref_rolling(scene, problem);
+  if (loads == nullptr) check_ref_rolling(scene);
   const Solved solved = [&] {
     try {
       return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)

@@ -26,7 +26,7 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::Elast
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
                                                                   const data::LineLoads& loads, int digits);
 
-void check_ref_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem);
+void check_ref_rolling(const data::Scene& scene);
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                int digits);
 
