@@ -106,8 +106,9 @@ Complex MaterialFunction::transform(Complex p) const {
   return sum;
 }
 
-ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2)
-    : theta1_(std::move(theta1)), theta2_(std::move(theta2)) {
+ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2,
+                                           MaterialConstants constants)
+    : theta1_(std::move(theta1)), theta2_(std::move(theta2)), constants_(std::move(constants)) {
   check_function(theta1_, "theta1");
   check_function(theta2_, "theta2");
   for (const double frequency : telling_frequencies(theta1_, theta2_))

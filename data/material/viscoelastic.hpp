@@ -2,6 +2,8 @@
 #include <complex>
 #include <vector>
 
+#include <nipref/data/material/constants.hpp>
+
 namespace nipref::data {
 
 /// amplitude e^(-rate t). Complex ones come in conjugate pairs, both members listed.
@@ -29,7 +31,8 @@ class ViscoelasticMaterial {
   /// Throws BadInput unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
   /// real parts of the rates positive) and the material physical: positive compliances at once and after a
   /// long time, and in shear and in dilatation no gain of energy at any frequency.
-  ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2);
+  /// `constants`: what they were rounded from.
+  ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2, MaterialConstants constants = {});
 
   /// 1/(2G) as an operator.
   [[nodiscard]] const MaterialFunction& theta1() const { return theta1_; }
@@ -40,8 +43,12 @@ class ViscoelasticMaterial {
   /// joined.
   [[nodiscard]] MaterialFunction normal_compliance() const;
 
+  /// For those who need them without the rounding of the functions.
+  [[nodiscard]] const MaterialConstants& constants() const { return constants_; }
+
  private:
   MaterialFunction theta1_, theta2_;
+  MaterialConstants constants_;
 };
 
 }  // namespace nipref::data

@@ -17,7 +17,8 @@ Compliances compliances(double bulk, double shear) {
 
 /// theta = at_once (delta(t) + e^(-rate t)/relaxation_time), the rate of theta2 being so many times
 /// 1/relaxation_time.
-ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time, int theta2_rate_factor) {
+ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time, int theta2_rate_factor,
+                              const MaterialConstants& constants = {}) {
   // It may be so short or so long that it no longer matters: it need not be a magnitude.
   if (!(std::isfinite(relaxation_time) && relaxation_time > 0))
     throw BadInput("relaxation_time", relaxation_time, "must be finite and > 0");
@@ -28,7 +29,7 @@ ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time
                      "must be so long that what is divided by it stays within the range of doubles");
     return {compliance, {{amplitude, rate}}};
   };
-  return {function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor)};
+  return {function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor), constants};
 }
 
 MaterialFunction prony_function(const PronyList& list, const std::string& name) {
@@ -54,12 +55,27 @@ Polynomial polynomial(Polynomial coefficients, const char* name) {
   return coefficients;
 }
 
+ViscoelasticMaterial from_operators(const DifferentialOperators& operators,
+                                    const MaterialConstants& constants) {
+  const Polynomial p = polynomial(operators.p, "P");
+  const Polynomial q = polynomial(operators.q, "Q");
+  const Polynomial p_dilatation = polynomial(operators.p_dilatation, "P_dilatation");
+  const Polynomial q_dilatation = polynomial(operators.q_dilatation, "Q_dilatation");
+  const Polynomial six = product({6.0}, q_dilatation), two = product({2.0}, q);
+  const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
+  // A factor P that both have is left out at once: rounding would part its double root.
+  if (p == p_dilatation)
+    return {theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation"), constants};
+  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
+  return {theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation"), constants};
+}
+
 }  // namespace
 
 ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
   material.check();
   // An incompressible one has theta2 = 0, which no viscoelastic material has.
-  return {{material.theta1(), {}}, {material.theta2(), {}}};
+  return {{material.theta1(), {}}, {material.theta2(), {}}, material};
 }
 
 ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
@@ -73,15 +89,17 @@ ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
   const Polynomial q{s.shear_1 * s.shear_2, s.shear_1 * s.shear_viscosity};
   const Polynomial p_dilatation{s.bulk_1 + s.bulk_2, s.bulk_viscosity};
   const Polynomial q_dilatation{s.bulk_1 * s.bulk_2, s.bulk_1 * s.bulk_viscosity};
-  return operator_solid({p, q, p_dilatation, q_dilatation});
+  return from_operators({p, q, p_dilatation, q_dilatation}, s);
 }
 
 ViscoelasticMaterial single_relaxation_time_solid(double bulk, double shear, double relaxation_time) {
-  return single_relaxation_time_solid(compliances(bulk, shear), relaxation_time);
+  return relaxing(compliances(bulk, shear), relaxation_time, 1,
+                  SingleRelaxationTimeSolid{bulk, shear, relaxation_time, 1});
 }
 
 ViscoelasticMaterial misprinted_thesis_solid(double bulk, double shear, double relaxation_time) {
-  return misprinted_thesis_solid(compliances(bulk, shear), relaxation_time);
+  return relaxing(compliances(bulk, shear), relaxation_time, misprinted_rate_factor,
+                  SingleRelaxationTimeSolid{bulk, shear, relaxation_time, misprinted_rate_factor});
 }
 
 ViscoelasticMaterial single_relaxation_time_solid(const Compliances& at_once, double relaxation_time) {
@@ -97,16 +115,7 @@ ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta
 }
 
 ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
-  const Polynomial p = polynomial(operators.p, "P");
-  const Polynomial q = polynomial(operators.q, "Q");
-  const Polynomial p_dilatation = polynomial(operators.p_dilatation, "P_dilatation");
-  const Polynomial q_dilatation = polynomial(operators.q_dilatation, "Q_dilatation");
-  const Polynomial six = product({6.0}, q_dilatation), two = product({2.0}, q);
-  const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
-  // A factor P that both have is left out at once: rounding would part its double root.
-  if (p == p_dilatation) return {theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation")};
-  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
-  return {theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation")};
+  return from_operators(operators, operators);
 }
 
 }  // namespace nipref::data

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/data/material/elastic.hpp>
+#include <nipref/data/material/constants.hpp>
 #include <nipref/data/material/viscoelastic.hpp>
 
 namespace nipref::data {
@@ -12,14 +12,6 @@ namespace nipref::data {
 /// No relaxation at all.
 [[nodiscard]] ViscoelasticMaterial elastic_solid(const ElasticMaterial& material);
 
-/// A spring in series with a spring and a dashpot side by side, in shear and in dilatation: 1/G = 1/G1 +
-/// 1/(G2 + shear_viscosity p), 1/K likewise. All > 0 and finite, moduli in stress, viscosities in stress
-/// time. Two equal relaxation times make one term. (thesis AIII.1-AIII.8)
-struct StandardLinearSolid {
-  double shear_1, shear_2;
-  double bulk_1, bulk_2;
-  double shear_viscosity, bulk_viscosity;
-};
 [[nodiscard]] ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& solid);
 
 /// The same with G1 = G2 = shear, K1 = K2 = bulk and one relaxation time, > 0: it ends up twice as compliant
@@ -57,13 +49,6 @@ struct PronyList {
 };
 [[nodiscard]] ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2);
 
-/// G = Q/P and K = Q'/P' with polynomials in d/dt, the coefficient of p^0 first. theta1 = P/(2Q) and theta2 =
-/// 3/(6Q'/P' + 2Q/P) must have finite limits > 0 for short times. Common factors are cancelled, repeated
-/// roots refused, complex rates allowed. (thesis 6.14-6.17)
-struct DifferentialOperators {
-  std::vector<double> p, q;                        ///< in shear: P, Q
-  std::vector<double> p_dilatation, q_dilatation;  ///< P', Q'
-};
 [[nodiscard]] ViscoelasticMaterial operator_solid(const DifferentialOperators& operators);
 
 }  // namespace nipref::data

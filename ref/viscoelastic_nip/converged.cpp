@@ -19,6 +19,8 @@ constexpr int most_rolling_digits = 30;
 constexpr double shortest_rolling = 1e-4, longest_rolling = 10;
 /// Relaxation lengths in contacts.
 constexpr double shortest_memory = 1e-3, longest_memory = 1e8;
+/// Of a rate, its imaginary part over the real one.
+constexpr double most_swing = 10;
 /// Of a displacement, in half-thicknesses.
 constexpr double farthest_rolling = 600;
 
@@ -36,18 +38,22 @@ bool rolling_length_is_allowed(const data::ViscoelasticNip& nip, double length) 
          length <= longest_rolling * nip.sheet_thickness && length <= nip.roller_radius;
 }
 
-void check_rates(const data::ViscoelasticNip& nip) {
-  for (const data::RelaxationTerm& term : nip.material.normal_compliance().terms) {
-    if (term.rate.imag() != 0)
-      throw BadInput("nip.material", term.rate.imag(),
-                     "must have real rates for the reference's rolling contact");
+void check_swing(const RollingMaterial& material) {
+  for (const RollingMemory& term : material.normal) {
+    const Float swing = term.rate.im / term.rate.re;
+    if (swing > most_swing)
+      throw BadInput("nip.material", static_cast<double>(swing),
+                     "must have imaginary parts of rates at most 10 times the real parts for the reference");
   }
 }
 
-void check_memories(const data::ViscoelasticNip& nip, double length) {
-  for (const data::RelaxationTerm& term : nip.material.normal_compliance().terms) {
-    const double way = nip.speed / term.rate.real();
-    if (way < shortest_memory * length || way > longest_memory * length)
+/// Of a half length in half-thicknesses.
+void check_memories(const RollingMaterial& material, double half_length) {
+  for (const RollingMemory& term : material.normal) {
+    const double length = 2 * half_length;
+    const double way = 1 / static_cast<double>(abs(term.rate)),
+                 longest = 1 / static_cast<double>(term.rate.re);
+    if (way < shortest_memory * length || longest > longest_memory * length)
       throw BadInput("nip.material", way / length,
                      "must have relaxation lengths from 0.001 to 1e8 contacts for the reference");
   }
@@ -60,36 +66,12 @@ struct RollingUnits {
   Float pressure;      ///< b/(2 R N_0)
   Float lever;         ///< b/R
 
-  explicit RollingUnits(const data::ViscoelasticNip& nip)
+  RollingUnits(const data::ViscoelasticNip& nip, const RollingMaterial& material)
       : length(Float(nip.sheet_thickness) / 2),
         displacement(length * length / (2 * Float(nip.roller_radius))),
-        pressure(length / (2 * Float(nip.roller_radius) * compliance(nip))),
+        pressure(length / (2 * Float(nip.roller_radius) * material.compliance)),
         lever(length / nip.roller_radius) {}
-
-  /// N at once, not rounded as data's.
-  static Float compliance(const data::ViscoelasticNip& nip) {
-    return Float(nip.material.theta1().instantaneous) + nip.material.theta2().instantaneous;
-  }
 };
-
-std::vector<RollingMemory> rolling_memory(const data::ViscoelasticNip& nip) {
-  const Float half = Float(nip.sheet_thickness) / 2;
-  const Float compliance = RollingUnits::compliance(nip);
-  std::vector<RollingMemory> memory;
-  for (const data::MaterialFunction* function : {&nip.material.theta1(), &nip.material.theta2()}) {
-    for (const data::RelaxationTerm& term : function->terms) {
-      const Float rate = term.rate.real() * half / nip.speed;
-      const Float amplitude = term.amplitude.real() * half / (nip.speed * compliance);
-      const auto same = std::ranges::find_if(memory, [&](const auto& other) { return other.rate == rate; });
-      if (same == memory.end()) {
-        memory.push_back({amplitude, rate});
-      } else {
-        same->amplitude += amplitude;
-      }
-    }
-  }
-  return memory;
-}
 
 Estimated estimated_of(const Float& unit, const FloatEstimate& estimate, int digits) {
   return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
@@ -114,6 +96,10 @@ struct ConvergedViscoelasticNip::Implementation {
     return estimated(units.displacement, functional, [](const RollingPressure& contact_here) {
       return contact_here.half_length() * contact_here.half_length();
     });
+  }
+  void check_place(double y) const {
+    if (!std::isfinite(y) || abs(y / units.length) > farthest_rolling)
+      throw BadInput("y", y, "must be within 300 sheet thicknesses of the middle on the reference path");
   }
   /// Of Y, from the leading end.
   [[nodiscard]] Float downstream(const RollingPressure& of, double y) const {
@@ -196,18 +182,49 @@ Estimated ConvergedViscoelasticNip::pressure(double y) const {
   return estimated_of(units.pressure, result, contact.digits());
 }
 
+Estimated ConvergedViscoelasticNip::creep_ratio() const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  RollingKernel& kernel = implementation_->contact.tangential_kernel();
+  return implementation_->estimated(
+      implementation_->units.lever / 2,
+      [&](const RollingPressure& of) {
+        const Float length = 2 * of.half_length();
+        return (of.response(0, kernel) - of.response(length, kernel)) / length;
+      },
+      std::mem_fn(&RollingPressure::half_length));
+}
+
+Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  implementation_->check_place(y);
+  if (y == 0) return exact_zero(implementation_->contact.digits());
+  RollingKernel& kernel = implementation_->contact.tangential_kernel();
+  const Float& size = implementation_->size();
+  const Float way = abs(y / implementation_->units.length);
+  return implementation_->estimated(
+      implementation_->units.displacement,
+      [&](const RollingPressure& of) {
+        return of.response(implementation_->downstream(of, y), kernel) -
+               of.response(implementation_->downstream(of, 0), kernel);
+      },
+      [&](const RollingPressure&) { return size * std::min(size, way); });
+}
+
 Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
-  if (!std::isfinite(y) || abs(y / implementation_->units.length) > farthest_rolling)
-    throw BadInput("y", y, "must be within 300 sheet thicknesses of the middle on the reference path");
+  implementation_->check_place(y);
   return implementation_->displacement([&](const RollingPressure& of) {
-    return of.normal_displacement(implementation_->downstream(of, y), implementation_->contact.kernel());
+    return of.normal_displacement(implementation_->downstream(of, y),
+                                  implementation_->contact.normal_kernel());
   });
 }
 
 int ConvergedViscoelasticNip::unknowns() const { return implementation_->contact.fine().unknowns(); }
-long ConvergedViscoelasticNip::kernel_values() const {
-  return implementation_->contact.kernel().kernel_values();
+long ConvergedViscoelasticNip::normal_kernel_values() const {
+  return implementation_->contact.normal_kernel().kernel_values();
+}
+long ConvergedViscoelasticNip::tangential_kernel_values() const {
+  return implementation_->contact.tangential_kernel().kernel_values();
 }
 
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
@@ -216,30 +233,30 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_rolling_digits(digits);
   if (!rolling_length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_rolling_lengths);
-  check_rates(nip);
-  check_memories(nip, contact_length);
   const WorkingDigits working(digits + 14);
+  const RollingMaterial material = rolling_material(nip);
+  const Float half_length = Float(contact_length) / nip.sheet_thickness;
+  check_swing(material);
+  check_memories(material, static_cast<double>(half_length));
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      RollingUnits(nip), RollingContact::of_half_length(Float(contact_length) / nip.sheet_thickness,
-                                                        rolling_memory(nip), digits)));
+      RollingUnits(nip, material), RollingContact::of_half_length(half_length, material, digits)));
 }
 
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits) {
   nip.check();
   check_rolling_digits(digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  check_rates(nip);
   const WorkingDigits working(digits + 14);
-  const RollingUnits units(nip);
+  const RollingMaterial material = rolling_material(nip);
+  check_swing(material);
+  const RollingUnits units(nip, material);
   const auto check = [&](double half_length) {
-    const double length = half_length * nip.sheet_thickness;
-    if (!rolling_length_is_allowed(nip, length))
+    if (!rolling_length_is_allowed(nip, half_length * nip.sheet_thickness))
       throw BadInput("load", load, std::string("gives a contact whose length ") + allowed_rolling_lengths);
-    check_memories(nip, length);
+    check_memories(material, half_length);
   };
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      units,
-      RollingContact::of_load(load / (units.pressure * units.length), rolling_memory(nip), digits, check)));
+      units, RollingContact::of_load(load / (units.pressure * units.length), material, digits, check)));
 }
 
 }  // namespace nipref::ref

@@ -9,8 +9,10 @@ namespace nipref::ref {
 /// The continuous contact of a viscoelastic nip in steady frictionless rolling, pressure bounded at both
 /// ends, in multiprecision. What a unit of pressure does to the surface for ever after is one kernel, I1 and
 /// its fading memory in closed form and by a differential equation (internal/rolling_kernel.hpp), by which the
-/// pressure alone is collocated, a square root times polynomials (internal/rolling_pressure.hpp). Inputs are
-/// doubles taken exactly; units as in data::ViscoelasticNip. (thesis 2.1-2.6, 7.6, 7.15; continuous form)
+/// pressure alone is collocated, a square root times polynomials (internal/rolling_pressure.hpp); tangential
+/// displacements are by a second one, of I2 and I3. Inputs are doubles taken exactly, those that the material was
+/// made of where it has them (data::ViscoelasticMaterial::constants); units as in data::ViscoelasticNip. (thesis
+/// 2.1-2.6, 7.6, 7.15, 7.17; continuous form)
 ///
 /// Errors are estimated, nothing is proven: each contact is solved by two discretisations with other panels
 /// and numbers of terms; the error of a result is twice their difference and beside it the largest that they
@@ -26,19 +28,23 @@ class ConvergedViscoelasticNip {
   ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept;
   ~ConvergedViscoelasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;               ///< L = L1 + L2, unit of length
-  [[nodiscard]] Estimated leading_length() const;               ///< L1, on the entry side, unit of length
-  [[nodiscard]] Estimated trailing_length() const;              ///< L2, on the exit side; may be negative
-  [[nodiscard]] Estimated load() const;                         ///< W, force per unit width
-  [[nodiscard]] Estimated indentation() const;                  ///< d0, unit of length
-  [[nodiscard]] Estimated leading_displacement() const;         ///< d1 = d0 - L1^2/(2R), unit of length
-  [[nodiscard]] Estimated trailing_displacement() const;        ///< d2 = d0 - L2^2/(2R), unit of length
-  [[nodiscard]] Estimated rolling_resistance() const;           ///< int p Y dY/(W R), dimensionless
-  [[nodiscard]] Estimated peak_pressure() const;                ///< unit of stress
-  [[nodiscard]] Estimated pressure(double y) const;             ///< unit of stress; 0 outside the contact
-  [[nodiscard]] Estimated normal_displacement(double y) const;  ///< u, towards the middle plane
-  [[nodiscard]] int unknowns() const;                           ///< of the finer discretisation
-  [[nodiscard]] long kernel_values() const;                     ///< of I1, taken so far
+  [[nodiscard]] Estimated contact_length() const;         ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimated leading_length() const;         ///< L1, on the entry side, unit of length
+  [[nodiscard]] Estimated trailing_length() const;        ///< L2, on the exit side; may be negative
+  [[nodiscard]] Estimated load() const;                   ///< W, force per unit width
+  [[nodiscard]] Estimated indentation() const;            ///< d0, unit of length
+  [[nodiscard]] Estimated leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimated trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimated rolling_resistance() const;     ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimated peak_pressure() const;          ///< unit of stress
+  [[nodiscard]] Estimated pressure(double y) const;       ///< unit of stress; 0 outside the contact
+  /// (v(L1) - v(-L2))/L: mean stretch of the surface in the contact, dimensionless. (thesis 7.17)
+  [[nodiscard]] Estimated creep_ratio() const;
+  [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
+  [[nodiscard]] Estimated tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  [[nodiscard]] int unknowns() const;                               ///< of the finer discretisation
+  [[nodiscard]] long normal_kernel_values() const;                  ///< of I1, taken so far
+  [[nodiscard]] long tangential_kernel_values() const;              ///< of I3
 
  private:
   struct Implementation;
@@ -49,8 +55,8 @@ class ConvergedViscoelasticNip {
 };
 
 /// Contact of the given length: L <= R, 1e-4 <= L/B <= 10. digits: 16 to 30. BadInput otherwise, naming
-/// "nip.material" for complex rates, and for relaxation lengths (speed over rate) below 1e-3 contacts or
-/// above 1e8 of them, and naming "digits" where 600 unknowns (420 for a load) do not give
+/// "nip.material" for rates whose imaginary part is more than 10 times the real one, and for relaxation lengths
+/// (speed over rate) below 1e-3 contacts or above 1e8 of them, and naming "digits" where 800 unknowns (600 for a load) do not give
 /// them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);

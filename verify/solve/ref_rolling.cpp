@@ -1,12 +1,15 @@
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -24,6 +27,7 @@ const std::map<std::string_view, ref::Estimated (RollingNip::*)() const> rolling
     {"indentation", &RollingNip::indentation},
     {"edge_displacement", &RollingNip::leading_displacement},
     {"trailing_displacement", &RollingNip::trailing_displacement},
+    {"creep_ratio", &RollingNip::creep_ratio},
     {"rolling_resistance", &RollingNip::rolling_resistance},
     {"peak_pressure", &RollingNip::peak_pressure},
 };
@@ -31,11 +35,13 @@ const std::map<std::string_view, ref::Estimated (RollingNip::*)() const> rolling
 const std::map<std::string_view, ref::Estimated (RollingNip::*)(double) const> rolling_profiles{
     {"pressure", &RollingNip::pressure},
     {"normal_displacement", &RollingNip::normal_displacement},
+    {"tangential_displacement", &RollingNip::tangential_displacement},
 };
 
 class RefRolling : public SolvedContact<LongEstimate> {
  public:
-  explicit RefRolling(RollingNip contact) : contact_(std::move(contact)) {}
+  RefRolling(RollingNip contact, double roller_radius, int digits)
+      : contact_(std::move(contact)), roller_radius_(roller_radius), digits_(digits) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
     if (name == "peak_shear") return no_shear();
@@ -48,15 +54,23 @@ class RefRolling : public SolvedContact<LongEstimate> {
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().to_double(), contact_.leading_length().to_double()};
   }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+    const auto [first, last] = profile_extent();
+    return nip_result_size(name, y, {roller_radius_, first, last, std::pow(10.0, -digits_)},
+                           [&] { return contact_.pressure(0).to_double(); });
+  }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
-    work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.kernel_values());
+    work.kernel_evaluations[0] = static_cast<std::uint64_t>(contact_.normal_kernel_values());
+    work.kernel_evaluations[2] = static_cast<std::uint64_t>(contact_.tangential_kernel_values());
     work.unknowns = contact_.unknowns();
     return work;
   }
 
  private:
   RollingNip contact_;
+  double roller_radius_;
+  int digits_;
 };
 
 struct SolveRolling {
@@ -82,7 +96,8 @@ void check_ref_rolling(const data::Scene& scene) {
 
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                int digits) {
-  return std::make_unique<RefRolling>(std::visit(SolveRolling{problem.nip, digits}, problem.given));
+  return std::make_unique<RefRolling>(std::visit(SolveRolling{problem.nip, digits}, problem.given),
+                                      problem.nip.roller_radius, digits);
 }
 
 }  // namespace nipref::verify

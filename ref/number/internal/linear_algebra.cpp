@@ -39,6 +39,17 @@ void subtract_row(DenseMatrix<Scalar>& x, Index row, const Scalar& factor, Index
     x(row, column) -= factor * x(other, column);
 }
 
+/// Without a number for each product.
+template <>
+void subtract_row(Matrix& x, Matrix::Index row, const Float& factor, Matrix::Index other,
+                  Matrix::Index first_column) {
+  Float product;
+  for (Matrix::Index column = first_column; column < x.columns(); ++column) {
+    mpfr_mul(product.get(), factor.get(), x(other, column).get(), MPFR_RNDN);
+    mpfr_sub(x(row, column).get(), x(row, column).get(), product.get(), MPFR_RNDN);
+  }
+}
+
 template <class Scalar>
 Scalar squared_off_diagonal(const DenseMatrix<Scalar>& x) {
   Scalar sum = 0;

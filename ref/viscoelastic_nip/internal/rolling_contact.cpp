@@ -10,15 +10,15 @@ namespace nipref::ref {
 namespace {
 
 /// About a minute; a load takes several solutions.
-constexpr int most_unknowns = 600, most_unknowns_for_load = 420;
+constexpr int most_unknowns = 800, most_unknowns_for_load = 600;
 constexpr int guard_digits = 14;  ///< of the arithmetic beyond the results
-constexpr int search_digits = 8;
+constexpr int search_digits = 8, fine_search_digits = 12;
 constexpr int most_load_steps = 40;
 
 /// The distance from the ends in which the pressure changes, half-thicknesses: the shortest memory's.
 double end_length(const std::vector<RollingMemory>& memory) {
   double length = 2.5;
-  for (const RollingMemory& term : memory) length = std::min(length, 2 / static_cast<double>(term.rate));
+  for (const RollingMemory& term : memory) length = std::min(length, 2 / static_cast<double>(abs(term.rate)));
   return length;
 }
 
@@ -60,17 +60,46 @@ double guessed_half_length(double load, const std::vector<RollingMemory>& memory
   for (int i = 0; i < 60; ++i) {
     double softness = 1;
     for (const RollingMemory& term : memory)
-      softness += static_cast<double>(term.amplitude) / (static_cast<double>(term.rate) + 1 / size);
+      softness += static_cast<double>((term.amplitude / (term.rate + ComplexFloat(1 / size))).re);
     size = std::sqrt(size * std::sqrt(load * softness / (3.14159 + 8 * size / 3)));
   }
   return size;
 }
 
+/// Digits that are lost where memories make the sheet far softer than it is at once: their parts cancel.
+int digits_of_softness(const std::vector<RollingMemory>& memory) {
+  double softness = 1;
+  for (const RollingMemory& term : memory)
+    softness += static_cast<double>(abs(term.amplitude) / abs(term.rate));
+  return static_cast<int>(std::log10(softness));
+}
+
+/// Steps that grow as a load does, by the slope of the last two.
+class LoadSteps {
+ public:
+  LoadSteps(Float load, Float growth) : load_(std::move(load)), growth_(std::move(growth)) {}
+
+  /// The length that should carry the load, from one that carries another.
+  Float next(const Float& size, const Float& load_here) {
+    if (last_size_ && *last_size_ != size) growth_ = log(load_here / *last_load_) / log(size / *last_size_);
+    last_size_ = size, last_load_ = load_here;
+    return (size * exp(log(load_ / load_here) / growth_)).at_working_precision();
+  }
+  [[nodiscard]] const Float& growth() const { return growth_; }
+
+ private:
+  Float load_, growth_;
+  std::optional<Float> last_size_, last_load_;
+};
+
 }  // namespace
 
-RollingContact::RollingContact(std::vector<RollingMemory> memory, int digits)
+RollingContact::RollingContact(const RollingMaterial& material, int digits)
     : digits_(digits),
-      kernel_(std::make_unique<RollingKernel>(std::move(memory), digits + guard_digits - 6)) {}
+      normal_(std::make_unique<NormalRollingKernel>(
+          material, digits + guard_digits - 6 + digits_of_softness(material.normal))),
+      tangential_(std::make_unique<TangentialRollingKernel>(
+          material, digits + guard_digits - 6 + digits_of_softness(material.normal))) {}
 
 int RollingContact::working_digits() const { return digits_ + guard_digits; }
 
@@ -95,68 +124,78 @@ void RollingContact::measure() {
 }
 
 /// Once more with more terms until both agree.
-void RollingContact::solve(const Float& half_length, const std::optional<Float>& load) {
+void RollingContact::solve_for_length(const Float& half_length) {
   const Float enough = pow(Float(10), -digits_) / 4;
-  Float size = half_length;
   for (int terms = first_terms(digits_);; terms += terms / 4) {
-    const Fineness finer{terms + terms / 5, true};
-    check_unknowns(rolling_layout(size, kernel_->memory(), finer),
-                   load ? most_unknowns_for_load : most_unknowns, digits_);
-    coarse_ = std::make_unique<RollingPressure>(solved(size, *kernel_, {terms, false}));
-    if (load) {  // of the length that carries the load
-      const auto slope_of = [&](const RollingPressure& one, const RollingPressure& other) {
-        return log(one.load() / other.load()) / log(one.half_length() / other.half_length());
-      };
-      const Float step = pow(Float(10), -digits_ / 3);
-      const RollingPressure beside = solved(size * (1 + step), *kernel_, {terms, false});
-      const Float growth = slope_of(beside, *coarse_);
-      const auto better = [&](const RollingPressure& now) {
-        return now.half_length() * exp(log(*load / now.load()) / growth);
-      };
-      while (true) {
-        const Float next = better(*coarse_);
-        const Float change = abs(next / coarse_->half_length() - 1);
-        if (change < pow(Float(10), -digits_ - 4)) break;
-        coarse_ = std::make_unique<RollingPressure>(solved(next, *kernel_, {terms, false}));
-      }
-      size = coarse_->half_length();
-      fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, finer));
-      size = better(*fine_);
-    }
-    fine_ = std::make_unique<RollingPressure>(solved(size, *kernel_, finer));
+    const int more = terms + terms / 5;
+    check_unknowns(rolling_layout(half_length, normal_->memory(), {more, true}), most_unknowns, digits_);
+    coarse_ = std::make_unique<RollingPressure>(solved(half_length, *normal_, {terms, false}));
+    fine_ = std::make_unique<RollingPressure>(solved(half_length, *normal_, {more, true}));
     measure();
     if (difference_ <= enough) return;
   }
 }
 
-RollingContact RollingContact::of_half_length(const Float& half_length, std::vector<RollingMemory> memory,
+/// Both of the length that carries the load: what either still lacks shows in their difference.
+void RollingContact::solve_for_load(Sought sought) {
+  const Float enough = pow(Float(10), -digits_) / 4, exact = enough / 8;
+  Float size = sought.half_length;
+  for (int terms = first_terms(digits_);; terms += terms / 4) {
+    const int more = terms + terms / 5;
+    check_unknowns(rolling_layout(size, normal_->memory(), {more, true}), most_unknowns_for_load, digits_);
+    for (const bool fine : {false, true}) {
+      LoadSteps steps(sought.load, sought.growth);
+      auto& contact = fine ? fine_ : coarse_;
+      for (int step = 0; step < most_load_steps; ++step) {
+        contact = std::make_unique<RollingPressure>(solved(size, *normal_, {fine ? more : terms, fine}));
+        size = steps.next(size, contact->load());
+        if (abs(size / contact->half_length() - 1) < exact) break;
+      }
+      sought.growth = steps.growth();
+    }
+    measure();
+    const Float lacking = abs(fine_->load() / sought.load - 1);
+    if (lacking > difference_) difference_ = lacking;
+    if (difference_ <= enough) return;
+  }
+}
+
+RollingContact RollingContact::of_half_length(const Float& half_length, const RollingMaterial& material,
                                               int digits) {
-  RollingContact contact(std::move(memory), digits);
-  contact.solve(half_length, std::nullopt);
+  RollingContact contact(material, digits);
+  contact.solve_for_length(half_length);
   return contact;
 }
 
-RollingContact RollingContact::of_load(const Float& load, std::vector<RollingMemory> memory, int digits,
-                                       const std::function<void(double half_length)>& check) {
-  Float size = guessed_half_length(static_cast<double>(load), memory);
-  {
-    RollingKernel kernel(memory, search_digits + 6);
-    const WorkingDigits working(search_digits + 10);
-    Float last_size = size, last_load, growth = 2;
+/// With few digits, and then a few more.
+RollingContact::Sought RollingContact::search(const Float& load, const RollingMaterial& material, int digits,
+                                              const std::function<void(double half_length)>& check) {
+  const int most_terms = first_terms(digits);
+  const WorkingDigits working(fine_search_digits + 10);
+  NormalRollingKernel kernel(material, fine_search_digits + 6);
+  Float size = guessed_half_length(static_cast<double>(load), material.normal);
+  Float growth = 2;
+  for (const int digits_here : {search_digits, fine_search_digits}) {
+    LoadSteps steps(load, growth);
     for (int step = 0; step < most_load_steps; ++step) {
       check(static_cast<double>(size));
-      const int terms = first_terms(digits);
-      check_unknowns(rolling_layout(size, memory, {terms + terms / 5, true}), most_unknowns_for_load, digits);
-      const Float now = solved(size, kernel, {first_terms(search_digits), false}).load();
-      if (step > 0 && size != last_size) growth = log(now / last_load) / log(size / last_size);
-      const Float factor = exp(log(load / now) / growth);
-      last_size = std::exchange(size, (size * factor).at_working_precision());
-      last_load = now;
-      if (abs(factor - 1) < pow(Float(10), -search_digits + 2)) break;
+      check_unknowns(rolling_layout(size, material.normal, {most_terms + most_terms / 5, true}),
+                     most_unknowns_for_load, digits);
+      const Float next = steps.next(size, solved(size, kernel, {first_terms(digits_here), false}).load());
+      const Float change = abs(next / size - 1);
+      size = next;
+      if (change < pow(Float(10), -digits_here + 3)) break;
     }
+    growth = steps.growth();
   }
-  RollingContact contact(std::move(memory), digits);
-  contact.solve(size, load);
+  return {load, size, growth};
+}
+
+RollingContact RollingContact::of_load(const Float& load, const RollingMaterial& material, int digits,
+                                       const std::function<void(double half_length)>& check) {
+  const Sought sought = search(load, material, digits, check);
+  RollingContact contact(material, digits);
+  contact.solve_for_load(sought);
   return contact;
 }
 

@@ -19,27 +19,34 @@ class RollingContact {
   using Functional = std::function<Float(const RollingPressure&)>;
 
   /// Of a half length, half-thicknesses.
-  static RollingContact of_half_length(const Float& half_length, std::vector<RollingMemory> memory,
-                                       int digits);
+  static RollingContact of_half_length(const Float& half_length, const RollingMaterial& material, int digits);
   /// Of a dimensionless load; `check` throws for a half length that is not allowed.
-  static RollingContact of_load(const Float& load, std::vector<RollingMemory> memory, int digits,
+  static RollingContact of_load(const Float& load, const RollingMaterial& material, int digits,
                                 const std::function<void(double half_length)>& check);
 
   [[nodiscard]] int digits() const { return digits_; }
   [[nodiscard]] int working_digits() const;
   [[nodiscard]] const RollingPressure& fine() const { return *fine_; }
-  [[nodiscard]] RollingKernel& kernel() const { return *kernel_; }
+  [[nodiscard]] RollingKernel& normal_kernel() const { return *normal_; }
+  [[nodiscard]] RollingKernel& tangential_kernel() const { return *tangential_; }
   /// Twice the difference of the two, and what they differ by anywhere, relative to `scale`, the largest value
   /// of the kind, dimensionless.
   [[nodiscard]] FloatEstimate estimate(const Functional& functional, const Float& scale) const;
 
  private:
-  RollingContact(std::vector<RollingMemory> memory, int digits);
-  void solve(const Float& half_length, const std::optional<Float>& load);
+  /// A load, the length that nearly carries it, and the load's growth, d ln load/d ln length, nearly.
+  struct Sought {
+    Float load, half_length, growth;
+  };
+  RollingContact(const RollingMaterial& material, int digits);
+  static Sought search(const Float& load, const RollingMaterial& material, int digits,
+                       const std::function<void(double half_length)>& check);
+  void solve_for_length(const Float& half_length);
+  void solve_for_load(Sought sought);
   void measure();
 
   int digits_;
-  std::unique_ptr<RollingKernel> kernel_;
+  std::unique_ptr<RollingKernel> normal_, tangential_;
   std::unique_ptr<RollingPressure> coarse_, fine_;
   Float difference_;
 };

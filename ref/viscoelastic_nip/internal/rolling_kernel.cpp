@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/fading_logarithm.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>
 
 namespace nipref::ref {
@@ -31,31 +33,30 @@ std::vector<Float> interpolate_at_zeros(const std::vector<Float>& values) {
   return coefficients;
 }
 
-/// e^{-x} Ei(x), x not 0.
-Float scaled_exponential_integral(const Float& x) {
-  Float result;
-  mpfr_eint(result.get(), x.get(), MPFR_RNDN);
-  return exp(-x) * result;
-}
-
-/// int_0^inf e^{-rate w} ln|x - w| dw
-Float fading_logarithm(const Float& rate, const Float& x) {
-  return (log(abs(x)) - scaled_exponential_integral(rate * x)) / rate;
-}
-
-/// Where I1 < e^{-nats}: it decays faster than e^{-2.1 |x|}.
+/// Where I1, and what I3 differs from its limit by, is below e^{-nats}: they decay faster than e^{-2.1 |x|}.
 long far_ahead(double nats) { return std::lround(std::ceil(nats / 2.1)) + 2; }
 
 }  // namespace
 
-FadingSmoothPart::FadingSmoothPart(Float rate, int digits, const Float& first_value, long first_panel)
+FadingSmoothPart::FadingSmoothPart(const ComplexFloat& rate, int digits, const ComplexFloat& first_value,
+                                   long first_panel)
     : first_panel_(first_panel),
+      real_(rate.is_real()),
       // J is analytic in an ellipse whose semi-axes sum to 8.1 half panels.
       points_(static_cast<int>(digits * std::numbers::ln10 / 2.05) + 8),
-      scale_(1 + rate),
+      scale_(1 + abs(rate)),
       nodes_(chebyshev_zeros_here(points_)),
       end_value_(first_value) {
-  Matrix matrix(points_ + 1, points_ + 1);
+  // The unknowns are the real parts of the coefficients and, below them, their imaginary parts.
+  const int each = points_ + 1, all = real_ ? each : 2 * each;
+  Matrix matrix(all, all);
+  const auto set = [&](int i, int j, const Float& re, const Float& im) {
+    matrix(i, j) = re;
+    if (real_) return;
+    matrix(i + each, j + each) = re;
+    matrix(i + each, j) = im;
+    matrix(i, j + each) = -im;
+  };
   for (int i = 0; i < points_; ++i) {
     const Float& x = nodes_[static_cast<std::size_t>(i)];
     Float last = x, now = 1, last_slope = 0, slope = 0;
@@ -67,59 +68,70 @@ FadingSmoothPart::FadingSmoothPart(Float rate, int digits, const Float& first_va
         const Float next_slope = 2 * now + 2 * x * slope - last_slope;
         last = now, now = next, last_slope = slope, slope = next_slope;
       }
-      matrix(i, j) = (2 * slope + rate * now) / scale_;
+      set(i, j, (2 * slope + rate.re * now) / scale_, rate.im * now / scale_);
     }
   }
-  for (int j = 0; j <= points_; ++j) matrix(points_, j) = j % 2 == 0 ? 1 : -1;
+  for (int j = 0; j <= points_; ++j) set(points_, j, j % 2 == 0 ? 1 : -1, 0);
   inverse_ = matrix.inverse();
 }
 
-void FadingSmoothPart::append_panel(SmoothKernel& kernel) {
+void FadingSmoothPart::append_panel(const Smooth& smooth) {
   const long left = first_panel_ + static_cast<long>(panels_.size());
-  Vector right(points_ + 1);
+  const int each = points_ + 1;
+  Vector right(inverse_.rows());
   for (int i = 0; i < points_; ++i)
-    right(i) = kernel(left + (1 + nodes_[static_cast<std::size_t>(i)]) / 2) / scale_;
-  right(points_) = end_value_;
+    right(i) = smooth(left + (1 + nodes_[static_cast<std::size_t>(i)]) / 2) / scale_;
+  right(points_) = end_value_.re;
+  if (!real_) right(points_ + each) = end_value_.im;
   const Vector solution = inverse_ * right;
-  std::vector<Float> coefficients;
-  end_value_ = 0;
-  for (int j = 0; j <= points_; ++j) {
-    coefficients.push_back(solution(j));
-    end_value_ += solution(j);
+  Coefficients coefficients;
+  end_value_ = {};
+  for (int j = 0; j < each; ++j) {
+    coefficients.re.push_back(solution(j));
+    end_value_.re += solution(j);
+    if (real_) continue;
+    coefficients.im.push_back(solution(j + each));
+    end_value_.im += solution(j + each);
   }
   panels_.push_back(std::move(coefficients));
 }
 
-Float FadingSmoothPart::operator()(const Float& x, SmoothKernel& kernel) {
+ComplexFloat FadingSmoothPart::operator()(const Float& x, const Smooth& smooth) {
   const long panel = std::lround(std::floor(static_cast<double>(x)));
-  if (panel < first_panel_) return 0;
   const auto place = static_cast<std::size_t>(panel - first_panel_);
-  while (panels_.size() <= place) append_panel(kernel);
-  return chebyshev_sum(panels_[place], 2 * (x - panel) - 1);
+  while (panels_.size() <= place) append_panel(smooth);
+  const Float inside = 2 * (x - panel) - 1;
+  const auto& [re, im] = panels_[place];
+  return {chebyshev_sum(re, inside), real_ ? Float(0) : chebyshev_sum(im, inside)};
 }
 
-RollingKernel::RollingKernel(std::vector<RollingMemory> memory, int digits)
-    : memory_(std::move(memory)), nats_(digits * std::numbers::ln10), smooth_(I1_interval, digits) {
-  const long far = far_ahead(nats_);
-  for (const RollingMemory& term : memory_)
-    fading_.emplace_back(term.rate, digits, fading_logarithm(term.rate, Float(-far)), -far);
-}
+RollingKernel::RollingKernel(std::vector<RollingMemory> memory, int digits, SmoothKernel smooth)
+    : memory_(std::move(memory)), nats_(digits * std::numbers::ln10), smooth_(std::move(smooth)) {}
 
-Float RollingKernel::direct(const Float& x) {
-  if (static_cast<double>(x) < -static_cast<double>(far_ahead(nats_))) return 0;
-  Float sum = smooth_(x) - log(abs(x));
-  for (std::size_t r = 0; r < memory_.size(); ++r)
-    sum += memory_[r].amplitude * (fading_[r](x, smooth_) - fading_logarithm(memory_[r].rate, x));
-  return sum / pi();
+double RollingKernel::swing(double way) const {
+  double radians = 0;
+  for (const RollingMemory& term : memory_) {
+    const auto fading = static_cast<double>(term.rate.re);
+    radians = std::max(radians, static_cast<double>(term.rate.im) * std::min(way, nats_ / fading));
+  }
+  return radians;
 }
 
 std::vector<Float> RollingKernel::make_panel(const Float& from, const Float& width) {
-  // Singular at 0, a panel's width away at least: semi-axes that sum to 5.8.
-  const int points = static_cast<int>(nats_ / 1.75) + 8;
+  // Singular at 0, a panel's width away at least: semi-axes that sum to 5.8, within which a memory that swings
+  // grows by e^{1.4 times its swing}.
+  const int points =
+      static_cast<int>((nats_ + 1.4 * swing(std::fabs(static_cast<double>(width)))) / 1.75) + 8;
   std::vector<Float> values;
   for (const Float& node : chebyshev_zeros_here(points))
     values.push_back(direct(from + width * (1 + node) / 2));
-  return interpolate_at_zeros(values);
+  std::vector<Float> coefficients = interpolate_at_zeros(values);
+  // Panels far from 0, where the function is smoother, need fewer.
+  Float largest = 0;
+  for (const Float& c : coefficients) largest = std::max(largest, abs(c));
+  const Float least = largest * exp(Float(-nats_ - 2));
+  while (coefficients.size() > 1 && abs(coefficients.back()) < least) coefficients.pop_back();
+  return coefficients;
 }
 
 Float RollingKernel::operator()(const Float& x) {
@@ -138,6 +150,49 @@ Float RollingKernel::operator()(const Float& x) {
   if (found == panels_.end())
     found = panels_.emplace(std::pair(sign, place), make_panel(sign * near, sign * width)).first;
   return chebyshev_sum(found->second, 2 * (abs(x) - near) / width - 1);
+}
+
+NormalRollingKernel::NormalRollingKernel(const RollingMaterial& material, int digits)
+    : RollingKernel(material.normal, digits, SmoothKernel(I1_interval, digits)) {
+  const long far = far_ahead(nats());
+  for (const RollingMemory& term : memory())
+    fading_.emplace_back(term.rate, digits, fading_logarithm(term.rate, Float(-far)), -far);
+}
+
+Float NormalRollingKernel::direct(const Float& x) {
+  if (static_cast<double>(x) < -static_cast<double>(far_ahead(nats()))) return 0;
+  Float sum = smooth()(x) - log(abs(x));
+  for (std::size_t r = 0; r < memory().size(); ++r) {
+    const auto& [amplitude, rate] = memory()[r];
+    const ComplexFloat smooth_part = fading_[r](x, [&](const Float& at) { return smooth()(at); });
+    sum += (amplitude * (smooth_part - fading_logarithm(rate, x))).re;
+  }
+  return sum / pi();
+}
+
+TangentialRollingKernel::TangentialRollingKernel(const RollingMaterial& material, int digits)
+    : RollingKernel(material.normal, digits, SmoothKernel(I3_interval, digits, I3_shape)),
+      theta2_at_once_(material.theta2_at_once),
+      theta2_(material.theta2) {
+  const long far = far_ahead(nats());
+  for (const RollingMemory& term : memory())
+    fading_.emplace_back(term.rate, digits, ComplexFloat(-pi() / 4) / term.rate, -far);
+}
+
+Float TangentialRollingKernel::direct(const Float& x) {
+  const auto I3 = [&](const Float& at) { return at < 0 ? -smooth()(at) : smooth()(at); };
+  const Float far = -Float(far_ahead(nats()));
+  const Float& within = x < far ? far : x;  // nothing changes before
+  Float sum = -I3(within);
+  for (std::size_t r = 0; r < memory().size(); ++r)
+    sum -= (memory()[r].amplitude * fading_[r](within, I3)).re;
+  const Float half_pi = pi() / 2;
+  sum += x < 0 ? -half_pi * theta2_at_once_ : half_pi * theta2_at_once_;
+  for (const auto& [amplitude, rate] : theta2_) {
+    const ComplexFloat signs = x < 0 ? ComplexFloat(-1) : ComplexFloat(1) - exp(-(rate * x)) * Float(2);
+    sum += half_pi * (amplitude * signs / rate).re;
+  }
+  return sum / pi();
 }
 
 }  // namespace nipref::ref

@@ -1,72 +1,108 @@
 #pragma once
+#include <functional>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/sheet/internal/smooth_kernel.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_material.hpp>
 
 namespace nipref::ref {
 
-/// amplitude e^(-rate w), w the way (half-thicknesses) that a material point has gone since: a relaxation term
-/// of the compliance over its instantaneous part, as the steadily rolling sheet sees it. Dimensionless.
-struct RollingMemory {
-  Float amplitude;
-  Float rate;  ///< > 0
-};
-
-/// G(x) = int_0^inf e^{-rate w} J(x - w) dw, J = I1 + ln|.| analytic for |Im x| < 2, of x in a range that grows
-/// as it is asked for: G' + rate G = J is collocated at Chebyshev points of panels of length 1, downstream
-/// from where I1 is 0 to the working precision and G follows from the logarithm alone.
+/// G(x) = int_0^inf e^{-rate w} J(x - w) dw, J real and analytic for |Im x| < 2, of x in a range that grows as
+/// it is asked for: G' + rate G = J is collocated at Chebyshev points of panels of length 1, downstream from
+/// where G is known.
 class FadingSmoothPart {
  public:
-  FadingSmoothPart(Float rate, int digits, const Float& first_value, long first_panel);
+  using Smooth = std::function<Float(const Float&)>;
 
-  Float operator()(const Float& x, SmoothKernel& kernel);
+  FadingSmoothPart(const ComplexFloat& rate, int digits, const ComplexFloat& first_value, long first_panel);
+
+  /// x >= first_panel
+  ComplexFloat operator()(const Float& x, const Smooth& smooth);
 
  private:
-  void append_panel(SmoothKernel& kernel);
+  /// Of one panel: real parts, and imaginary ones unless the rate is real.
+  struct Coefficients {
+    std::vector<Float> re, im;
+  };
+  void append_panel(const Smooth& smooth);
 
   long first_panel_;
+  bool real_;
   int points_;
   Float scale_;
   Matrix inverse_;  ///< from J at the points, over the scale, and G at the panel's start to coefficients
   std::vector<Float> nodes_;
-  Float end_value_;
-  std::vector<std::vector<Float>> panels_;
+  ComplexFloat end_value_;
+  std::vector<Coefficients> panels_;
 };
 
-/// Displacement under a unit of pressure of a steadily rolling sheet, x downstream of it, and all that it
-/// leaves behind in the sheet's memory,
-///
-///     pi K(x) = I1(x) + sum amplitude int_0^inf e^{-rate w} I1(x - w) dw.
-///
-/// With I1 = J - ln|x| the logarithm's part is -(1/rate)(ln|x| - e^{-rate x} Ei(rate x)), the rest
-/// FadingSmoothPart. K is analytic but for x = 0 (and for |Im x| < 2), on the scale of x itself however short
-/// the memory is: it is interpolated on panels that double away from 0, up to length 1, each made when it is
-/// first met.
+/// What a unit of pressure, and all that it leaves behind in the sheet's memory, does to the surface of a
+/// steadily rolling sheet, x downstream of it: a function that is analytic but for x = 0 and |Im x| < 2, on the
+/// scale of x itself however short the memory is. It is interpolated on panels that double away from 0, up to
+/// length 1, each made when it is first met.
 class RollingKernel {
  public:
-  /// To about `digits` digits of its size, at |x| <= 900.
-  RollingKernel(std::vector<RollingMemory> memory, int digits);
+  RollingKernel(const RollingKernel&) = delete;
+  RollingKernel& operator=(const RollingKernel&) = delete;
+  virtual ~RollingKernel() = default;
 
-  /// K at x, not 0.
+  /// At x, not 0, |x| <= 900.
   Float operator()(const Float& x);
   [[nodiscard]] const std::vector<RollingMemory>& memory() const { return memory_; }
   [[nodiscard]] double nats() const { return nats_; }
+  /// Radians that memories swing by over a way, as far as they are not forgotten within it.
+  [[nodiscard]] double swing(double way) const;
   [[nodiscard]] long kernel_values() const { return smooth_.kernel_values(); }
 
+ protected:
+  /// To about `digits` digits of its size.
+  RollingKernel(std::vector<RollingMemory> memory, int digits, SmoothKernel smooth);
+  [[nodiscard]] virtual Float direct(const Float& x) = 0;
+  [[nodiscard]] SmoothKernel& smooth() { return smooth_; }
+
  private:
-  Float direct(const Float& x);
   std::vector<Float> make_panel(const Float& from, const Float& width);
 
   std::vector<RollingMemory> memory_;
   double nats_;
   SmoothKernel smooth_;
-  std::vector<FadingSmoothPart> fading_;
   std::map<std::pair<int, long>, std::vector<Float>> panels_;  ///< by sign and place
+};
+
+/// Displacement towards the middle plane,
+///
+///     pi K(x) = I1(x) + sum amplitude int_0^inf e^{-rate w} I1(x - w) dw,
+///
+/// the terms those of N. I1 = J - ln|x|; the logarithm's memory is in closed form.
+class NormalRollingKernel : public RollingKernel {
+ public:
+  NormalRollingKernel(const RollingMaterial& material, int digits);
+
+ private:
+  [[nodiscard]] Float direct(const Float& x) override;
+
+  std::vector<FadingSmoothPart> fading_;
+};
+
+/// Displacement along the sheet, upstream (towards the leading side), up to a constant,
+///
+///     pi T(x) = theta2 * I2(x) - N * I3(x),    theta * I(x) = theta_0 I(x) + sum amplitude int_0^inf e^{-rate w} I(x - w) dw;
+///
+/// the terms in eta of (thesis 6.23-6.28) are the same at all points. The sign's memory, I2 = (pi/2) sign, is in
+/// closed form, and I3 is analytic.
+class TangentialRollingKernel : public RollingKernel {
+ public:
+  TangentialRollingKernel(const RollingMaterial& material, int digits);
+
+ private:
+  [[nodiscard]] Float direct(const Float& x) override;
+
+  Float theta2_at_once_;
+  std::vector<RollingMemory> theta2_;
+  std::vector<FadingSmoothPart> fading_;
 };
 
 }  // namespace nipref::ref

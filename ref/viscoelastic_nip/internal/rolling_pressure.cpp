@@ -11,13 +11,30 @@ namespace {
 /// The longest panel, half-thicknesses: sheet and pressure change within 2 or so.
 constexpr double longest_panel = 2.5;
 
+/// For the panels of a layout, and for pieces that begin or end where a kernel or the basis is singular. A kernel
+/// is analytic but for a point a third of a piece's length, or a panel's width, away, so that a node of Gauss brings
+/// 2.2 nats, with the root of an end taken out by a substitution as many; a memory that swings grows within it as RollingKernel says.
+struct RollingRules {
+  UnitRule plain, root, ends;
+
+  RollingRules(const RollingLayout& layout, const RollingKernel& kernel) {
+    double widest = 0;
+    for (const RollingPanel& panel : layout.panels)
+      widest = std::max(widest, static_cast<double>(panel.width));
+    const double swing = 1.4 * kernel.swing(widest), nats = kernel.nats() + swing;
+    plain = gauss_rule(static_cast<int>(nats / 2.2) + layout.terms / 2 + 6);
+    root = gauss_rule(static_cast<int>(nats / 2.2) + layout.terms + 6);
+    ends = double_exponential_rule(kernel.nats(), layout.terms + static_cast<int>(swing / 2));
+  }
+};
+
 /// Integrals of K(s - x) times the basis of a panel, s and x counted from its left end.
 class PanelMoments {
  public:
-  PanelMoments(const RollingPanel& panel, int terms, RollingKernel& kernel, const UnitRule& gauss,
-               const UnitRule& ends)
-      : panel_(panel), kernel_(kernel), gauss_(gauss), ends_(ends), basis_(static_cast<std::size_t>(terms)) {
-    for (std::size_t i = 0; i < gauss.size(); ++i) append_node(i);
+  PanelMoments(const RollingPanel& panel, int terms, RollingKernel& kernel, const RollingRules& rules)
+      : panel_(panel), kernel_(kernel), rules_(rules), basis_(static_cast<std::size_t>(terms)) {
+    const UnitRule& rule = panel.has_root() ? rules.root : rules.plain;
+    for (std::size_t i = 0; i < rule.size(); ++i) append_node(rule, i);
   }
 
   /// Adds them to `sums`.
@@ -25,30 +42,31 @@ class PanelMoments {
     const Float& width = panel_.width;
     if (s >= width + width || s <= -width) return add_far(s, sums);
     if (s > 0 && s < width) {
-      add_piece(s, -s, 0, ends_, sums);
-      add_piece(s, width - s, 0, ends_, sums);
+      add_piece(s, -s, 0, rules_.ends, sums);
+      add_piece(s, width - s, 0, rules_.ends, sums);
       return;
     }
     const bool left = s <= 0;  // of the panel
     const Float gap = left ? -s : s - width;
     const Float all = left ? width : -width;
-    if (gap == 0) return add_piece(s, all, 0, ends_, sums);
-    // Pieces as long as they are far away, the last at most twice: none ends just before a root.
+    if (gap == 0) return add_piece(s, all, 0, rules_.ends, sums);
+    // Pieces three times as long as they are far away, but none ends just before a root.
     Float done = 0;
     for (bool last = false; !last;) {
-      last = width - done <= 2 * (gap + done);
-      const Float length = last ? width - done : gap + done;
+      const Float length_here = 3 * (gap + done), left_over = width - done;
+      last = left_over <= length_here;
+      const Float length = last ? left_over : std::min(length_here, Float(left_over / 2));
       const bool at_root = (done == 0 && (left ? panel_.root_left : panel_.root_right)) ||
                            (last && (left ? panel_.root_right : panel_.root_left));
-      add_piece(s, left ? length : -length, gap + done, at_root ? ends_ : gauss_, sums);
+      add_piece(s, left ? length : -length, gap + done, at_root ? rules_.ends : rules_.plain, sums);
       done += length;
     }
   }
 
  private:
   /// With the root at an end, x = xi^2 from there; with one at both, x = sin^2(pi xi/2).
-  void append_node(std::size_t i) {
-    const Float& xi = gauss_.from_left[i];
+  void append_node(const UnitRule& rule, std::size_t i) {
+    const Float& xi = rule.from_left[i];
     Float x, slope;
     if (panel_.root_left && panel_.root_right) {
       const Float sine = sin(pi() * xi / 2), cosine = cos(pi() * xi / 2);
@@ -58,7 +76,7 @@ class PanelMoments {
       x = xi * xi;
       slope = 2 * xi;
     } else if (panel_.root_right) {
-      const Float& other = gauss_.from_right[i];
+      const Float& other = rule.from_right[i];
       x = 1 - other * other;
       slope = 2 * other;
     } else {
@@ -67,7 +85,7 @@ class PanelMoments {
     }
     far_at_.push_back(panel_.width * x);
     panel_.basis(far_at_.back(), panel_.width - far_at_.back(), basis_);
-    const Float factor = panel_.width * slope * gauss_.weight[i];
+    const Float factor = panel_.width * slope * rule.weight[i];
     for (Float& value : basis_) value *= factor;
     far_basis_.push_back(basis_);
   }
@@ -106,19 +124,10 @@ class PanelMoments {
 
   const RollingPanel& panel_;
   RollingKernel& kernel_;
-  const UnitRule& gauss_;
-  const UnitRule& ends_;
+  const RollingRules& rules_;
   std::vector<Float> basis_, far_at_;
   std::vector<std::vector<Float>> far_basis_;
   Float term_;
-};
-
-struct RollingRules {
-  UnitRule gauss, ends;
-
-  RollingRules(const RollingLayout& layout, double nats)
-      : gauss(gauss_rule(static_cast<int>(nats / 2.2) + 2 * layout.terms + 6)),
-        ends(double_exponential_rule(nats, layout.terms)) {}
 };
 
 }  // namespace
@@ -166,14 +175,14 @@ std::vector<Float> RollingLayout::matching_points() const {
 
 RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout, RollingKernel& kernel)
     : half_length_(half_length), layout_(std::move(layout)) {
-  const RollingRules rules(layout_, kernel.nats());
+  const RollingRules rules(layout_, kernel);
   const std::vector<Float> points = layout_.matching_points();
   const int rows = layout_.unknowns();
   Matrix matrix(rows, rows);
   Vector right(rows);
   for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
     const RollingPanel& panel = layout_.panels[p];
-    PanelMoments moments(panel, layout_.terms, kernel, rules.gauss, rules.ends);
+    PanelMoments moments(panel, layout_.terms, kernel, rules);
     for (int i = 0; i < rows; ++i) {
       std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
       moments.add(points[static_cast<std::size_t>(i)] - panel.left, sums);
@@ -246,18 +255,22 @@ Float RollingPressure::peak_pressure() const {
   return place ? at(*place) : largest;
 }
 
-Float RollingPressure::normal_displacement(const Float& d, RollingKernel& kernel) const {
-  if (d >= 0 && d <= 2 * half_length_)
-    return edge_displacement_ + d * (2 * half_length_ - d) + 2 * offset_ * d;
-  const RollingRules rules(layout_, kernel.nats());
+Float RollingPressure::response(const Float& d, RollingKernel& kernel) const {
+  const RollingRules rules(layout_, kernel);
   Float sum = 0;
   for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
-    PanelMoments moments(layout_.panels[p], layout_.terms, kernel, rules.gauss, rules.ends);
+    PanelMoments moments(layout_.panels[p], layout_.terms, kernel, rules);
     std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
     moments.add(d - layout_.panels[p].left, sums);
     for (std::size_t k = 0; k < sums.size(); ++k) sum += sums[k] * coefficients_[p][k];
   }
   return sum;
+}
+
+Float RollingPressure::normal_displacement(const Float& d, RollingKernel& kernel) const {
+  if (d >= 0 && d <= 2 * half_length_)
+    return edge_displacement_ + d * (2 * half_length_ - d) + 2 * offset_ * d;
+  return response(d, kernel);
 }
 
 }  // namespace nipref::ref

@@ -51,8 +51,10 @@ class RollingPressure {
   [[nodiscard]] const Float& moment() const { return moment_; }
   [[nodiscard]] Float pressure(const Float& d) const;  ///< 0 outside the contact
   [[nodiscard]] Float peak_pressure() const;
-  /// Displacement at any d, inside the contact by the roller, outside by quadrature.
+  /// Displacement at any d by the normal kernel, inside the contact by the roller.
   [[nodiscard]] Float normal_displacement(const Float& d, RollingKernel& kernel) const;
+  /// int kernel(d - d') p(d') dd' at any d, by quadrature.
+  [[nodiscard]] Float response(const Float& d, RollingKernel& kernel) const;
   [[nodiscard]] int unknowns() const { return layout_.unknowns(); }
 
  private:

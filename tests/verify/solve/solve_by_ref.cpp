@@ -89,6 +89,12 @@ TEST_CASE("the reference's converged contact lies within the error estimates of 
   }
 }
 
+TEST_CASE("without memory the reference knows that the resistance is 0, to the digits asked for") {
+  const auto solution =
+      verify::solve_by_ref(data::load_scene(data::example_scene("viscoelastic-elastic-limit")), 16);
+  CHECK(solution.missed().empty());
+}
+
 TEST_CASE("the reference's line loads are those in double, with friction and without") {
   data::Scene scene = line_load_scene();
   for (const bool friction : {false, true}) {

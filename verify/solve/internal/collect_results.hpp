@@ -44,7 +44,7 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
                                         const SceneSolution<fast::Estimate>::Result& result,
                                         const std::vector<double>& positions);
-/// The reference's digits likewise.
+/// The reference's digits likewise, of a profile those of its largest number.
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
                                         const SceneSolution<LongEstimate>::Result& result,
                                         const std::vector<double>& positions);

@@ -1,0 +1,34 @@
+#pragma once
+#include <gmpxx.h>
+
+#include <vector>
+
+#include <nipref/ref/number/internal/complex_float.hpp>
+
+namespace nipref::ref {
+
+/// With rational coefficients, that of p^0 first.
+using Polynomial = std::vector<mpq_class>;
+
+Polynomial product(const Polynomial& a, const Polynomial& b);
+Polynomial sum(const Polynomial& a, const Polynomial& b);
+
+/// Re amplitude e^(-rate t)
+struct ComplianceTerm {
+  ComplexFloat amplitude;  ///< 1/(stress time); of two conjugate terms their sum's, twice that of one
+  ComplexFloat rate;       ///< 1/time; imaginary part >= 0
+};
+
+/// theta(t) = at_once delta(t) + sum of the terms
+struct Compliance {
+  Float at_once;  ///< 1/stress
+  std::vector<ComplianceTerm> terms;
+};
+
+/// The function whose transform is numerator/denominator, of one degree, to the working precision. Common factors
+/// are cancelled, exactly. The denominator's zeros are found by Aberth's method with twice the digits: one is
+/// within n |p/p'| of each that is found, p of degree n; BadInput, naming "nip.material", unless that is below
+/// rounding.
+Compliance rational_compliance(Polynomial numerator, Polynomial denominator);
+
+}  // namespace nipref::ref

@@ -1,0 +1,60 @@
+// Quotients of polynomials as sums of fading terms.
+#include <doctest/doctest.h>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rational_compliance.hpp>
+
+using namespace nipref::ref;
+
+namespace {
+
+bool near(const Float& x, const Float& y) { return abs(x - y) <= 1e-38 * (1 + abs(y)); }
+
+}  // namespace
+
+TEST_CASE("rational compliance: real rates and a conjugate pair, as they were put together") {
+  const WorkingDigits working(40);
+  // 2 + 3/(p + 1/7) + (p + 5)/(p^2 + 2 p + 10), the pair's rates 1 +- 3 i
+  const Polynomial single{mpq_class(1, 7), 1}, pair{10, 2, 1};
+  const Polynomial numerator =
+      sum(sum(product(product({2}, single), pair), product({3}, pair)), product({5, 1}, single));
+  const Compliance compliance = rational_compliance(numerator, product(single, pair));
+  CHECK(near(compliance.at_once, 2));
+  REQUIRE(compliance.terms.size() == 2);
+  for (const ComplianceTerm& term : compliance.terms) {
+    if (term.rate.is_real()) {
+      CHECK(near(term.rate.re, Float(1) / 7));
+      CHECK(near(term.amplitude.re, 3));
+    } else {
+      CHECK(near(term.rate.re, 1));
+      CHECK(near(term.rate.im, 3));
+      // Re amplitude e^{-(1 + 3i) t} = e^{-t} (cos 3t + (4/3) sin 3t)
+      CHECK(near(term.amplitude.re, 1));
+      CHECK(near(term.amplitude.im, Float(4) / 3));
+    }
+  }
+}
+
+TEST_CASE("rational compliance: common factors cancel exactly, and rates need not be doubles' size apart") {
+  const WorkingDigits working(40);
+  const Polynomial common{mpq_class(1, 3), 1}, rest{2, 1}, zero{5, 1};
+  const Compliance compliance = rational_compliance(product(common, zero), product(common, rest));
+  REQUIRE(compliance.terms.size() == 1);
+  CHECK(near(compliance.terms[0].rate.re, 2));
+  CHECK(near(compliance.terms[0].amplitude.re, 3));
+  const mpq_class small = mpq_class(1) / mpq_class(mpz_class("100000000000000000000"));
+  const Compliance close =
+      rational_compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}));
+  CHECK(close.terms.size() == 2);
+}
+
+TEST_CASE("rational compliance: a twofold rate is refused by name") {
+  const WorkingDigits working(40);
+  const Polynomial twice{2, 1}, zero{5, 1};
+  try {
+    (void)rational_compliance(product(zero, zero), product(twice, twice));
+    FAIL("accepted");
+  } catch (const nipref::data::BadInput& error) {
+    CHECK(error.argument() == "nip.material");
+  }
+}
