@@ -55,9 +55,9 @@ class ConvergedViscoelasticNip {
 };
 
 /// Contact of the given length: L <= R, 1e-4 <= L/B <= 10. digits: 16 to 30. BadInput otherwise, naming
-/// "nip.material" for rates whose imaginary part is more than 10 times the real one, and for relaxation lengths
-/// (speed over rate) below 1e-3 contacts or above 1e8 of them, and naming "digits" where 800 unknowns (600 for a load) do not give
-/// them.
+/// "nip.material" for rates whose imaginary part is more than 10 times the real one, and for relaxation
+/// lengths (speed over rate) below 1e-3 contacts or above 1e8 of them, and naming "digits" where 1200 unknowns
+/// (1000 for a load) do not give them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);
 

@@ -35,6 +35,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "list") return verify::list_verb(line, out);
   if (line.verb == "eval") return verify::eval_verb(line, out);
   if (line.verb == "solve") return verify::solve_verb(line, out);
+  if (line.verb == "balance") return verify::balance_verb(line, out);
   if (line.verb == "audit") return verify::audit_verb(line, out);
   if (line.verb == "points") return verify::points_verb(line, out);
   if (line.verb == "grade") return verify::grade_verb(line, out);

@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/options.hpp>
 
@@ -27,7 +30,36 @@ std::size_t count_option(const CommandLine& line, const std::string& name, long 
   return static_cast<std::size_t>(count);
 }
 
+/// A file, or the name of an example where there is no such file.
+std::filesystem::path scene_file_of(const CommandLine& line, std::string_view verb) {
+  if (line.words.empty())
+    throw BadInput("scene", "(missing)", "must be the name of a TOML file or of an example");
+  if (line.words.size() > 1)
+    throw BadInput("argument", line.words[1],
+                   "unexpected: " + std::string(verb) + " takes one scene and key=value pairs");
+  const std::filesystem::path word = line.words.front();
+  const bool is_file = std::filesystem::exists(word) || word.has_parent_path() || word.has_extension();
+  return is_file ? word : data::example_scene(word.string());
+}
+
+int digits_of(const CommandLine& line, int usual) {
+  const auto text = line.option("digits");
+  const long digits = text ? parse_integer("digits", *text) : usual;
+  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
+  return static_cast<int>(digits);
+}
+
 }  // namespace
+
+SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits) {
+  const std::string path = line.option("path").value_or("fast");
+  if (path != "ref" && path != "fast") throw BadInput("path", path, "must be ref or fast");
+  if (path == "fast")
+    refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
+  const int digits = digits_of(line, usual_digits);
+  return {data::load_scene(scene_file_of(line, verb), line.assignments),
+          path == "ref" ? std::optional(digits) : std::nullopt};
+}
 
 std::size_t points_option(const CommandLine& line) { return count_option(line, "points", 100'000'000, 0); }
 

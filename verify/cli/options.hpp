@@ -1,9 +1,11 @@
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/cli/command_line.hpp>
@@ -21,6 +23,14 @@ std::size_t points_option(const CommandLine& line);
 std::size_t scenes_option(const CommandLine& line);
 /// The text that they are drawn from, "1" if it is not said.
 std::string seed_option(const CommandLine& line);
+
+/// The scene that a verb's one word names, a file or, where there is no such file, an example, with the assignments
+/// in it; and the path.
+struct SceneRequest {
+  data::Scene scene;
+  std::optional<int> digits;  ///< of ref; nothing: by fast
+};
+SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits);
 
 /// BadInput, saying `why`, if this option or flag is there.
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);

@@ -21,6 +21,8 @@ const OptionText solve_path_option{"path", "ref or fast (default fast)"};
 const OptionText solve_digits_option{
     "digits",
     "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30); with path=ref only"};
+const OptionText balance_digits_option{
+    "digits", "decimal digits of ref's contact, 16 to 30 (default 16); with path=ref only"};
 const OptionText rtol_option{
     "rtol",
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
@@ -95,6 +97,17 @@ const std::array all_verbs{
         {json_flag, no_times_flag},
         {"nipref solve thick-full-friction",
          "nipref solve scene.toml load.per_length=200 material.poisson=0.3"},
+        true},
+    VerbText{
+        "balance",
+        "The work of a nip's rolling resistance against what its sheet loses, by the losses at all frequencies "
+        "of its pressure: status 1 if they differ by more than their errors.",
+        "scene",
+        "of a rolling sheet, converged: a TOML file, or the name of an example in data/scenes; key=value pairs "
+        "stand for what it has there",
+        {solve_path_option, balance_digits_option},
+        {json_flag, no_times_flag},
+        {"nipref balance viscoelastic-operators --path ref", "nipref balance scene.toml accuracy=1e-12"},
         true},
     VerbText{"tables",
              "The seeds' tables, replayed cell by cell and corrected.",

@@ -11,6 +11,7 @@ namespace nipref::verify {
 int list_verb(const CommandLine& line, std::ostream& out);
 int eval_verb(const CommandLine& line, std::ostream& out);
 int solve_verb(const CommandLine& line, std::ostream& out);
+int balance_verb(const CommandLine& line, std::ostream& out);
 int audit_verb(const CommandLine& line, std::ostream& out);
 int points_verb(const CommandLine& line, std::ostream& out);
 int grade_verb(const CommandLine& line, std::ostream& out);

@@ -51,10 +51,8 @@ SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
       return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)
                               : solve_ref_rolling(problem, digits);
     } catch (const data::BadInput& error) {
-      if (error.argument() == "digits") throw;
-      if (error.argument() == "nip.material" || error.argument().ends_with(" rate"))
-        scene.origin.refuse_as("material", error);
-      refuse_given(scene, problem.given, error);
+      if (loads != nullptr && error.argument().ends_with(" rate")) scene.origin.refuse_as("material", error);
+      refuse_rolling(scene, problem, error);
     }
   }();
   return collect_results(scene, problem.profile, *solved, std::pow(10.0L, -digits));

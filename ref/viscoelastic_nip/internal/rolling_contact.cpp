@@ -9,8 +9,8 @@
 namespace nipref::ref {
 namespace {
 
-/// About a minute; a load takes several solutions.
-constexpr int most_unknowns = 800, most_unknowns_for_load = 600;
+/// A minute or two; a load takes several solutions.
+constexpr int most_unknowns = 1200, most_unknowns_for_load = 1000;
 constexpr int guard_digits = 14;  ///< of the arithmetic beyond the results
 constexpr int search_digits = 8, fine_search_digits = 12;
 constexpr int most_load_steps = 40;

@@ -49,6 +49,7 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
           {"solve " + scene("half-space-rolling-sphere"), "solve_by_fast"},
           {"solve --path ref --digits 20 " + scene("thick-frictionless"), "solve_by_ref"},
           {"solve --path ref --digits 20 " + with_profile, "solve_by_ref"},
+          {"balance " + scene("viscoelastic-operators"), "balance"},
           {"audit I3 root.re points=100", "audit"},
           {"audit ti.span_ratio points=1", "audit"},
           {"audit I3 points=100 rtol=1e-6", "audit"},

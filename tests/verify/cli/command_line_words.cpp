@@ -32,7 +32,7 @@ TEST_CASE("a quantity's name in the place of a verb means eval") {
 }
 
 TEST_CASE("help VERB is VERB --help, and help alone is --help") {
-  for (const std::string verb : {"list", "eval", "solve", "tables", "audit", "bench", "report"}) {
+  for (const std::string verb : {"list", "eval", "solve", "balance", "tables", "audit", "bench", "report"}) {
     CAPTURE(verb);
     const Outcome help = run("help " + verb);
     CHECK(help.status == 0);
@@ -43,7 +43,7 @@ TEST_CASE("help VERB is VERB --help, and help alone is --help") {
 }
 
 TEST_CASE("each verb's help has what its names are, two examples and the exit statuses") {
-  for (const std::string verb : {"list", "eval", "solve", "tables", "audit", "bench", "report"}) {
+  for (const std::string verb : {"list", "eval", "solve", "balance", "tables", "audit", "bench", "report"}) {
     CAPTURE(verb);
     const std::string help = run("help " + verb).out;
     const std::size_t examples = help.find("Examples:\n");

@@ -30,4 +30,11 @@ void refuse_given(const data::Scene& scene, const data::Given& given, const data
   scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }
 
+void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
+                    const data::BadInput& error) {
+  if (error.argument() == "digits") throw data::BadInput(error);
+  if (error.argument() == "nip.material") scene.origin.refuse_as("material", error);
+  refuse_given(scene, problem.given, error);
+}
+
 }  // namespace nipref::verify

@@ -8,5 +8,8 @@ namespace nipref::verify {
 /// the load or the length leads.
 [[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
                                const data::BadInput& error);
+/// The same of a rolling nip, whose material and digits can be refused too.
+[[noreturn]] void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
+                                 const data::BadInput& error);
 
 }  // namespace nipref::verify

@@ -1,0 +1,85 @@
+// Work and loss of rolling nips, by either path.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/energy_balance.hpp>
+#include <nipref/verify/solve/internal/loss_integral.hpp>
+
+#include "support/softening_sheet.hpp"
+
+using namespace nipref;
+
+namespace {
+
+data::Scene rolling_scene(const data::ViscoelasticNip& nip, double length) {
+  const data::ViscoelasticNipProblem problem{nip, data::GivenLength{length}, data::ConvergedMethod{}, {}};
+  return {.title = "rolled", .wanted = {"load"}, .accuracy = 1e-12, .system = problem, .origin = {}};
+}
+
+void check_balanced(const verify::EnergyBalance& balance, double known_to) {
+  CHECK(balance.work.value > 0);
+  CHECK(balance.meets());
+  CHECK(balance.allowed() <= known_to * balance.work.value);
+}
+
+void check_unbalanced(const std::string& example, const std::string& part) {
+  try {
+    (void)verify::energy_balance(data::load_scene(data::example_scene(example)));
+    FAIL("accepted");
+  } catch (const data::BadInput& error) {
+    CAPTURE(error.what());
+    CHECK(std::string(error.what()).find(part) != std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "energy balance: the resistance's work is what the sheet loses at all frequencies, by either path") {
+  const data::Scene scene = rolling_scene(test::nip(1), 0.1);
+  check_balanced(verify::energy_balance(scene, 16), 1e-13);
+  check_balanced(verify::energy_balance(scene), 1e-9);
+  check_balanced(verify::energy_balance(rolling_scene(test::nip(1e-4), 0.1)), 1e-8);
+  check_balanced(verify::energy_balance(rolling_scene(test::nip(1e3), 0.1)), 1e-8);
+}
+
+TEST_CASE("energy balance: of a material whose rates are a conjugate pair") {
+  // Shear rates 2 +- 2i from the start.
+  const data::ViscoelasticMaterial waves = data::operator_solid({{9, 4.5, 1}, {8, 4, 1}, {1}, {10}});
+  REQUIRE(waves.theta1().terms.front().rate.imag() != 0);
+  const data::ViscoelasticNip nip{6, 0.25, waves, 0.2};
+  check_balanced(verify::energy_balance(rolling_scene(nip, 0.1), 16), 1e-13);
+}
+
+TEST_CASE("energy balance: what has no memory loses nothing") {
+  const data::ViscoelasticNip nip{6, 0.25, data::elastic_solid({1e5, 0.3}), 1};
+  const auto balance = verify::energy_balance(rolling_scene(nip, 0.1));
+  CHECK(balance.loss.value == 0);
+  CHECK(balance.meets());
+}
+
+TEST_CASE("energy balance: a pressure that is wrong, and says so or not, shows") {
+  const data::ViscoelasticNip nip = test::nip(0.1);
+  const auto loss = [&](double lean, double error) {
+    return verify::loss_integral(nip, {-0.05, 0.05}, [=](double y) -> fast::Estimate {
+      const double x = y / 0.05;
+      return {(1 + lean * x) * std::sqrt(1 - x * x), error};
+    });
+  };
+  const fast::Estimate right = loss(0, 0), wrong = loss(1e-3, 0), unsure = loss(0, 1e-3);
+  CHECK(right.error <= 1e-12 * right.value);
+  CHECK(std::fabs(wrong.value - right.value) > wrong.error + right.error);
+  CHECK(std::fabs(wrong.value - right.value) <= unsure.error);
+}
+
+TEST_CASE("energy balance: scenes that have none are refused by key") {
+  check_unbalanced("thick-full-friction", "rolling = (missing)");
+  check_unbalanced("viscoelastic-started", "method.kind = line-loads");
+}

@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/solve/energy_balance.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+std::string balance_text(const EnergyBalance& balance) {
+  constexpr auto row = "{:<24} {:<24} {:<12} {:<12} {}\n";
+  return balance.title + "\n" +
+         fmt::format(row, "work W mu_R", "loss", "difference", "errors", "force per unit width") +
+         fmt::format(row, fmt::format("{:.16g}", balance.work.value),
+                     fmt::format("{:.16g}", balance.loss.value), fmt::format("{:.1e}", balance.difference()),
+                     upward_text(balance.allowed()),
+                     balance.meets() ? "they meet" : "they differ by more than their errors") +
+         fmt::format("{:.2g} s\n", balance.seconds);
+}
+
+Json estimate_json(const fast::Estimate& number) {
+  return {{"value", number.value}, {"error", number.error}, {"proven", false}};
+}
+
+Json balance_json(const EnergyBalance& balance, const std::string& path) {
+  return {{"title", balance.title},
+          {"path", path},
+          {"work", estimate_json(balance.work)},
+          {"loss", estimate_json(balance.loss)},
+          {"difference", balance.difference()},
+          {"allowed", balance.allowed()},
+          {"met", balance.meets()},
+          {"times", {{"seconds", balance.seconds}}}};
+}
+
+}  // namespace
+
+int balance_verb(const CommandLine& line, std::ostream& out) {
+  const SceneRequest request = scene_request(line, "balance", 16);
+  const EnergyBalance balance = energy_balance(request.scene, request.digits);
+  out << (line.json
+              ? answer_text("balance", balance_json(balance, request.digits ? "ref" : "fast"), line.no_times)
+              : balance_text(balance));
+  return balance.meets() ? 0 : 1;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,70 @@
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include <nipref/verify/solve/energy_balance.hpp>
+#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/loss_integral.hpp>
+#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/refuse_given.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+fast::Estimate in_double(const fast::Estimate& number) { return number; }
+/// With what rounding to double changes.
+fast::Estimate in_double(const LongEstimate& number) {
+  const double value = std::strtod(number.value.c_str(), nullptr);
+  return {value, static_cast<double>(error_of(number)) + 0x1p-53 * std::fabs(value)};
+}
+
+fast::Estimate product(const fast::Estimate& x, const fast::Estimate& y) {
+  const double value = x.value * y.value;
+  return {value, x.error * std::fabs(y.value) + y.error * std::fabs(x.value) + x.error * y.error +
+                     std::numeric_limits<double>::epsilon() * std::fabs(value)};
+}
+
+template <class Number>
+EnergyBalance balance_of(const data::ViscoelasticNip& nip, const SolvedContact<Number>& contact) {
+  EnergyBalance balance;
+  balance.work = product(in_double(contact.number("load")), in_double(contact.number("rolling_resistance")));
+  balance.loss = loss_integral(nip, contact.profile_extent(),
+                               [&](double y) { return in_double(contact.at("pressure", y)); });
+  return balance;
+}
+
+const data::ViscoelasticNipProblem& rolling_problem(const data::Scene& scene) {
+  const auto* problem = std::get_if<data::ViscoelasticNipProblem>(&scene.system);
+  if (problem == nullptr)
+    scene.origin.refuse("rolling", "(missing)",
+                        "must be there: only a sheet that rolls loses energy to its memory");
+  if (!std::holds_alternative<data::ConvergedMethod>(problem->method))
+    scene.origin.refuse("method.kind", "line-loads", "must be converged for a balance of energy");
+  return *problem;
+}
+
+}  // namespace
+
+double EnergyBalance::difference() const { return work.value - loss.value; }
+bool EnergyBalance::meets() const { return std::fabs(difference()) <= allowed(); }
+
+EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits) {
+  scene.check();
+  const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
+  EnergyBalance balance;
+  const double seconds = seconds_of([&] {
+    try {
+      balance = digits ? balance_of(problem.nip, *solve_ref_rolling(problem, *digits))
+                       : balance_of(problem.nip, *solve_viscoelastic(problem, scene.accuracy));
+    } catch (const data::BadInput& error) {
+      refuse_rolling(scene, problem, error);
+    }
+  });
+  balance.title = scene.title;
+  balance.seconds = seconds;
+  return balance;
+}
+
+}  // namespace nipref::verify
