@@ -39,6 +39,10 @@ struct ConvergedElasticNip::Implementation {
   [[nodiscard]] Estimate half_length_estimate() const {
     return ladder.estimate([](const HalfContact& contact) { return contact.half_length; });
   }
+  /// Dimensionless.
+  [[nodiscard]] Estimate gripped_creep() const {
+    return ladder.estimate([](const HalfContact& contact) { return contact.creep; }, half_length());
+  }
   /// Distance of y >= 0 from the contact's end; without loss where that is given.
   [[nodiscard]] double from_end(double y) const {
     if (given_length) return (*given_length / 2 - y) / units.length;
@@ -104,10 +108,7 @@ Estimate ConvergedElasticNip::edge_displacement() const {
 Estimate ConvergedElasticNip::creep_ratio() const {
   const auto& [units, surface, ladder, given_length] = *implementation_;
   const double size = implementation_->half_length();
-  if (surface.friction == data::Friction::full) {
-    return times(units.creep,
-                 ladder.estimate([](const HalfContact& contact) { return contact.creep; }, size));
-  }
+  if (surface.friction == data::Friction::full) return times(units.creep, implementation_->gripped_creep());
   CountedKernels kernels = ladder.kernels();
   const auto stretch = [&](const HalfContact& contact) {
     const double end = contact.half_length;
@@ -151,18 +152,24 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {
   const auto& [units, surface, ladder, given_length] = *implementation_;
   const double position = checked_position(y) / units.length;
+  const double half_length = implementation_->half_length(), inside = std::min(position, half_length);
+  const auto dimensional = [&](const Estimate& estimate) {
+    return times(std::copysign(units.creep * units.length, y), estimate);
+  };
+  const bool grips = surface.friction == data::Friction::full;
+  if (grips && position == inside) return dimensional(times(position, implementation_->gripped_creep()));
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
     return fast::tangential_displacement(contact, position, surface, kernels);
   };
-  const double scale = implementation_->half_length() * std::min(position, implementation_->half_length());
-  Estimate estimate = ladder.estimate_of_integral(displacement, scale);
-  if (surface.friction == data::Friction::none && position > 0) {
-    const double half_length = implementation_->half_length();
-    estimate.error += difference_rounding *
-                      std::fabs(fast::tangential_displacement(ladder.last(), half_length, surface, kernels));
+  Estimate estimate = ladder.estimate_of_integral(displacement, half_length * inside);
+  if (grips) {
+    // No surer than the contact's end.
+    estimate.error += half_length * implementation_->gripped_creep().error;
+  } else if (position > 0) {
+    estimate.error += difference_rounding * ladder.last().load * (0.25 + surface.beta / 2);
   }
-  return times(std::copysign(units.creep * units.length, y), estimate);
+  return dimensional(estimate);
 }
 
 Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }

@@ -193,9 +193,7 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const double half_length = implementation_->half_length();
   Estimate estimate = implementation_->estimate_of_integral(
       displacement, half_length * std::min(std::fabs(position), half_length));
-  estimate.error +=
-      difference_rounding * std::fabs(ladder.last().tangential_displacement(
-                                {Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels));
+  estimate.error += difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels);
   return times(units.creep * units.length, estimate);
 }
 

@@ -19,6 +19,7 @@ struct HalfContact {
   double edge_displacement = 0;  ///< at e = 0
   double creep = 0;              ///< 0 without friction, where it is no part of the solution
   double load = 0;               ///< of the whole contact: twice the integral of the pressure over the half
+  double tail = 0;               ///< of its expansions, see expansion_tail.hpp
   std::vector<double> breaks;    ///< 0 = e_0 < ... < A: between them the tractions are analytic
   /// Of the same half length, as rounding could have made it: see SolutionAndTwins.
   std::vector<std::unique_ptr<HalfContact>> twins;

@@ -4,6 +4,7 @@
 #include <nipref/fast/elastic_nip/internal/levels.hpp>
 #include <nipref/fast/elastic_nip/internal/panels.hpp>
 #include <nipref/fast/elastic_nip/internal/spectral.hpp>
+#include <nipref/fast/nip/internal/expansion_tail.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -30,9 +31,7 @@ ElasticNipLevels::Resolution ElasticNipLevels::resolution(double near, int level
   // singularity is one panel length away.
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / 2.5))));
   const int terms = grown(3, level);
-  // Measured: at least 7.7 a term for short contacts; for longer ones 6, without slip down to 4.2.
-  const double rate = near < 1 ? 8 : friction_ == data::Friction::none ? 3 + std::sqrt(8.0) : 5;
-  return {false, panels, terms, std::pow(rate, -terms)};
+  return {false, panels, terms, std::pow(fastest_on_panels(std::ldexp(near, 1 - panels)), -terms)};
 }
 
 std::unique_ptr<HalfContact> ElasticNipLevels::solve(double half_length, const Resolution& resolution,
@@ -48,7 +47,9 @@ std::vector<Judged<HalfContact>> ElasticNipLevels::judged(const HalfContact& las
       {[](const HalfContact& contact) { return contact.load; }},
       {[](const HalfContact& contact) { return contact.half_length; }},
       {[](const HalfContact& contact) { return contact.edge_displacement; }, half_length * half_length},
-      {[](const HalfContact& contact) { return contact.creep; }, 0.1 * half_length}};
+      // Of a long contact it is determined by the ends alone, far less well than the rest.
+      {[](const HalfContact& contact) { return contact.creep; }, 0.1 * half_length,
+       std::pow(half_length, 3)}};
   for (const double part : {0.25, 1.0}) {
     const auto traction = [part](const HalfContact& contact) {
       return contact.traction(part * contact.half_length);

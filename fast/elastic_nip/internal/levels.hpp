@@ -17,10 +17,10 @@ class ElasticNipLevels {
     bool spectral;  ///< one expansion over the whole contact
     int panels;
     int terms;  ///< on each
-    double remainder;
+    double least;
   };
   static constexpr int most = 8;
-  static constexpr double whole_share = 0.05;
+  static constexpr double whole_share = 0.15;
 
   ElasticNipLevels(data::Friction friction, double poisson) : friction_(friction), poisson_(poisson) {}
 

@@ -37,6 +37,7 @@ class ElasticNipOperator {
         rule_(double_exponential_rule(tolerance)),
         kernels_(kernels) {}
 
+  [[nodiscard]] double beta() const { return beta_; }
   /// Nodes for the piece `left` <= e <= `right` as seen from the point at distance `point` <= A from the end
   /// (negative outside the contact).
   [[nodiscard]] std::vector<Influence> influences(double point, double left, double right,

@@ -2,10 +2,12 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
 #include <nipref/fast/elastic_nip/internal/panels.hpp>
+#include <nipref/fast/nip/internal/expansion_tail.hpp>
 #include <nipref/fast/number/internal/chebyshev.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 
@@ -56,8 +58,7 @@ class PanelContact : public HalfContact {
       if (friction_) matrix(i + per_component() + 1, size() - 1) = -(half_length - e);
     }
     kernels.count_system(size());
-    // Of an entry's many roundings some cancel; along long contacts near and far values do (measured).
-    return solution_and_twins(matrix, std::min(1.0, 0.5 + half_length / 50) * matrix, gap);
+    return solution_and_twins(matrix, sizes(matrix, from.beta()), gap);
   }
   void take(const Eigen::VectorXd& unknowns, double tolerance) {
     unknowns_ = unknowns;
@@ -67,6 +68,23 @@ class PanelContact : public HalfContact {
   }
 
  private:
+  /// Of what the entries are computed from. Of their many roundings some cancel; along long contacts near and far
+  /// values do (measured), and in what couples pressure and shear those of both
+  /// sides of a point, of which the roundings of a hundred nodes are left.
+  [[nodiscard]] Eigen::MatrixXd sizes(const Eigen::MatrixXd& matrix, double beta) const {
+    Eigen::MatrixXd size = std::min(1.0, 0.5 + half_length / 50) * matrix.cwiseAbs();
+    if (!friction_) return size;
+    const int rows = per_component() + 1;
+    for (int panel = 0; panel < panels_; ++panel) {
+      const double coupled = 0.2 * (0.25 + beta / 2) * (right(panel) - left(panel));
+      for (const auto& [row, at] : {std::pair{0, per_component()}, std::pair{rows, 0}}) {
+        auto block = size.block(row, at + column(panel, 0), rows, terms_);
+        block = block.cwiseMax(coupled).eval();
+      }
+    }
+    return size;
+  }
+
   [[nodiscard]] double left(int panel) const { return breaks[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] double right(int panel) const { return breaks[static_cast<std::size_t>(panel) + 1]; }
   [[nodiscard]] double fraction(int panel, double e) const {
@@ -154,14 +172,15 @@ std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction fr
   const ElasticNipOperator from(half_length, with_friction ? PanelContact::beta(poisson) : 0,
                                 layout.tolerance, kernels);
   const PanelContact unsolved(half_length, friction, poisson, layout);
-  const auto [solution, twins] = unsolved.solutions(from, kernels);
+  const SolutionAndTwins found = unsolved.solutions(from, kernels);
   const auto solved = [&](const Eigen::VectorXd& unknowns) {
     auto contact = std::make_unique<PanelContact>(half_length, friction, poisson, layout);
     contact->take(unknowns, layout.tolerance);
     return contact;
   };
-  auto contact = solved(solution);
-  for (const auto& twin : twins.colwise()) contact->twins.push_back(solved(twin));
+  auto contact = solved(found.solution);
+  contact->tail = expansion_tail(found, layout.terms, layout.panels * (with_friction ? 2 : 1));
+  for (const auto& twin : found.twins.colwise()) contact->twins.push_back(solved(twin));
   return contact;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nipref/fast/elastic_nip/internal/spectral.hpp>
+#include <nipref/fast/nip/internal/expansion_tail.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 
 namespace nipref::fast {
@@ -130,9 +131,10 @@ SolutionAndTwins solve(double half_length, const Grid& grid, CountedKernels& ker
 }  // namespace
 
 std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, CountedKernels& kernels) {
-  const auto [solution, twins] = solve(half_length, Grid(terms), kernels);
-  auto contact = std::make_unique<SpectralContact>(half_length, solution);
-  for (const auto& twin : twins.colwise())
+  const SolutionAndTwins found = solve(half_length, Grid(terms), kernels);
+  auto contact = std::make_unique<SpectralContact>(half_length, found.solution);
+  contact->tail = expansion_tail(found, terms, 1);
+  for (const auto& twin : found.twins.colwise())
     contact->twins.push_back(std::make_unique<SpectralContact>(half_length, twin));
   return contact;
 }

@@ -25,8 +25,8 @@ struct ContactUnits {
   double creep;
 };
 
-/// Of a tangential displacement, relative to that of the contact's end: near the place that it is counted from it is a
-/// small difference of integrals of that size.
+/// Of a tangential displacement, relative to what its parts are over the contact: they may cancel, and near the place
+/// that it is counted from it is a small difference of integrals of that size.
 inline constexpr double difference_rounding = 0x1p-50;
 
 /// `estimate` in a unit; never -0.

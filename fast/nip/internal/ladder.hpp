@@ -25,15 +25,17 @@ struct Judged {
 /// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
 /// of anything computed from it is estimated from two sides:
 /// - what the expansion leaves out: each solution lacks about what it differs by from the next, and the last one
-///   lacks that less by the rate at which the expansions converge, known and measured. Several differences are
-///   asked, for two solutions in succession may be near each other, or near the truth, by chance;
+///   lacks that less by what the expansions' last coefficients have fallen since, if not faster than the expansions
+///   can converge. Several differences are asked, for two solutions in succession may be near each other, or near
+///   the truth, by chance;
 /// - rounding: how much it changes on the last solution's twins, whose equations differ from its own by what
 ///   rounding may do to them.
 /// The factors of safety are those with which random contacts of all kinds were covered.
 ///
 /// Levels is a kind of nip, all dimensionless as in HalfContact:
-///   Contact            its solution, with half_length, load and twins, solutions of the same half length
-///   Resolution         what resolves it, with `remainder`: about the size of what its expansion leaves out
+///   Contact            its solution, with half_length, load, tail (expansion_tail.hpp, in any unit) and twins,
+///                      solutions of the same half length
+///   Resolution         what resolves it, with `least`: what its expansion leaves out where it converges fastest
 ///   most               levels there are
 ///   whole_share        how much of what the solution as a whole lacks is the least error of any number of it
 ///   resolution(near, level)                              for half lengths about `near`
@@ -68,13 +70,12 @@ class Ladder {
   /// estimated to lack, nor than what the load's last residual makes, all relative to `scale` (the value itself if
   /// that is larger).
   [[nodiscard]] Estimate estimate(const Functional& functional, double scale = 0) const {
-    const Estimate expanded = expanded_estimate(functional);
-    return estimate(expanded.value, {expanded.error, rounding_error(functional, expanded.value)}, 0.1, scale);
+    const double value = functional(last()), rounded = rounding_error(functional, value);
+    return estimate(value, {expansion_error(functional, rounded), rounded}, 0.1, scale);
   }
   /// The same for a functional that costs kernel values and rounds no worse than the solution: its twins are spared.
   [[nodiscard]] Estimate estimate_of_integral(const Functional& functional, double scale) const {
-    const Estimate expanded = expanded_estimate(functional);
-    return estimate(expanded.value, {expanded.error, 0}, 1, scale);
+    return estimate(functional(last()), {expansion_error(functional, 0), 0}, 1, scale);
   }
   /// The same for a functional whose value may be far smaller than A though its rounding is not: the accuracy
   /// is asked of the value itself, and rounding is relative to A.
@@ -86,7 +87,7 @@ class Ladder {
   [[nodiscard]] const Contact& last() const { return *solutions_.back(); }
   /// For what is computed from the solutions.
   [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }
-  /// Of the quadrature of what is computed from the solutions: their differences do not show it.
+  /// Of the quadrature of the solutions and of what is computed from them: their differences do not show it.
   static constexpr double tolerance() { return 1e-16; }
   [[nodiscard]] const Work& work() const { return *work_; }
 
@@ -117,7 +118,7 @@ class Ladder {
       const auto resolution = levels_.resolution(near, level);
       if (level > 2 && !levels_.is_affordable(resolution)) return;
       solutions_.push_back(step(near, level));
-      remainders_.push_back(resolution.remainder);
+      least_.push_back(resolution.least);
       near = half_length(last());
       if (level < 2) continue;
       const double before = std::exchange(asked_, judge()).sum();
@@ -131,12 +132,9 @@ class Ladder {
     }
   }
 
-  /// The quadrature is better than the expansion: as good, its errors could cancel the expansion's by chance.
   Solution solve(double half_length, double near, int level) const {
-    const auto resolution = levels_.resolution(near, level);
-    const double tolerance = std::max(1e-4 * resolution.remainder, 1e-16);
     CountedKernels kernels(Accuracy(), *work_);
-    return levels_.solve(half_length, resolution, tolerance, kernels);
+    return levels_.solve(half_length, levels_.resolution(near, level), tolerance(), kernels);
   }
 
   Solution solve_for_load(double load, double near, int level) {
@@ -156,7 +154,7 @@ class Ladder {
   }
   /// A level need not meet the load better than its expansion meets the pressure.
   [[nodiscard]] double load_tolerance(double near, int level) const {
-    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).remainder, 1e-14});
+    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).least, 1e-14});
   }
 
   /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
@@ -165,30 +163,26 @@ class Ladder {
                          rounding_share * whole_.of_rounding + load_rounding_;
     return {value, std::max(own.sum(), least * std::max(scale, std::fabs(value)))};
   }
-  /// Each solution lacks about what it differs by from the next; of that the last one lacks the less, the more its
-  /// expansion has left behind (`remainders_`), or by the rate of the last two differences if that is slower.
-  [[nodiscard]] Estimate expanded_estimate(const Functional& functional) const {
-    constexpr double safety = 6;
-    std::vector<double> values, changes;
+  /// Each solution lacks about what it differs by from the next; of that the last one has kept a part. A difference is
+  /// told by what it is larger than `rounded`, what rounding may make.
+  [[nodiscard]] double expansion_error(const Functional& functional, double rounded) const {
+    constexpr double safety = 8;
+    std::vector<double> values;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
-    for (std::size_t i = 1; i < values.size(); ++i) changes.push_back(std::fabs(values[i] - values[i - 1]));
-    const std::size_t count = changes.size();
-    double left = changes[count - 1] * measured_rate(changes);
-    for (std::size_t i = count - std::min<std::size_t>(count, 3); i < count; ++i)
-      left = std::max(left, changes[i] * known_rate(i, count));
-    return {values.back(), safety * left};
+    const std::size_t last = values.size() - 1;
+    double left = 0, kept = 1;
+    for (std::size_t i = last; i > 0 && i + 3 > last; --i) {
+      kept *= kept_since(i - 1);
+      left = std::max(left, (std::fabs(values[i] - values[i - 1]) - rounded) * kept);
+    }
+    return safety * left;
   }
-  /// What of its remainder a solution has kept at a later one: expansions may converge a little slower than they say.
-  [[nodiscard]] double known_rate(std::size_t from, std::size_t to) const {
-    return std::pow(remainders_[to] / remainders_[from], 0.9);
-  }
-  /// From the last but one solution to the last, as it was from the one before it, if there they came nearer.
-  [[nodiscard]] double measured_rate(const std::vector<double>& changes) const {
-    const std::size_t last = changes.size();
-    const double before = changes[last - 2], change = changes[last - 1];
-    if (!(change < before)) return 1;
-    const double terms_more = std::log(known_rate(last - 1, last)) / std::log(known_rate(last - 2, last - 1));
-    return std::pow(change / before, terms_more);
+  /// What of the error of solution `i` is left in the next; the last coefficients tell it but roughly.
+  [[nodiscard]] double kept_since(std::size_t i) const {
+    const auto tail = [&](std::size_t k) { return std::invoke(&Contact::tail, *solutions_[k]); };
+    const double fastest = least_[i + 1] / least_[i];
+    if (tail(i + 1) <= fastest * tail(i)) return std::pow(fastest, 0.95);
+    return tail(i + 1) < tail(i) ? std::pow(tail(i + 1) / tail(i), 0.95) : 1;
   }
   /// `safety` times the root mean square of what the twins differ by from `value`.
   [[nodiscard]] double rounding_error(const Functional& functional, double value) const {
@@ -202,9 +196,9 @@ class Ladder {
     Error asked;
     whole_ = {};
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
-      const Estimate expanded = expanded_estimate(judged.number);
-      const Error own{expanded.error, rounding_error(judged.number, expanded.value)};
-      const double size = std::max(judged.scale, std::fabs(expanded.value));
+      const double value = judged.number(last()), rounded = rounding_error(judged.number, value);
+      const Error own{expansion_error(judged.number, rounded), rounded};
+      const double size = std::max(judged.scale, std::fabs(value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));
@@ -216,9 +210,9 @@ class Ladder {
   double accuracy_;
   std::unique_ptr<Work> work_ = std::make_unique<Work>();
   std::vector<Solution> solutions_;
-  std::vector<double> remainders_;  ///< of each
-  Error asked_{1, 0};               ///< of the numbers judged, relative to what the accuracy is asked of
-  Error whole_;                     ///< of the solution as a whole, relative
+  std::vector<double> least_;  ///< left out by each
+  Error asked_{1, 0};          ///< of the numbers judged, relative to what the accuracy is asked of
+  Error whole_;                ///< of the solution as a whole, relative
   double load_residual_ = 0;
   double load_rounding_ = 0;  ///< relative, where the load is given
   double exponent_ = LengthSearch::usual_exponent;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nipref/fast/nip/internal/expansion_tail.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/levels.hpp>
 
@@ -25,10 +26,7 @@ ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near,
   for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / std::abs(term.rate));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-  // Measured: 8 a term on short contacts without memory, 2.8 on long ones of sheets with several.
-  const bool remembers = !material_.normal.empty();
-  const double rate = near > 10 && remembers ? 4 : near < 1 && !remembers ? 8 : 3 + std::sqrt(8.0);
-  return {panels, terms, std::pow(rate, -terms)};
+  return {panels, terms, std::pow(fastest_on_panels(std::ldexp(near, 1 - panels)), -terms)};
 }
 
 std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_length,

@@ -16,11 +16,10 @@ class ViscoelasticNipLevels {
   struct Resolution {
     int panels;  ///< on each half
     int terms;   ///< on each
-    double remainder;
+    double least;
   };
   static constexpr int most = 7;
-  /// The worst of the numbers is the eccentricity, judged by its own small size: it lacks more than the rest.
-  static constexpr double whole_share = 0.05;
+  static constexpr double whole_share = 0.15;
 
   explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <nipref/fast/nip/internal/expansion_tail.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
@@ -23,9 +24,10 @@ ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
     for (const ViscoelasticPanel& panel : layout.panels())
       memory.back().on_panel.push_back(panel_memory(layout, panel, term.rate));
   }
-  const auto [solution, others] = solutions(memory, tolerance, kernels);
-  take(material, memory, solution);
-  for (const auto& twin : others.colwise())
+  const SolutionAndTwins found = solutions(memory, tolerance, kernels);
+  take(material, memory, found.solution);
+  tail_ = expansion_tail(found, layout.terms(), static_cast<Eigen::Index>(layout.panels().size()));
+  for (const auto& twin : found.twins.colwise())
     twins.push_back(
         std::unique_ptr<ViscoelasticPressure>(new ViscoelasticPressure(layout, material, memory, twin)));
 }
@@ -157,24 +159,37 @@ double ViscoelasticPressure::normal_displacement(ContactPlace place, double tole
   return sum;
 }
 
+double ViscoelasticPressure::tangential_part(const Response& response, ViscoelasticKernel kernel,
+                                             ContactPlace place, ContactPlace reference,
+                                             ViscoelasticOperator& from) const {
+  double sum = 0;
+  for (std::size_t p = 0; p < layout_.panels().size(); ++p) {
+    const Eigen::VectorXd both =
+        from.moments({place, reference}, layout_.panels()[p], kernel) * response.on_panel[p];
+    sum += both(0) - both(1);
+  }
+  for (const MemoryTerm& term : response.trailing)
+    sum +=
+        (term.amplitude * (from.trail(place, term.rate, kernel) - from.trail(reference, term.rate, kernel)))
+            .real();
+  return sum;
+}
+
 double ViscoelasticPressure::tangential_displacement(ContactPlace place, ContactPlace reference,
                                                      double tolerance, CountedKernels& kernels) const {
   ViscoelasticOperator from(layout_, tolerance, kernels);
-  const auto at = [&](const Response& response, ViscoelasticKernel kernel) {
-    double sum = 0;
-    for (std::size_t p = 0; p < layout_.panels().size(); ++p) {
-      const Eigen::VectorXd both =
-          from.moments({place, reference}, layout_.panels()[p], kernel) * response.on_panel[p];
-      sum += both(0) - both(1);
-    }
-    for (const MemoryTerm& term : response.trailing)
-      sum +=
-          (term.amplitude * (from.trail(place, term.rate, kernel) - from.trail(reference, term.rate, kernel)))
-              .real();
-    return sum;
+  return tangential_part(normal_response_, ViscoelasticKernel::tangential, place, reference, from) -
+         tangential_part(theta2_response_, ViscoelasticKernel::sign, place, reference, from);
+}
+
+/// I3 is at most half of I2.
+double ViscoelasticPressure::tangential_size(double tolerance, CountedKernels& kernels) const {
+  ViscoelasticOperator from(layout_, tolerance, kernels);
+  const auto over_contact = [&](const Response& response) {
+    return std::fabs(
+        tangential_part(response, ViscoelasticKernel::sign, {Half::leading, 0}, {Half::trailing, 0}, from));
   };
-  return at(normal_response_, ViscoelasticKernel::tangential) -
-         at(theta2_response_, ViscoelasticKernel::sign);
+  return over_contact(normal_response_) / 2 + over_contact(theta2_response_);
 }
 
 }  // namespace nipref::fast

@@ -6,6 +6,7 @@
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/panel_memory.hpp>
 
 namespace nipref::fast {
@@ -42,6 +43,7 @@ class ViscoelasticPressure {
   /// Of the pressure about the middle of the contact, positive if more of it is on the leading side.
   [[nodiscard]] double moment() const { return moment_; }
   [[nodiscard]] double pressure(ContactPlace place) const;  ///< inside the contact
+  [[nodiscard]] double tail() const { return tail_; }       ///< of its expansions, see expansion_tail.hpp
 
   /// Normal displacement anywhere: of the roller inside the contact, by quadrature outside.
   [[nodiscard]] double normal_displacement(ContactPlace place, double tolerance,
@@ -49,6 +51,8 @@ class ViscoelasticPressure {
   /// Tangential displacement at `place` less that at `reference`, along the leading direction.
   [[nodiscard]] double tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
                                                CountedKernels& kernels) const;
+  /// What the parts of the tangential displacement are together over the contact, of which large parts may cancel.
+  [[nodiscard]] double tangential_size(double tolerance, CountedKernels& kernels) const;
 
  private:
   /// instantaneous p + sum of the terms' memories, on each panel, and what of it trails behind the contact.
@@ -70,6 +74,9 @@ class ViscoelasticPressure {
   [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
   [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms,
                                   const std::vector<TermMemory>& memory) const;
+  [[nodiscard]] double tangential_part(const Response& response, ViscoelasticKernel kernel,
+                                       ContactPlace place, ContactPlace reference,
+                                       ViscoelasticOperator& from) const;
   void integrate();
 
   ViscoelasticLayout layout_;
@@ -78,6 +85,7 @@ class ViscoelasticPressure {
   double offset_ = 0;
   double load_ = 0;
   double moment_ = 0;
+  double tail_ = 0;
   Response normal_response_;
   Response theta2_response_;
 };

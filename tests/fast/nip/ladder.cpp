@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
@@ -18,6 +19,7 @@ namespace {
 struct ToyContact {
   double half_length;
   double load;
+  double tail = 0;
   std::vector<std::unique_ptr<ToyContact>> twins = {};
 };
 
@@ -26,7 +28,7 @@ struct ToyLevels {
   using Contact = ToyContact;
   struct Resolution {
     int terms;
-    double remainder;
+    double least;
   };
   static constexpr int most = 7;
   static constexpr double whole_share = 1;
@@ -35,16 +37,18 @@ struct ToyLevels {
   std::vector<int>* solves;  ///< one entry for each solution: its terms
   double noise = 0;
   int most_terms = 1000;
-  int lucky_terms = 0;  ///< a solution with so many terms is as good as with half as many again
-  double rounding = 0;  ///< of the twins, relative
+  int lucky_terms = 0;     ///< a solution with so many terms is as good as with half as many again
+  double rounding = 0;     ///< of the twins, relative
+  double fastest = 0;      ///< factor of a term that the levels allow; 0: `factor`
+  double tail_factor = 0;  ///< of the tails; 0: `factor`
 
-  [[nodiscard]] static Resolution resolution(double, int level) {
+  [[nodiscard]] Resolution resolution(double, int level) const {
     const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-    return {terms, std::pow(6.0, -terms)};
+    return {terms, std::pow(fastest == 0 ? factor : fastest, -terms)};
   }
   [[nodiscard]] std::unique_ptr<ToyContact> solve(double half_length, const Resolution& resolution,
                                                   double tolerance, CountedKernels& kernels) const {
-    CHECK(tolerance == std::max(1e-4 * resolution.remainder, 1e-16));
+    CHECK(tolerance == 1e-16);
     kernels.count_system(resolution.terms);
     solves->push_back(resolution.terms);
     const double terms = resolution.terms == lucky_terms ? 1.5 * lucky_terms : resolution.terms;
@@ -53,6 +57,7 @@ struct ToyLevels {
       return std::make_unique<ToyContact>(half_length, half_length * half_length * (1 + relative));
     };
     auto contact = with(wrong);
+    contact->tail = std::max(std::pow(tail_factor == 0 ? factor : tail_factor, -resolution.terms), noise);
     for (const double sign : {-1.0, 1.0}) contact->twins.push_back(with(wrong + sign * rounding));
     return contact;
   }
@@ -125,6 +130,23 @@ TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
     const auto ladder = Ladder<ToyLevels>::at_half_length({1.1, &solves, 0, most_terms}, 1, 1e-12);
     CHECK(solves.back() == std::max(9, most_terms == 14 ? 14 : 0));
     CHECK(ladder.estimate([](const ToyContact& contact) { return contact.load; }).error > 0.1);
+  }
+}
+
+TEST_CASE(
+    "ladder: a solution has kept of its error what its tail has kept, but not less than an expansion can") {
+  // A fastest rate that is too fast does not matter where the tails tell the rate, nor tails that fall too fast where
+  // the rate cannot be such.
+  for (const auto& [fastest, tail_factor] : {std::pair{1e3, 3.0}, std::pair{3.0, 1e3}}) {
+    CAPTURE(fastest);
+    std::vector<int> solves;
+    const auto ladder =
+        Ladder<ToyLevels>::at_half_length({3, &solves, 0, 1000, 0, 0, fastest, tail_factor}, 1, 1e-6);
+    const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
+    CHECK(std::fabs(load.value - 1) <= load.error);
+    CHECK(load.error <= 1e-6);
+    // Once more at the believed rate, its power and the safety factor: not 30 times that.
+    CHECK(load.error <= 30 * std::fabs(load.value - 1));
   }
 }
 

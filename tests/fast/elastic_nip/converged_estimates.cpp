@@ -1,0 +1,20 @@
+// Estimates of elastic contacts that random scenes showed to be too small.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+
+using namespace nipref;
+
+TEST_CASE(
+    "thin sheet without slip: the shear in the middle, where it is 0, rounds like what couples it to pressure") {
+  const data::ElasticNip nip{
+      257.67271760106087, 0.04019963248356362, {0.06679909559898078, 0.09020804732626768}};
+  for (const double accuracy : {1e-8, 1e-10, 1e-13}) {
+    const auto contact = fast::converged_for_length(nip, data::Friction::full, 1.3241265709511936, accuracy);
+    const fast::Estimate middle = contact.shear(0);
+    CHECK(std::fabs(middle.value) <= middle.error);
+    CHECK(middle.error <= 1e-8 * contact.peak_shear().value);
+  }
+}
