@@ -29,9 +29,9 @@ ElasticNipLevels::Resolution ElasticNipLevels::resolution(double near, int level
   }
   // The end panel takes at most about the distance at which the kernels change; on each, the nearest
   // singularity is one panel length away.
-  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / 2.5))));
+  const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / widest_felt))));
   const int terms = grown(3, level);
-  return {false, panels, terms, std::pow(fastest_on_panels(std::ldexp(near, 1 - panels)), -terms)};
+  return {false, panels, terms, std::pow(fastest_on_panels(near), -terms)};
 }
 
 std::unique_ptr<HalfContact> ElasticNipLevels::solve(double half_length, const Resolution& resolution,

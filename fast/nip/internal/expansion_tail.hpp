@@ -6,13 +6,16 @@
 
 namespace nipref::fast {
 
-/// By what factor a term Chebyshev expansions on panels that double away from an end of width `end_panel`
-/// (half-thicknesses) converge at best. The nearest singularity of the solution is a panel's length away: its
-/// coefficients fall by 3 + sqrt 8, what follows from them by up to 8 (measured). Those of the kernels are two
-/// half-thicknesses beside each point, which counts where the kernels are felt across a panel; that is approached
-/// from above (measured: by a fifth).
-inline double fastest_on_panels(double end_panel) {
-  const double beside = 4 / end_panel;
+/// In half-thicknesses: panels in which the kernels are felt from end to end are no wider.
+inline constexpr double widest_felt = 2.5;
+
+/// By what factor a term Chebyshev expansions on panels that double away from an end, A/2, A/4 ... wide, converge at
+/// best. The nearest singularity of the solution is a panel's length away: its coefficients fall by 3 + sqrt 8, what
+/// follows from them by up to 8 (measured). Those of the kernels are two half-thicknesses beside each point, nearest
+/// to the widest panel that is felt from end to end; that is approached from above (measured: by a fifth).
+inline double fastest_on_panels(double half_length) {
+  const double halvings = std::max(0.0, std::ceil(std::log2(half_length / widest_felt)));
+  const double beside = 4 / (half_length * std::exp2(-halvings));
   return std::min(8.0, 1.2 * (beside + std::hypot(1, beside)));
 }
 

@@ -22,11 +22,11 @@ double compliance_over(double half_length, const ViscoelasticCompliances& materi
 /// shortest relaxation length, but resolve none that is too short to matter. On each the nearest singularity
 /// is one panel length away.
 ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near, int level) const {
-  double longest = 2.5;
+  double longest = widest_felt;
   for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / std::abs(term.rate));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-  return {panels, terms, std::pow(fastest_on_panels(std::ldexp(near, 1 - panels)), -terms)};
+  return {panels, terms, std::pow(fastest_on_panels(near), -terms)};
 }
 
 std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_length,

@@ -36,5 +36,6 @@ TEST_CASE("where twins differ by as much as an expansion's last coefficients it 
 TEST_CASE("expansions converge at best as the kernels' singularities and their neighbours let them") {
   CHECK(fastest_on_panels(0.1) == 8);
   // Two half-thicknesses beside a panel from -1.25 to 1.25: i 8/5 of its half.
-  CHECK(fastest_on_panels(2.5) == doctest::Approx(1.2 * (1.6 + std::sqrt(1 + 1.6 * 1.6))));
+  for (const double half_length : {2.5, 5.0, 640.0})
+    CHECK(fastest_on_panels(half_length) == doctest::Approx(1.2 * (1.6 + std::sqrt(1 + 1.6 * 1.6))));
 }
