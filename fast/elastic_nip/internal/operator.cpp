@@ -3,6 +3,8 @@
 #include <numbers>
 
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
+#include <nipref/fast/number/internal/memo.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -16,14 +18,35 @@ std::vector<double> coupling(const std::vector<double>& alpha, double beta, Coun
   return values;
 }
 
+std::vector<UnitNode> gauss_rule(const int& count) {
+  const GaussRule rule = gauss_legendre(count);
+  std::vector<UnitNode> nodes;
+  for (std::size_t i = 0; i < rule.at.size(); ++i)
+    nodes.push_back({rule.at[i], 1 - rule.at[i], rule.weight[i]});
+  return nodes;
+}
+
+/// Of a polynomial times a kernel whose singularity is at least the piece's width away (in x - 1/2 at 3/2, an ellipse
+/// of 3 + sqrt 8), and which decays within 16 half-thicknesses.
+int gauss_nodes(int degree, double width, double tolerance) {
+  return static_cast<int>(degree / 2.0 + 2 - std::log(tolerance) / 3.5 + std::min(width, 16.0));
+}
+
 }  // namespace
+
+/// So far that the kernels are as smooth on the piece as a polynomial.
+bool ElasticNipOperator::is_far(double point, double left, double right) const {
+  const double gap = std::max(left - point, point - right), image = 2 * half_length_ - point;
+  return std::min(gap, image - right) >= right - left;
+}
 
 /// Signed distances: near = y - s = e_s - e_y, formed from distances to the end of the piece where that end
 /// is the point; far = y + s.
-void ElasticNipOperator::append_nodes(double point, double left, double right, std::vector<Influence>& nodes,
-                                      std::vector<double>& near, std::vector<double>& far) const {
+void ElasticNipOperator::append_nodes(const std::vector<UnitNode>& rule, double point, double left,
+                                      double right, std::vector<Influence>& nodes, std::vector<double>& near,
+                                      std::vector<double>& far) const {
   const double width = right - left;
-  for (const UnitNode& node : rule_) {
+  for (const UnitNode& node : rule) {
     const double e = left == 0 || node.from_left < node.from_right ? left + width * node.from_left
                                                                    : right - width * node.from_right;
     const double distance = point <= left ? (left - point) + width * node.from_left
@@ -50,11 +73,18 @@ std::vector<double> ElasticNipOperator::cuts(double point, double left, double r
 }
 
 std::vector<Influence> ElasticNipOperator::influences(double point, double left, double right,
-                                                      Couplings wanted) const {
+                                                      Couplings wanted, std::optional<int> degree) const {
+  static Memo<int, std::vector<UnitNode>> gauss_rules(gauss_rule);
   std::vector<Influence> nodes;
   std::vector<double> near, far;
-  const std::vector<double> ends = cuts(point, left, right);
-  for (std::size_t i = 1; i < ends.size(); ++i) append_nodes(point, ends[i - 1], ends[i], nodes, near, far);
+  if (degree && is_far(point, left, right)) {
+    const auto rule = gauss_rules.at(gauss_nodes(*degree, right - left, tolerance_));
+    append_nodes(*rule, point, left, right, nodes, near, far);
+  } else {
+    const std::vector<double> ends = cuts(point, left, right);
+    for (std::size_t i = 1; i < ends.size(); ++i)
+      append_nodes(rule_, point, ends[i - 1], ends[i], nodes, near, far);
+  }
   if (wanted.normal_by_pressure) {
     const auto here = kernels_.I1(near), mirror = kernels_.I1(far);
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i].normal_by_pressure = (here[i] + mirror[i]) / pi;

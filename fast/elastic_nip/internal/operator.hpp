@@ -1,5 +1,5 @@
 #pragma once
-#include <functional>
+#include <optional>
 #include <vector>
 
 #include <nipref/data/problem/friction.hpp>
@@ -34,22 +34,25 @@ class ElasticNipOperator {
   ElasticNipOperator(double half_length, double beta, double tolerance, CountedKernels& kernels)
       : half_length_(half_length),
         beta_(beta),
+        tolerance_(tolerance),
         rule_(double_exponential_rule(tolerance)),
         kernels_(kernels) {}
 
   [[nodiscard]] double beta() const { return beta_; }
   /// Nodes for the piece `left` <= e <= `right` as seen from the point at distance `point` <= A from the end
-  /// (negative outside the contact).
-  [[nodiscard]] std::vector<Influence> influences(double point, double left, double right,
-                                                  Couplings wanted) const;
+  /// (negative outside the contact). `degree`: of the polynomial that the traction is there, if it is one.
+  [[nodiscard]] std::vector<Influence> influences(double point, double left, double right, Couplings wanted,
+                                                  std::optional<int> degree = {}) const;
 
  private:
   [[nodiscard]] std::vector<double> cuts(double point, double left, double right) const;
-  void append_nodes(double point, double left, double right, std::vector<Influence>& nodes,
-                    std::vector<double>& near, std::vector<double>& far) const;
+  [[nodiscard]] bool is_far(double point, double left, double right) const;
+  void append_nodes(const std::vector<UnitNode>& rule, double point, double left, double right,
+                    std::vector<Influence>& nodes, std::vector<double>& near, std::vector<double>& far) const;
 
   double half_length_;
   double beta_;
+  double tolerance_;
   std::vector<UnitNode> rule_;
   CountedKernels& kernels_;
 };

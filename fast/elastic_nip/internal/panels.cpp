@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -123,27 +124,41 @@ class PanelContact : public HalfContact {
   void add_panel(const ElasticNipOperator& from, double point, int panel, int row,
                  Eigen::MatrixXd& matrix) const {
     const auto nodes =
-        from.influences(point, left(panel), right(panel), {true, friction_, friction_, friction_});
-    const int tangential = row + per_component() + 1;
-    std::vector<double> polynomials(static_cast<std::size_t>(terms_));
-    for (const Influence& node : nodes) {
-      const double x = fraction(panel, node.e);
-      internal::shifted_chebyshev(x, polynomials);
-      const Complex factor = node.weight * end_factor(panel, x);
-      for (int k = 0; k < terms_; ++k) {
-        const Complex basis = factor * polynomials[static_cast<std::size_t>(k)];
-        const int at = column(panel, k);
-        matrix(row, at) += node.normal_by_pressure * basis.real() + node.normal_by_shear * basis.imag();
-        if (!friction_) continue;
-        // The coefficient i multiplies the basis: pressure -Im, shear Re.
-        matrix(row, per_component() + at) +=
-            -node.normal_by_pressure * basis.imag() + node.normal_by_shear * basis.real();
-        matrix(tangential, at) +=
-            node.tangential_by_pressure * basis.real() + node.tangential_by_shear * basis.imag();
-        matrix(tangential, per_component() + at) +=
-            -node.tangential_by_pressure * basis.imag() + node.tangential_by_shear * basis.real();
-      }
+        from.influences(point, left(panel), right(panel), {true, friction_, friction_, friction_},
+                        panel > 0 ? std::optional(terms_ - 1) : std::nullopt);
+    const auto count = static_cast<Eigen::Index>(nodes.size());
+    Eigen::ArrayXd x(count);
+    // What each node does to the displacements, times the real and the imaginary part of its factor.
+    Eigen::MatrixXd kernels = Eigen::MatrixXd::Zero(friction_ ? 8 : 1, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Influence& node = nodes[static_cast<std::size_t>(i)];
+      x(i) = fraction(panel, node.e);
+      const Complex factor = node.weight * end_factor(panel, x(i));
+      kernels(0, i) = factor.real() * node.normal_by_pressure;
+      if (!friction_) continue;
+      const Eigen::Vector4d all{node.normal_by_pressure, node.normal_by_shear, node.tangential_by_pressure,
+                                node.tangential_by_shear};
+      kernels.col(i) << factor.real() * all, factor.imag() * all;
     }
+    const Eigen::MatrixXd sums = product(kernels, polynomials(x));
+    const int at = column(panel, 0);
+    matrix.row(row).segment(at, terms_) = sums.row(0);
+    if (!friction_) return;
+    // The coefficient i multiplies the basis: pressure -Im, shear Re.
+    const int tangential = row + per_component() + 1, imaginary = per_component() + at;
+    matrix.row(row).segment(at, terms_) += sums.row(5);
+    matrix.row(row).segment(imaginary, terms_) = sums.row(1) - sums.row(4);
+    matrix.row(tangential).segment(at, terms_) = sums.row(2) + sums.row(7);
+    matrix.row(tangential).segment(imaginary, terms_) = sums.row(3) - sums.row(6);
+  }
+  /// T_k(2x - 1), a row for each x.
+  [[nodiscard]] Eigen::MatrixXd polynomials(const Eigen::ArrayXd& x) const {
+    Eigen::MatrixXd values = Eigen::MatrixXd::Ones(x.size(), terms_);
+    if (terms_ > 1) values.col(1) = 2 * x - 1;
+    for (int k = 2; k < terms_; ++k)
+      values.col(k).array() =
+          2 * values.col(1).array() * values.col(k - 1).array() - values.col(k - 2).array();
+    return values;
   }
 
   [[nodiscard]] double half_load(double tolerance) const {

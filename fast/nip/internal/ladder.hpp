@@ -61,7 +61,6 @@ class Ladder {
     ladder.climb(ladder.levels_.half_length_guess(load),
                  [&](double near, int level) { return ladder.solve_for_load(load, near, level); });
     // Twins carry another load: what they say of the length, and with it of all others.
-    const auto load_of = [](const Contact& contact) { return std::invoke(&Contact::load, contact); };
     ladder.load_rounding_ = ladder.rounding_error(load_of, load_of(ladder.last())) / load;
     return ladder;
   }
@@ -108,6 +107,7 @@ class Ladder {
 
   Ladder(Levels levels, double accuracy) : levels_(std::move(levels)), accuracy_(accuracy) {}
 
+  static double load_of(const Contact& contact) { return std::invoke(&Contact::load, contact); }
   static double half_length(const Contact& contact) { return std::invoke(&Contact::half_length, contact); }
 
   /// step(near, level): solution number `level`, its terms laid out for a half length near `near`.
@@ -143,7 +143,7 @@ class Ladder {
       // The layout follows large steps only: it makes the load jump.
       if (level == 0 && std::fabs(std::log(half_length / near)) > 0.3) near = half_length;
       Solution contact = solve(half_length, near, level);
-      const bool settled = search.settled(std::invoke(&Contact::load, *contact));
+      const bool settled = search.settled(load_of(*contact));
       load_residual_ = search.residual();
       exponent_ = search.exponent();
       if (!settled) continue;
@@ -152,9 +152,10 @@ class Ladder {
       return contact;
     }
   }
-  /// A level need not meet the load better than its expansion meets the pressure.
+  /// A level need not meet the load better than its expansion meets the pressure, and cannot better than it rounds.
   [[nodiscard]] double load_tolerance(double near, int level) const {
-    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).least, 1e-14});
+    const double rounds = solutions_.empty() ? 0 : twins_apart(load_of, load_of(last())) / load_of(last());
+    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).least, 1e-14, rounds});
   }
 
   /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
@@ -184,12 +185,15 @@ class Ladder {
     if (tail(i + 1) <= fastest * tail(i)) return std::pow(fastest, 0.95);
     return tail(i + 1) < tail(i) ? std::pow(tail(i + 1) / tail(i), 0.95) : 1;
   }
-  /// `safety` times the root mean square of what the twins differ by from `value`.
   [[nodiscard]] double rounding_error(const Functional& functional, double value) const {
     constexpr double safety = 12;
+    return safety * twins_apart(functional, value);
+  }
+  /// Root mean square of what they differ by from `value`.
+  [[nodiscard]] double twins_apart(const Functional& functional, double value) const {
     double squares = 0;
     for (const auto& twin : last().twins) squares += std::pow(functional(*twin) - value, 2);
-    return squares == 0 ? 0 : safety * std::sqrt(squares / static_cast<double>(last().twins.size()));
+    return squares == 0 ? 0 : std::sqrt(squares / static_cast<double>(last().twins.size()));
   }
   /// The largest relative error of the numbers that are judged; what the whole solution lacks on the way.
   Error judge() {
