@@ -15,7 +15,7 @@ namespace nipref::fast {
 /// Without friction and up to L/B = 12 the pressure is one Chebyshev expansion with the logarithm of the
 /// kernel in closed form; otherwise it is piecewise, with the end exponent 1/2 - i ln(3 - 4 poisson)/(2 pi)
 /// of the coupled problem. The number of unknowns follows from `accuracy`. Every result is computed when it
-/// is asked for, and comes with an estimate of its error, larger than the error and usually 3 to 500 times:
+/// is asked for, and comes with an estimate of its error, larger than the error and usually 3 to 200 times:
 /// what the expansion leaves out and what rounding does, see Ladder. Near a zero of an oscillating result the
 /// estimate is relative to its size elsewhere. Where rounding allows less than was asked (very thin sheets
 /// with full friction: about 1e-16 (L/B)^2 of the peak), the estimate says so.

@@ -14,8 +14,8 @@ namespace nipref::fast {
 ///
 /// The sheet answers to p and to its fading memory int e^(-rate t) p along the way of the material, which
 /// obeys a differential equation; so only the elastic kernels are integrated. Pressure and memory are
-/// polynomials on panels that double away from both ends, from twice the shortest relaxation length (or 2.5
-/// half-thicknesses) on, with the square root of the end in the first. The number of unknowns follows from
+/// polynomials on panels that double away from both ends, from twice the shortest distance in which a memory takes
+/// over (or 2.5 half-thicknesses) on, with the square root of the end in the first. The number of unknowns follows from
 /// `accuracy`. Every result comes with an estimate of its error: see Ladder.
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading

@@ -21,7 +21,7 @@ double expansion_tail(const SolutionAndTwins& found, Eigen::Index terms, Eigen::
     double squares = 0;
     for (const auto& twin : found.twins.colwise())
       squares += std::pow(last_coefficients(twin.segment(i * terms, terms) - coefficients), 2);
-    const double lost = 4 * std::sqrt(squares / static_cast<double>(found.twins.cols()));
+    const double lost = 12 * std::sqrt(squares / static_cast<double>(found.twins.cols()));
     if (tail > lost) largest = std::max(largest, tail);
   }
   return largest;

@@ -128,7 +128,7 @@ class Ladder {
       }
       // Where more terms twice do not help, rounding is what is left.
       in_vain = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? in_vain + 1 : 0;
-      if (asked_.sum() <= accuracy_ || asked_.of_expansion < asked_.of_rounding || in_vain == 2) return;
+      if (settled_ || in_vain == 2) return;
     }
   }
 
@@ -195,15 +195,19 @@ class Ladder {
     for (const auto& twin : last().twins) squares += std::pow(functional(*twin) - value, 2);
     return squares == 0 ? 0 : std::sqrt(squares / static_cast<double>(last().twins.size()));
   }
-  /// The largest relative error of the numbers that are judged; what the whole solution lacks on the way.
+  /// The largest relative error of the numbers that are judged; what the whole solution lacks, and whether each number
+  /// is as accurate as was asked or as its rounding lets, on the way.
   Error judge() {
     Error asked;
     whole_ = {};
+    settled_ = true;
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
       const double value = judged.number(last()), rounded = rounding_error(judged.number, value);
       const Error own{expansion_error(judged.number, rounded), rounded};
       const double size = std::max(judged.scale, std::fabs(value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
+      // By three times, for what the expansion leaves out is the safer estimate.
+      settled_ &= own.sum() <= accuracy_ * size || own.of_expansion < 3 * own.of_rounding;
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));
     }
@@ -216,7 +220,8 @@ class Ladder {
   std::vector<Solution> solutions_;
   std::vector<double> least_;  ///< left out by each
   Error asked_{1, 0};          ///< of the numbers judged, relative to what the accuracy is asked of
-  Error whole_;                ///< of the solution as a whole, relative
+  bool settled_ = false;
+  Error whole_;  ///< of the solution as a whole, relative
   double load_residual_ = 0;
   double load_rounding_ = 0;  ///< relative, where the load is given
   double exponent_ = LengthSearch::usual_exponent;

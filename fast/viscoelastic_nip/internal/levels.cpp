@@ -18,12 +18,13 @@ double compliance_over(double half_length, const ViscoelasticCompliances& materi
 
 }  // namespace
 
-/// The panels at the ends take at most the distance in which the sheet's kernel changes, and twice the
-/// shortest relaxation length, but resolve none that is too short to matter. On each the nearest singularity
-/// is one panel length away.
+/// The panels at the ends take at most the distance in which the sheet's kernel changes, and twice that in which a
+/// memory takes over: waves e^(ikd) meet the compliance 1 + amplitude/(rate + ik), which is 0 where -ik is rate +
+/// amplitude, so that pressure that sets in settles by that much a half-thickness. They resolve none that is too
+/// short to matter. On each the nearest singularity is one panel length away.
 ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near, int level) const {
   double longest = widest_felt;
-  for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / std::abs(term.rate));
+  for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / (std::abs(term.rate) + std::abs(term.amplitude)));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
   return {panels, terms, std::pow(fastest_on_panels(near), -terms)};
