@@ -20,7 +20,7 @@ class ElasticNipLevels {
     double least;
   };
   static constexpr int most = 8;
-  static constexpr double whole_share = 0.15;
+  static constexpr double whole_share = 0.1;
 
   ElasticNipLevels(data::Friction friction, double poisson) : friction_(friction), poisson_(poisson) {}
 
