@@ -114,7 +114,9 @@ Estimate ConvergedElasticNip::creep_ratio() const {
     const double end = contact.half_length;
     return fast::tangential_displacement(contact, end, surface, kernels) / end;
   };
-  return times(units.creep, ladder.estimate_of_integral(stretch, size));
+  Estimate creep = ladder.estimate_of_integral(stretch, size);
+  creep.error += difference_rounding * ladder.last().load * (0.25 + surface.beta / 2) / size;
+  return times(units.creep, creep);
 }
 
 Estimate ConvergedElasticNip::pressure(double y) const {

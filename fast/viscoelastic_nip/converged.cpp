@@ -167,7 +167,11 @@ Estimate ConvergedViscoelasticNip::creep_ratio() const {
         contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels);
     return change / (2 * contact.half_length());
   };
-  return times(units.creep, implementation_->estimate_of_integral(stretch, implementation_->half_length()));
+  const double half_length = implementation_->half_length();
+  Estimate creep = implementation_->estimate_of_integral(stretch, half_length);
+  creep.error +=
+      difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels) / half_length;
+  return times(units.creep, creep);
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
