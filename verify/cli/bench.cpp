@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/bench_against.hpp>
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -14,10 +19,43 @@ constexpr auto notes =
     "10^-N of the scale) and relative to the value.\n"
     "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";
 
+/// "10%" is 0.1; none if it is not asked for.
+std::optional<double> max_slowdown_option(const CommandLine& line) {
+  const auto text = line.option("max-slowdown");
+  if (!text) return std::nullopt;
+  if (!line.option("against")) throw data::BadInput("max-slowdown", *text, "must be given with --against");
+  if (!text->ends_with('%')) throw data::BadInput("max-slowdown", *text, "must be a number of per cent, 10%");
+  const double percent = parse_real("max-slowdown", text->substr(0, text->size() - 1));
+  if (percent < 0) throw data::BadInput("max-slowdown", *text, "must be a number of per cent >= 0");
+  return percent / 100;
+}
+
+/// What this run was asked for, to ask the same of an older program.
+std::vector<std::string> words_of(const CommandLine& line) {
+  std::vector<std::string> words = line.words;
+  if (const auto isa = line.option("isa")) words.insert(words.end(), {"--isa", *isa});
+  return words;
+}
+
+int against_verb(const CommandLine& line, std::ostream& out) {
+  const auto most = max_slowdown_option(line);
+  Progress progress(standard_error(line.has("quiet")));
+  const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of(line), progress);
+  if (line.json) {
+    out << answer_text("bench_against", {{"rows", against_json(rows)}}, line.no_times);
+  } else {
+    out << against_text(rows);
+  }
+  const auto too_slow = [&](const AgainstRow& row) { return row.slower_by(*most); };
+  return most && std::ranges::any_of(rows, too_slow) ? 1 : 0;
+}
+
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = selection(line, bench_groups());
+  static_cast<void>(max_slowdown_option(line));
+  if (line.option("against")) return against_verb(line, out);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   const BenchReport report = bench_all(selected, progress);

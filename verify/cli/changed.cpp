@@ -1,14 +1,10 @@
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <map>
-#include <memory>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/changed.hpp>
+#include <nipref/verify/cli/output_of.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -50,21 +46,14 @@ Subjects touched_by(const std::string& file) {
   return file == "CMakeLists.txt" ? everything : Subjects{};
 }
 
-/// Lines that git prints. The words are ours but for the last, which is quoted.
-std::vector<std::string> lines_of_git(const std::string& words, const std::string& last) {
-  std::string quoted;
-  for (const char letter : last) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  const std::string command = "git " + words + " '" + quoted + "' 2>/dev/null";
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw data::BadInput("changed", "(given)", "needs git, which cannot be run");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count = 0; (count = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    text.append(buffer.data(), count);
-  if (pclose(pipe) != 0)
-    throw data::BadInput("since", last, "must be a revision that git knows in the current folder");
+/// Lines that git prints.
+std::vector<std::string> lines_of_git(std::vector<std::string> words, const std::string& revision) {
+  words.insert(words.begin(), "git");
+  const ProgramOutput output = output_of(words);
+  if (output.status != 0)
+    throw data::BadInput("since", revision, "must be a revision that git knows in the current folder");
   std::vector<std::string> lines;
-  std::istringstream stream(text);
+  std::istringstream stream(output.text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
 }
@@ -72,9 +61,11 @@ std::vector<std::string> lines_of_git(const std::string& words, const std::strin
 }  // namespace
 
 std::vector<std::string> changed_files(const std::string& revision) {
-  std::vector<std::string> files = lines_of_git("diff --name-only --no-renames --end-of-options", revision);
-  std::ranges::copy(lines_of_git("ls-files --others --exclude-standard --full-name --", ":/"),
-                    std::back_inserter(files));
+  std::vector<std::string> files =
+      lines_of_git({"diff", "--name-only", "--no-renames", "--end-of-options", revision}, revision);
+  std::ranges::copy(
+      lines_of_git({"ls-files", "--others", "--exclude-standard", "--full-name", "--", ":/"}, revision),
+      std::back_inserter(files));
   return files;
 }
 

@@ -54,6 +54,9 @@ const OptionText junit_option{"junit", "file for the outcome as JUnit XML"};
 const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
 const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
 
+const OptionText against_option{"against", "an older nipref: both are timed in turns, in three rounds"};
+const OptionText max_slowdown_option{
+    "max-slowdown", "with --against: per cent, 10%; what is slower by more in every round gives status 1"};
 const OptionText since_option{"since", "with --changed: a revision of git's (default HEAD)"};
 const OptionText changed_flag{
     "changed", "what the files that differ from git's last revision have a part in, new files too"};
@@ -151,9 +154,10 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
         "it)",
-        {isa_option},
+        {isa_option, against_option, max_slowdown_option},
         {strict_flag, quiet_flag, json_flag, no_times_flag},
-        {"nipref bench I1", "nipref bench elastic-nip --strict"}},
+        {"nipref bench I1", "nipref bench elastic-nip --strict",
+         "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
     VerbText{"report",
              "Audit, bench and tables on a page or two.",
              "",

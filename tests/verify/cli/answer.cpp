@@ -57,6 +57,7 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
           {"grade '" + values + "' I1 --promise 1e17", "grade"},
           {"grade '" + values + "' I1 --promise 1e17 --baseline /nowhere/baseline.toml", "grade"},
           {"bench I7", "bench"},
+          {"bench root.re --against '" + program() + "'", "bench_against"},
           {"tables thesis-VII thesis-XI brock2013-1", "tables"},
           {"tables --list", "tables_list"},
           {"--version", "version"}};

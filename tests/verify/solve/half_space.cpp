@@ -185,7 +185,6 @@ TEST_CASE("what does not fit together is refused at its key") {
                 ":2: wanted[0] = contact_length: ");
   check_refused(spans + isotropic + die + "[roller]\nradius = 1.0\n" + sliding("0.1") + load + rule,
                 "roller = ");
-  check_refused(spans + isotropic + die + sliding("0.1") + load + exact, "half_space = ", " --path ref");
 }
 
 TEST_CASE("a friction force has the rounding of its product, though force and friction are given") {
