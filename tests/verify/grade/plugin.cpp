@@ -1,0 +1,373 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/grade/fault.hpp>
+#include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/grade/speed.hpp>
+
+#include "support/paths.hpp"
+
+using namespace nipref;
+using verify::AuditOptions;
+using verify::AuditResult;
+using verify::Fault;
+using verify::FaultKind;
+using verify::Plugin;
+using verify::PluginKernel;
+using verify::Point;
+using verify::Quantity;
+
+namespace {
+
+constexpr double here = 17.25;
+
+Plugin test_kernels(double time_limit = 60) { return {plugin_file("kernels"), {}, time_limit}; }
+
+/// A kernel of the test's plugin and what is found of it.
+struct Graded {
+  explicit Graded(const std::string& name, AuditOptions options = {400, {}, {}},
+                  const Plugin& plugin = test_kernels())
+      : kernel(plugin, name), quantity(verify::find_quantity(quantity_of(kernel))) {
+    options.more_points.push_back(Point(quantity.arguments.size(), here));
+    result = verify::audit(quantity, kernel.evaluator(), options);
+    faults = kernel.faults();
+  }
+
+  static std::string quantity_of(const PluginKernel& kernel) {
+    return kernel.info().quantity.empty() ? "I3" : kernel.info().quantity;
+  }
+
+  PluginKernel kernel;
+  const Quantity& quantity;
+  AuditResult result{};
+  std::vector<Fault> faults;
+};
+
+/// The points of the worst argument and of the whole region where the kernel is wrong.
+void check_wrong_from(const AuditResult& found, double lower, double upper) {
+  CHECK_FALSE(found.kept());
+  REQUIRE(found.spread.wrong.has_value());
+  CHECK(found.spread.wrong->lower[0] >= lower);
+  CHECK(found.spread.wrong->upper[0] <= upper);
+}
+
+AuditOptions in_range(const std::string& range, std::size_t points = 400) {
+  AuditOptions options{points, {}, {}};
+  options.ranges = verify::parse_ranges(verify::find_quantity("I3"), {{"alpha", range}});
+  return options;
+}
+
+/// One fault, at 17.25, whose words have `says`.
+void check_only_fault(const std::vector<Fault>& faults, FaultKind kind, const std::string& says) {
+  REQUIRE(faults.size() == 1);
+  CAPTURE(faults[0].words);
+  CHECK(faults[0].kind == kind);
+  CHECK(faults[0].point == Point{here});
+  CHECK(faults[0].words.find(says) != std::string::npos);
+}
+
+void check_same_numbers(const AuditResult& a, const AuditResult& b) {
+  CHECK(a.points == b.points);
+  CHECK(a.max_error_ulp == b.max_error_ulp);
+  CHECK(a.max_relative_error == b.max_relative_error);
+  CHECK(a.allowance_used == b.allowance_used);
+  CHECK(a.worst == b.worst);
+  CHECK(a.spread.mean == b.spread.mean);
+  CHECK(a.spread.percentile_999 == b.spread.percentile_999);
+}
+
+}  // namespace
+
+TEST_CASE("fast as a plugin has exactly the numbers of the audit of fast") {
+  for (const std::string name : {"all_sound", "all_sound_I1", "sound_I6", "with_state"}) {
+    CAPTURE(name);
+    const AuditOptions options{600, {}, {}};
+    PluginKernel kernel(test_kernels(), name);
+    const Quantity& quantity = verify::find_quantity(kernel.info().quantity);
+    const AuditResult found = verify::audit(quantity, kernel.evaluator(), options);
+    CHECK(found.kept());
+    check_same_numbers(found, verify::audit(quantity, options));
+    CHECK(verify::faults_text(quantity, kernel.faults()).empty());
+  }
+}
+
+TEST_CASE("a bare function is graded as a kernel is, of one argument and of two") {
+  const AuditOptions options{300, {}, {}};
+  for (const auto& [symbol, name, arity] :
+       {std::tuple("bare_I3", "I3", std::size_t{1}), std::tuple("bare_I6", "I6", std::size_t{2})}) {
+    CAPTURE(symbol);
+    const Quantity& quantity = verify::find_quantity(name);
+    PluginKernel kernel({plugin_file("kernels"), {{symbol, arity, true}}}, symbol);
+    check_same_numbers(verify::audit(quantity, kernel.evaluator(), options),
+                       verify::audit(quantity, options));
+    CHECK(kernel.faults().empty());
+  }
+}
+
+TEST_CASE("a kernel with the wrong sign is wrong everywhere") {
+  const Graded found("wrong_sign");
+  CHECK_FALSE(found.result.kept());
+  CHECK(found.result.max_relative_error == doctest::Approx(2));
+  REQUIRE(found.result.spread.wrong.has_value());
+  // All but 0 itself.
+  CHECK(found.result.spread.wrong->above + 10 > found.result.spread.wrong->points);
+  CHECK(found.faults.empty());
+}
+
+TEST_CASE("a series with one root taken for the next is told from the right one") {
+  AuditOptions options = in_range("1..10");
+  options.promise = 1000;
+  CHECK(Graded("right_series", options).result.kept());
+  const Graded wrong("wrong_series", options);
+  check_wrong_from(wrong.result, 1, 3);
+  CHECK(wrong.result.worst[0] < 1.1);
+}
+
+TEST_CASE("single precision is wrong by its own unit everywhere") {
+  const Graded found("single_precision", in_range("0.1..10"));
+  CHECK_FALSE(found.result.kept());
+  CHECK(found.result.max_relative_error < 1e-7);
+  CHECK(found.result.max_relative_error > 1e-8);
+  REQUIRE(found.result.spread.wrong.has_value());
+  CHECK(found.result.spread.wrong->lower[0] < 0.2);
+  CHECK(found.result.spread.wrong->upper[0] > 9);
+}
+
+TEST_CASE("what is wrong below 1e-6 alone is found there") {
+  check_wrong_from(Graded("wrong_when_small", in_range("1e-9..1:log")).result, 1e-9, 1e-6);
+}
+
+TEST_CASE("what is wrong at one golden point alone is found at it") {
+  AuditOptions options{300, {}, {}};
+  CHECK(Graded("wrong_at_one", options).result.kept());
+  options.more_points = {{0.7296875}};
+  check_wrong_from(Graded("wrong_at_one", options).result, 0.7296875, 0.7296875);
+}
+
+TEST_CASE("a value that is no number is named") {
+  const Graded found("no_number");
+  check_only_fault(found.faults, FaultKind::not_finite, "nan");
+  check_wrong_from(found.result, here, here);
+}
+
+TEST_CASE("a crash is named with its signal and its point, and the run goes on") {
+  const Graded found("crashes");
+  check_only_fault(found.faults, FaultKind::crash, "SIGSEGV");
+  check_wrong_from(found.result, here, here);
+}
+
+TEST_CASE("an abort is named with what was said") {
+  const Graded found("aborts");
+  check_only_fault(found.faults, FaultKind::crash, "SIGABRT (Aborted), saying: I have had enough");
+  check_wrong_from(found.result, here, here);
+}
+
+TEST_CASE("an endless loop is ended and named with its point") {
+  // The limit is for a batch of 64 points that takes a thousandth of a second.
+  const Graded found("hangs", {200, {}, {}}, test_kernels(1));
+  check_only_fault(found.faults, FaultKind::hang, "no answer within 1 s");
+  check_wrong_from(found.result, here, here);
+}
+
+TEST_CASE("a kernel that ends the process is named, status 0 or not") {
+  const Graded found("exits");
+  check_only_fault(found.faults, FaultKind::exit, "status 0");
+  check_wrong_from(found.result, here, here);
+}
+
+TEST_CASE("a changed way to compute is named and does not reach other points") {
+#if defined(__x86_64__) || defined(__aarch64__)
+  const Graded flushes("flushes");
+  check_only_fault(flushes.faults, FaultKind::environment, "flushed to zero");
+  CHECK(flushes.result.kept());
+#endif
+  const Graded rounds("rounds_up");
+  check_only_fault(rounds.faults, FaultKind::environment, "rounding mode");
+  CHECK(rounds.result.kept());
+}
+
+TEST_CASE("what is written to standard output disturbs nothing and is named") {
+  const Graded found("prints");
+  check_only_fault(found.faults, FaultKind::output, "standard output");
+  CHECK(found.result.kept());
+}
+
+TEST_CASE(
+    "what is touched beside the arrays is noticed, whatever the number of points, and the values are kept") {
+  for (const std::string name : {"one_too_many", "one_too_early", "reads_too_much"}) {
+    CAPTURE(name);
+    const Graded found(name, {100, {}, {}});
+    CHECK(found.result.kept());
+    const auto groups = verify::grouped(found.faults);
+    REQUIRE(groups.size() == 1);
+    CHECK(groups[0].kind == FaultKind::overrun);
+    CHECK(groups[0].count > 50);
+    const std::string what = name == "reads_too_much" ? "its arguments" : "its output";
+    CHECK(groups[0].first[0].words.find(what) != std::string::npos);
+  }
+}
+
+TEST_CASE("changed arguments, values that are not written and refusals are named") {
+  check_only_fault(Graded("changes_arguments").faults, FaultKind::arguments, "writes to its arguments");
+  check_only_fault(Graded("leaves_out").faults, FaultKind::unwritten, "no value");
+  const Graded refuses("refuses");
+  check_only_fault(refuses.faults, FaultKind::refused, "returns 7");
+  check_wrong_from(refuses.result, here, here);
+}
+
+TEST_CASE("values that depend on the place of a point among the others are named") {
+  const Graded found("first_is_other", {300, {}, {}});
+  const auto groups = verify::grouped(found.faults);
+  REQUIRE_FALSE(groups.empty());
+  CHECK(groups[0].kind == FaultKind::order);
+  CHECK(groups[0].first[0].words.find("in another order of points") != std::string::npos);
+}
+
+TEST_CASE("a state that threads share without care is found, in kernels and in bare functions") {
+  const Graded kernel("shares");
+  const Graded bare("bare_shares", {400, {}, {}}, {plugin_file("kernels"), {{"bare_shares", 1, true}}, 60});
+  for (const Graded* const found : {&kernel, &bare}) {
+    const auto groups = verify::grouped(found->faults);
+    REQUIRE(groups.size() == 1);
+    CHECK(groups[0].kind == FaultKind::threads);
+    CHECK(groups[0].lower.has_value());
+    CHECK(found->result.kept());
+  }
+  const Graded alone("bare_shares", {400, {}, {}}, {plugin_file("kernels"), {{"bare_shares", 1, false}}, 60});
+  CHECK(alone.faults.empty());
+}
+
+TEST_CASE("a crash in larger batches alone is named with the batch, and its points have values") {
+  const Graded found("crashes_in_batches");
+  REQUIRE(found.faults.size() == 1);
+  CHECK(found.faults[0].kind == FaultKind::crash);
+  const std::string& words = found.faults[0].words;
+  CAPTURE(words);
+  const std::string begins = ", in a batch of ";
+  REQUIRE(words.find(begins) != std::string::npos);
+  // Halves of what crashes, until neither crashes.
+  const char size = words[words.find(begins) + begins.size()];
+  CHECK(size >= '4');
+  CHECK(size <= '7');
+  CHECK(found.result.kept());
+}
+
+TEST_CASE("a kernel that crashes often has values at the other points") {
+  const Graded found("crashes_often", in_range("1..2", 300));
+  const auto groups = verify::grouped(found.faults);
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].kind == FaultKind::crash);
+  CHECK(groups[0].count > 50);
+  CHECK(groups[0].count < 250);
+  CHECK(std::isfinite(found.result.spread.mean) == false);
+}
+
+TEST_CASE("a kernel that crashes or hangs at every point comes to an end, and is said to be given up") {
+  for (const auto& [name, limit] : {std::pair("crashes_always", 60.0), std::pair("hangs_always", 0.05)}) {
+    CAPTURE(name);
+    PluginKernel kernel(test_kernels(limit), name);
+    const std::vector<Point> points(5000, Point{1.5});
+    std::vector<double> values(points.size());
+    kernel.evaluate(points, values);
+    CHECK(std::ranges::all_of(values, [](double value) { return std::isnan(value); }));
+    const std::vector<Fault> faults = kernel.faults();
+    REQUIRE(faults.size() == 2);
+    CHECK(faults[0].point == Point{1.5});
+    CHECK(faults[1].kind == FaultKind::given_up);
+  }
+}
+
+TEST_CASE("a kernel that does not open has no values, one that does not close is named") {
+  const Graded opens("not_opened", {100, {}, {}});
+  REQUIRE(opens.faults.size() == 2);
+  CHECK(opens.faults[0].words == "returns 3, in open");
+  CHECK(opens.faults[1].kind == FaultKind::given_up);
+  CHECK_FALSE(opens.result.kept());
+  const Graded closes("not_closed", {100, {}, {}});
+  REQUIRE(closes.faults.size() == 1);
+  CHECK(closes.faults[0].kind == FaultKind::crash);
+  CHECK(closes.faults[0].words.ends_with(", in close"));
+  CHECK(closes.result.kept());
+}
+
+TEST_CASE("a plugin that prints and flushes small numbers as it is loaded is named for it") {
+  const Graded found("zero", {100, {}, {}}, {plugin_file("prints_and_flushes"), {}, 60});
+  const auto groups = verify::grouped(found.faults);
+#if defined(__x86_64__)
+  REQUIRE(groups.size() == 2);
+  CHECK(groups[0].kind == FaultKind::environment);
+  CHECK(groups[0].count == 1);
+  CHECK(groups[0].first[0].words.find("FTZ") != std::string::npos);
+  CHECK(groups[0].first[0].words.find("DAZ") != std::string::npos);
+  CHECK(groups[0].first[0].words.ends_with("by being loaded"));
+#endif
+  CHECK(groups.back().kind == FaultKind::output);
+  CHECK(groups.back().count == 1);
+}
+
+TEST_CASE("a shared object of a newer header is understood, others are refused in one line") {
+  CHECK(verify::kernels_of({plugin_file("newer")}).at(0).name == "zero");
+  const auto refused = [](const Plugin& plugin, const std::string& says) {
+    CAPTURE(says);
+    try {
+      static_cast<void>(verify::kernels_of(plugin));
+      FAIL("not refused");
+    } catch (const data::BadInput& error) {
+      CAPTURE(error.what());
+      CHECK(std::string(error.what()).find(says) != std::string::npos);
+    }
+  };
+  refused({plugin_file("other_abi")}, "ABI number 2: must be 1");
+  refused({plugin_file("no_list")}, "has no symbol nipref_kernels");
+  refused({plugin_file("empty_list")}, "lists no kernels");
+  refused({plugin_file("crashes")}, "must be loaded without harm: crash, SIGABRT");
+  refused({plugin_file("there_is_none")}, "cannot open shared object file");
+  refused({source_directory() + "/README.md"}, "README.md");
+  refused({plugin_file("kernels"), {{"no_such_function"}}}, "has no symbol no_such_function");
+  refused({plugin_file("kernels"), {{"bare_I3", 17}}}, "must be 1 to 16");
+  refused({plugin_file("kernels"), {}, 0}, "time-limit");
+  CHECK_THROWS_WITH_AS(PluginKernel(test_kernels(), "al_sound"), doctest::Contains("all_sound"),
+                       data::BadInput);
+}
+
+TEST_CASE("faults are told in a few lines, with where the others lie") {
+  const Quantity& quantity = verify::find_quantity("I3");
+  std::vector<Fault> faults{{FaultKind::environment, {}, "leaves another rounding mode, in open"}};
+  for (int i = 0; i < 100; ++i) faults.push_back({FaultKind::crash, Point{i / 4.0}, "SIGSEGV"});
+  const std::string text = verify::faults_text(quantity, faults);
+  CHECK(text ==
+        "  crash at alpha=0x0p+0 (0): SIGSEGV\n"
+        "  crash at alpha=0x1p-2 (0.25): SIGSEGV\n"
+        "  crash at alpha=0x1p-1 (0.5): SIGSEGV\n"
+        "  crash at alpha=0x1.8p-1 (0.75): SIGSEGV\n"
+        "  crash: and 96 more, all in alpha=0x0p+0 (0) ... alpha=0x1.8cp+4 (24.75)\n"
+        "  environment changed: leaves another rounding mode, in open\n");
+  CHECK(verify::faults_json(quantity, faults).text().find("\"count\": 100") != std::string::npos);
+}
+
+TEST_CASE("a kernel that is thirty times slower is seen to be slower than the sound one and than fast") {
+  const Quantity& quantity = verify::find_quantity("I3");
+  PluginKernel slow(test_kernels(), "slow"), sound(test_kernels(), "all_sound");
+  const std::vector<Point> points = verify::timing_points(quantity, {});
+  REQUIRE(points.size() > 500);
+  const auto to_sound = verify::speed_against(slow, sound, points);
+  REQUIRE(to_sound.has_value());
+  CHECK(to_sound->ratio > 3);
+  CHECK(to_sound->lower_ratio <= to_sound->ratio);
+  CHECK(to_sound->ratio <= to_sound->upper_ratio);
+  const auto to_fast = verify::speed_against_fast(slow, quantity, points);
+  REQUIRE(to_fast.has_value());
+  CHECK(to_fast->ratio > 3);
+  PluginKernel crashing(test_kernels(), "crashes_always");
+  CHECK_FALSE(verify::speed_against_fast(crashing, quantity, points).has_value());
+}

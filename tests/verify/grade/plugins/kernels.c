@@ -1,0 +1,277 @@
+/* Kernels that are wrong on purpose, and some that are right. Most do it at 17.25 alone. */
+
+#include <complex.h>
+#include <fenv.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <nipref/fast/sheet/c.h>
+#include <nipref/kernel.h>
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+static const double here = 17.25;
+
+static double sound_I1(double alpha) {
+  double value = NAN;
+  nipref_fast_I1(alpha, &value);
+  return value;
+}
+
+static double sound(double alpha) {
+  double value = NAN;
+  nipref_fast_I3(alpha, &value);
+  return value;
+}
+
+/* Not known to the compiler: what is at fault is not taken out. */
+static volatile int yes = 1;
+static volatile double nothing;
+
+static void crash(void) { nothing = *(volatile double*)(uintptr_t)4096; }
+
+static void hang(void) {
+  while (yes) {
+  }
+}
+
+static void flush(void) {
+#if defined(__x86_64__)
+  _mm_setcsr(_mm_getcsr() | 0x8000);
+#elif defined(__aarch64__)
+  uint64_t fpcr;
+  __asm__ volatile("mrs %0, fpcr" : "=r"(fpcr));
+  __asm__ volatile("msr fpcr, %0" : : "r"(fpcr | 1 << 24));
+#endif
+}
+
+/* I3 as its residue series, for alpha > 0.5 or so; root `number` is taken for root 4. */
+static double complex root(int n) {
+  const double pi = acos(-1), v = (2 * n - 0.5) * pi;
+  double complex w = log(2 * v) + v * I;
+  for (int step = 0; step < 20; ++step) w -= (csinh(w) + w) / (ccosh(w) + 1);
+  return w / 2;
+}
+
+static double series(double alpha, int number) {
+  const double pi = acos(-1);
+  double value = pi / 4;
+  for (int n = 1; n < 30; ++n) {
+    const double complex x = root(n == 4 ? number : n);
+    value += 4 * pi * creal(cexp(I * alpha * x) / (2 * ccosh(2 * x) + 2));
+  }
+  return value;
+}
+
+/* One point in, one value out. */
+#define EACH(name, expression)                                                          \
+  static int name(void* state, size_t n, const double* const* arguments, double* out) { \
+    (void)state;                                                                        \
+    for (size_t i = 0; i < n; ++i) {                                                    \
+      const double x = arguments[0][i];                                                 \
+      out[i] = (expression);                                                            \
+    }                                                                                   \
+    return 0;                                                                           \
+  }
+
+EACH(all_sound, sound(x))
+EACH(all_sound_I1, sound_I1(x))
+EACH(wrong_sign, -sound(x))
+EACH(right_series, series(x, 4))
+EACH(wrong_series, series(x, 5))
+EACH(single_precision, (double)(float)sound(x))
+EACH(wrong_when_small, fabs(x) < 1e-6 ? sound(x) * (1 + 1e-12) : sound(x))
+EACH(wrong_at_one, x == 0.7296875 ? sound(x) * (1 + 1e-12) : sound(x))
+EACH(no_number, x == here ? NAN : sound(x))
+EACH(crashes, (x == here ? crash() : (void)0, sound(x)))
+EACH(crashes_always, (crash(), sound(x)))
+EACH(crashes_often, ((long)(x * 1e3) % 2 == 0 ? crash() : (void)0, sound(x)))
+EACH(hangs, (x == here ? hang() : (void)0, sound(x)))
+EACH(hangs_always, (hang(), sound(x)))
+EACH(flushes, (x == here ? flush() : (void)0, sound(x)))
+EACH(rounds_up, (x == here ? (void)fesetround(FE_UPWARD) : (void)0, sound(x)))
+EACH(exits, (x == here ? exit(0) : (void)0, sound(x)))
+EACH(prints, (x == here ? (void)printf("hello\n") : (void)0, sound(x)))
+EACH(aborts, (x == here ? (fprintf(stderr, "I have had enough\n"), abort()) : (void)0, sound(x)))
+EACH(first_is_other, i == 0 ? sound(x) * (1 + 0x1p-50) : sound(x))
+EACH(crashes_in_batches, (n > 3 && x == here ? crash() : (void)0, sound(x)))
+
+static int slow(void* state, size_t n, const double* const* arguments, double* out) {
+  for (int i = 0; i < 30; ++i) all_sound(state, n, arguments, out);
+  return 0;
+}
+
+static int one_too_many(void* state, size_t n, const double* const* arguments, double* out) {
+  out[n] = 1;
+  return all_sound(state, n, arguments, out);
+}
+
+static int one_too_early(void* state, size_t n, const double* const* arguments, double* out) {
+  out[-1] = 1;
+  return all_sound(state, n, arguments, out);
+}
+
+static int reads_too_much(void* state, size_t n, const double* const* arguments, double* out) {
+  nothing = arguments[0][n];
+  return all_sound(state, n, arguments, out);
+}
+
+static int changes_arguments(void* state, size_t n, const double* const* arguments, double* out) {
+  const int status = all_sound(state, n, arguments, out);
+  for (size_t i = 0; i < n; ++i) {
+    if (arguments[0][i] == here) ((double*)arguments[0])[i] = 0;
+  }
+  return status;
+}
+
+static int leaves_out(void* state, size_t n, const double* const* arguments, double* out) {
+  (void)state;
+  for (size_t i = 0; i < n; ++i) {
+    if (arguments[0][i] != here) out[i] = sound(arguments[0][i]);
+  }
+  return 0;
+}
+
+static int refuses(void* state, size_t n, const double* const* arguments, double* out) {
+  for (size_t i = 0; i < n; ++i) {
+    if (arguments[0][i] == here) return 7;
+  }
+  return all_sound(state, n, arguments, out);
+}
+
+/* As work space in static memory is. */
+static volatile double shared;
+static double by_shared(double x) {
+  shared = x;
+  nothing = sound(here);
+  return sound(shared);
+}
+EACH(shares, by_shared(x))
+
+static int sound_I6(void* state, size_t n, const double* const* arguments, double* out) {
+  (void)state;
+  for (size_t i = 0; i < n; ++i) {
+    if (nipref_fast_I6(arguments[0][i], arguments[1][i], &out[i]) != 0) out[i] = NAN;
+  }
+  return 0;
+}
+
+/* A state that has to be there. */
+static int make(void** state) {
+  if (*state != NULL) return 1;
+  *state = malloc(sizeof(double));
+  *(double*)*state = 1;
+  return 0;
+}
+
+static int with_state(void* state, size_t n, const double* const* arguments, double* out) {
+  if (state == NULL || *(double*)state != 1) return 9;
+  return all_sound(state, n, arguments, out);
+}
+
+static void unmake(void* state) {
+  *(double*)state = 0;
+  free(state);
+}
+
+static int not_made(void** state) {
+  (void)state;
+  return 3;
+}
+
+static void crash_at_the_end(void* state) {
+  (void)state;
+  crash();
+}
+
+double bare_I3(double alpha) { return sound(alpha); }
+
+double bare_I6(double alpha, double eta) {
+  double value = NAN;
+  nipref_fast_I6(alpha, eta, &value);
+  return value;
+}
+
+double bare_shares(double alpha) { return by_shared(alpha); }
+
+#define KERNEL(name, quantity, arity, flags, open, evaluate, close) \
+  static const nipref_kernel k_##evaluate = {                       \
+      NIPREF_KERNEL_ABI, sizeof(nipref_kernel), name, quantity, arity, flags, open, evaluate, close};
+#define I3(evaluate) KERNEL(#evaluate, "I3", 1, 0, 0, evaluate, 0)
+
+KERNEL("all_sound", "I3", 1, nipref_kernel_thread_safe, 0, all_sound, 0)
+KERNEL("all_sound_I1", "I1", 1, nipref_kernel_thread_safe, 0, all_sound_I1, 0)
+KERNEL("sound_I6", "I6", 2, nipref_kernel_thread_safe, 0, sound_I6, 0)
+KERNEL("with_state", "I3", 1, nipref_kernel_thread_safe, make, with_state, unmake)
+KERNEL("shares", "I3", 1, nipref_kernel_thread_safe, 0, shares, 0)
+I3(wrong_sign)
+I3(right_series)
+I3(wrong_series)
+I3(single_precision)
+I3(wrong_when_small)
+I3(wrong_at_one)
+I3(no_number)
+I3(crashes)
+I3(crashes_always)
+I3(crashes_often)
+I3(hangs)
+I3(hangs_always)
+I3(flushes)
+I3(rounds_up)
+I3(exits)
+I3(prints)
+I3(aborts)
+I3(first_is_other)
+I3(crashes_in_batches)
+I3(slow)
+I3(one_too_many)
+I3(one_too_early)
+I3(reads_too_much)
+I3(changes_arguments)
+I3(leaves_out)
+I3(refuses)
+
+static const nipref_kernel not_opened = {
+    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_opened", "I3", 1, 0, not_made, all_sound, 0};
+static const nipref_kernel not_closed = {
+    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_closed", "I3", 1, 0, 0, all_sound, crash_at_the_end};
+
+const nipref_kernel* const* nipref_kernels(void) {
+  static const nipref_kernel* const all[] = {&k_all_sound,
+                                             &k_all_sound_I1,
+                                             &k_sound_I6,
+                                             &k_with_state,
+                                             &k_shares,
+                                             &k_wrong_sign,
+                                             &k_right_series,
+                                             &k_wrong_series,
+                                             &k_single_precision,
+                                             &k_wrong_when_small,
+                                             &k_wrong_at_one,
+                                             &k_no_number,
+                                             &k_crashes,
+                                             &k_crashes_always,
+                                             &k_crashes_often,
+                                             &k_hangs,
+                                             &k_hangs_always,
+                                             &k_flushes,
+                                             &k_rounds_up,
+                                             &k_exits,
+                                             &k_prints,
+                                             &k_aborts,
+                                             &k_first_is_other,
+                                             &k_crashes_in_batches,
+                                             &k_slow,
+                                             &k_one_too_many,
+                                             &k_one_too_early,
+                                             &k_reads_too_much,
+                                             &k_changes_arguments,
+                                             &k_leaves_out,
+                                             &k_refuses,
+                                             &not_opened,
+                                             &not_closed,
+                                             NULL};
+  return all;
+}

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/grade/fault.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr std::size_t shown = 4;
+
+void widen(FaultGroup& group, const Point& point) {
+  if (!group.lower) group.lower = group.upper = point;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    (*group.lower)[i] = std::min((*group.lower)[i], point[i]);
+    (*group.upper)[i] = std::max((*group.upper)[i], point[i]);
+  }
+}
+
+Json where_json(const Quantity& quantity, const std::optional<Point>& point) {
+  return point ? point_json(quantity, *point) : Json();
+}
+
+std::string left_out_text(const Quantity& quantity, const FaultGroup& group) {
+  std::string text = fmt::format("  {}: and {} more", name_of(group.kind), group.count - group.first.size());
+  if (group.lower)
+    text += fmt::format(", all in{} ...{}", point_text(quantity, *group.lower),
+                        point_text(quantity, *group.upper));
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string_view name_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::crash:
+      return "crash";
+    case FaultKind::exit:
+      return "exit";
+    case FaultKind::hang:
+      return "hang";
+    case FaultKind::refused:
+      return "refused";
+    case FaultKind::not_finite:
+      return "not finite";
+    case FaultKind::unwritten:
+      return "unwritten";
+    case FaultKind::overrun:
+      return "overrun";
+    case FaultKind::arguments:
+      return "arguments changed";
+    case FaultKind::environment:
+      return "environment changed";
+    case FaultKind::output:
+      return "output";
+    case FaultKind::order:
+      return "order matters";
+    case FaultKind::threads:
+      return "threads matter";
+    case FaultKind::protocol:
+      return "protocol";
+    default:
+      return "given up";
+  }
+}
+
+std::vector<FaultGroup> grouped(std::vector<Fault> faults) {
+  std::ranges::sort(faults, {},
+                    [](const Fault& fault) { return std::tie(fault.kind, fault.point, fault.words); });
+  std::vector<FaultGroup> groups;
+  for (Fault& fault : faults) {
+    if (groups.empty() || groups.back().kind != fault.kind) groups.push_back({fault.kind, 0, {}, {}, {}});
+    FaultGroup& group = groups.back();
+    ++group.count;
+    if (fault.point) widen(group, *fault.point);
+    if (group.first.size() < shown) group.first.push_back(std::move(fault));
+  }
+  return groups;
+}
+
+std::string faults_text(const Quantity& quantity, const std::vector<Fault>& faults) {
+  std::string text;
+  for (const FaultGroup& group : grouped(faults)) {
+    for (const Fault& fault : group.first) {
+      text += fmt::format("  {}{}: {}\n", name_of(fault.kind),
+                          fault.point ? " at" + point_text(quantity, *fault.point) : "", fault.words);
+    }
+    if (group.count > group.first.size()) text += left_out_text(quantity, group);
+  }
+  return text;
+}
+
+Json faults_json(const Quantity& quantity, const std::vector<Fault>& faults) {
+  return json_list(grouped(faults), [&](const FaultGroup& group) {
+    return Json{{"kind", name_of(group.kind)},
+                {"count", group.count},
+                {"lower", where_json(quantity, group.lower)},
+                {"upper", where_json(quantity, group.upper)},
+                {"first", json_list(group.first, [&](const Fault& fault) {
+                   return Json{{"at", where_json(quantity, fault.point)}, {"words", fault.words}};
+                 })}};
+  });
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,91 @@
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <utility>
+
+#include <nipref/verify/grade/host/plugin_file.hpp>
+#include <nipref/verify/grade/internal/protocol.hpp>
+
+namespace nipref::verify::host {
+namespace {
+
+template <std::size_t>
+using Double = double;
+
+/// A bare function's `evaluate`; the function is its state.
+template <std::size_t... i>
+int call_each(void* function, std::size_t n, const double* const* arguments, double* out,
+              std::index_sequence<i...>) {
+  const auto f = reinterpret_cast<double (*)(Double<i>...)>(function);
+  for (std::size_t k = 0; k < n; ++k) out[k] = f(arguments[i][k]...);
+  return 0;
+}
+
+template <std::size_t arity>
+int evaluate_bare(void* function, std::size_t n, const double* const* arguments, double* out) {
+  return call_each(function, n, arguments, out, std::make_index_sequence<arity>());
+}
+
+template <std::size_t... i>
+constexpr auto evaluators(std::index_sequence<i...>) {
+  return std::array{evaluate_bare<i + 1>...};
+}
+
+/// Of 1, 2, ... arguments.
+constexpr auto bare_evaluators = evaluators(std::make_index_sequence<protocol::most_arguments>());
+
+void* symbol_of(void* handle, const char* name) {
+  if (void* const found = dlsym(handle, name)) return found;
+  throw std::runtime_error(std::string("has no symbol ") + name);
+}
+
+std::string text_of(const char* text) { return text == nullptr ? "" : text; }
+
+void refuse(const nipref_kernel& kernel, const std::string& why) {
+  throw std::runtime_error("has a kernel " + text_of(kernel.name) + " " + why);
+}
+
+Kernel checked(const nipref_kernel& given) {
+  if (given.abi != NIPREF_KERNEL_ABI)
+    throw std::runtime_error("has a kernel of ABI number " + std::to_string(given.abi) + ": must be " +
+                             std::to_string(NIPREF_KERNEL_ABI));
+  if (given.size < sizeof(nipref_kernel))
+    throw std::runtime_error("has a kernel of size " + std::to_string(given.size) + ": must be " +
+                             std::to_string(sizeof(nipref_kernel)) + " at least");
+  Kernel kernel;
+  std::memcpy(&kernel.entry, &given, sizeof kernel.entry);
+  if (text_of(given.name).empty()) refuse(given, "without a name");
+  if (text_of(given.quantity).empty()) refuse(given, "without a quantity");
+  if (given.evaluate == nullptr) refuse(given, "without a function evaluate");
+  if (given.arity == 0 || given.arity > protocol::most_arguments)
+    refuse(given, "of " + std::to_string(given.arity) + " arguments");
+  return kernel;
+}
+
+}  // namespace
+
+std::vector<Kernel> load_kernels(const std::string& file, const std::string& symbol, std::uint32_t arity,
+                                 std::uint32_t flags) {
+  void* const handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) throw std::runtime_error(text_of(dlerror()));
+  std::vector<Kernel> kernels;
+  if (!symbol.empty()) {
+    Kernel bare;
+    // It has no other name and computes what the user says.
+    bare.entry = {NIPREF_KERNEL_ABI, sizeof(nipref_kernel),         symbol.c_str(), "", arity, flags,
+                  nullptr,           bare_evaluators.at(arity - 1), nullptr};
+    bare.state = symbol_of(handle, symbol.c_str());
+    kernels.push_back(bare);
+    return kernels;
+  }
+  const auto list = reinterpret_cast<decltype(&nipref_kernels)>(symbol_of(handle, "nipref_kernels"));
+  const nipref_kernel* const* const all = list();
+  for (std::size_t i = 0; all != nullptr && all[i] != nullptr; ++i) kernels.push_back(checked(*all[i]));
+  if (kernels.empty()) throw std::runtime_error("lists no kernels");
+  return kernels;
+}
+
+}  // namespace nipref::verify::host

@@ -1,0 +1,417 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/grade/internal/child.hpp>
+#include <nipref/verify/grade/kernel.h>
+#include <nipref/verify/grade/plugin.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+using protocol::Message;
+using protocol::Noticed;
+using protocol::Request;
+
+/// A new process takes a few thousandths of a second. So many in a row are no region that is left again soon.
+constexpr std::size_t most_deaths = 2000, most_deaths_in_a_row = 400;
+/// Each takes the time limit, twice until its point is found.
+constexpr std::size_t most_hangs = 6;
+
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// What went wrong in a call.
+struct Trouble {
+  FaultKind kind;
+  std::string words;
+};
+
+std::vector<Trouble> troubles_of(const Noticed& noticed) {
+  std::vector<Trouble> troubles;
+  const auto add = [&](std::uint32_t bits, std::uint32_t bit, FaultKind kind, const char* words) {
+    if ((bits & bit) == 0) return;
+    if (troubles.empty() || troubles.back().kind != kind)
+      troubles.push_back({kind, words});
+    else
+      troubles.back().words += std::string(" and ") + words;
+  };
+  add(noticed.offences, protocol::output_overrun, FaultKind::overrun,
+      "touches memory before or behind its output");
+  add(noticed.offences, protocol::arguments_overrun, FaultKind::overrun,
+      "touches memory before or behind its arguments");
+  add(noticed.offences, protocol::arguments_changed, FaultKind::arguments, "writes to its arguments");
+  add(noticed.changes, protocol::rounding, FaultKind::environment, "leaves another rounding mode");
+  add(noticed.changes, protocol::flush_to_zero, FaultKind::environment,
+      "leaves small results flushed to zero (FTZ, as -ffast-math has it)");
+  add(noticed.changes, protocol::denormals_are_zero, FaultKind::environment,
+      "leaves small arguments taken for zero (DAZ, as -ffast-math has it)");
+  add(noticed.changes, protocol::traps, FaultKind::environment, "leaves floating-point exceptions unmasked");
+  add(noticed.changes, protocol::x87_precision, FaultKind::environment,
+      "leaves another precision of the x87 unit");
+  add(noticed.offences, protocol::printed, FaultKind::output, "writes to standard output");
+  return troubles;
+}
+
+HostOrders orders_of(const Plugin& plugin) {
+  HostOrders orders{plugin.file, {}, 0, 0, plugin.time_limit};
+  if (plugin.function) {
+    orders.symbol = plugin.function->symbol;
+    orders.arity = static_cast<std::uint32_t>(plugin.function->arity);
+    orders.flags = plugin.function->thread_safe ? nipref_kernel_thread_safe : 0;
+  }
+  return orders;
+}
+
+void check(const Plugin& plugin) {
+  if (!(plugin.time_limit > 0 && plugin.time_limit <= 1e6))
+    throw BadInput("time-limit", plugin.time_limit, "must be more than 0 and at most 1e6 seconds");
+  if (plugin.function && (plugin.function->arity == 0 || plugin.function->arity > protocol::most_arguments))
+    throw BadInput("arity", fmt::format("{}", plugin.function->arity),
+                   fmt::format("must be 1 to {}", protocol::most_arguments));
+}
+
+/// What a child says first.
+struct Greeting {
+  std::vector<KernelInfo> kernels;
+  Noticed noticed;
+};
+
+Greeting read_greeting(const Plugin& plugin, Message& message) {
+  const std::string failure = message.take_text();
+  if (!failure.empty()) throw BadInput("plugin", plugin.file.string(), failure);
+  Greeting greeting;
+  greeting.noticed = message.take<Noticed>();
+  const auto count = message.take<std::size_t>();
+  for (std::size_t i = 0; i < count; ++i) {
+    KernelInfo info;
+    info.name = message.take_text();
+    info.quantity = message.take_text();
+    info.arity = message.take<std::uint32_t>();
+    info.thread_safe = (message.take<std::uint32_t>() & nipref_kernel_thread_safe) != 0;
+    greeting.kernels.push_back(std::move(info));
+  }
+  return greeting;
+}
+
+/// BadInput if the plugin does not live to say it.
+Greeting greeting_of(const Plugin& plugin, Child& child) {
+  Child::Answer answer = child.greeting();
+  if (const Death* const death = std::get_if<Death>(&answer))
+    throw BadInput("plugin", plugin.file.string(),
+                   fmt::format("must be loaded without harm: {}, {}", name_of(death->kind), death->words));
+  try {
+    return read_greeting(plugin, std::get<Message>(answer));
+  } catch (const std::length_error&) {
+    throw BadInput("plugin", plugin.file.string(), "must not write to a descriptor that is not its own");
+  }
+}
+
+/// What came of a batch.
+struct Outcome {
+  std::vector<Trouble> troubles = {};
+  bool has_values = false;
+  std::vector<double> values = {}, permuted = {}, threaded = {};
+};
+
+Message with_points(Message message, std::span<const Point> points, std::size_t arity) {
+  message.put(points.size());
+  std::vector<double> column(points.size());
+  for (std::size_t j = 0; j < arity; ++j) {
+    std::ranges::transform(points, column.begin(), [j](const Point& point) { return point[j]; });
+    message.put_column(column);
+  }
+  return message;
+}
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+std::string both_text(double first, double then) { return fmt::format("{} and then {}", first, then); }
+
+}  // namespace
+
+class PluginKernel::Work {
+ public:
+  Work(Plugin plugin, const std::string& name) : plugin_(std::move(plugin)) {
+    const std::vector<KernelInfo> kernels = kernels_of(plugin_);
+    const auto found = std::ranges::find(kernels, name, &KernelInfo::name);
+    if (found == kernels.end()) refuse_name(kernels, name);
+    number_ = static_cast<std::size_t>(found - kernels.begin());
+    info_ = *found;
+    try_closing();
+  }
+
+  [[nodiscard]] const KernelInfo& info() const { return info_; }
+
+  void evaluate(std::span<const Point> points, std::span<double> values) {
+    while (!points.empty()) {
+      const std::size_t count = std::min(points.size(), protocol::most_points);
+      evaluate_batch(points.first(count), values.first(count));
+      points = points.subspan(count);
+      values = values.subspan(count);
+    }
+  }
+
+  std::optional<double> seconds(std::span<const Point> points, std::size_t passes) {
+    auto child = idle_child();
+    if (!child) return std::nullopt;
+    Child::Answer answer =
+        child->ask(with_points(Message().put(Request::time).put(passes), points, info_.arity));
+    Message* const message = std::get_if<Message>(&answer);
+    if (message == nullptr || message->take<int>() != 0) return std::nullopt;
+    keep(std::move(child));
+    return message->take<double>();
+  }
+
+  [[nodiscard]] std::vector<Fault> faults() const {
+    const std::scoped_lock lock(mutex_);
+    std::vector<Fault> all(faults_.begin(), faults_.end());
+    if (not_asked_ > 0)
+      all.push_back(
+          {FaultKind::given_up,
+           {},
+           fmt::format("not asked any more after {} processes that ended and {} that hung: {} points have "
+                       "no value",
+                       deaths_.load(), hangs_.load(), not_asked_.load())});
+    return all;
+  }
+
+ private:
+  using IdleChild = std::unique_ptr<Child>;
+
+  [[noreturn]] void refuse_name(const std::vector<KernelInfo>& kernels, const std::string& name) const {
+    std::vector<std::string_view> names;
+    for (const KernelInfo& kernel : kernels) names.push_back(kernel.name);
+    throw BadInput("kernel", name,
+                   fmt::format("{}must be one of those that {} has: {}", data::did_you_mean(name, names),
+                               plugin_.file.string(), fmt::join(names, ", ")));
+  }
+
+  void record(FaultKind kind, std::optional<Point> point, std::string words) {
+    const std::scoped_lock lock(mutex_);
+    faults_.insert({kind, std::move(point), std::move(words)});
+  }
+
+  void record(const std::vector<Trouble>& troubles, const std::optional<Point>& point,
+              const std::string& where = "") {
+    for (const Trouble& trouble : troubles) record(trouble.kind, point, trouble.words + where);
+  }
+
+  [[nodiscard]] bool given_up() const {
+    return unopened_ || deaths_ >= most_deaths || deaths_in_a_row_ >= most_deaths_in_a_row ||
+           hangs_ >= most_hangs;
+  }
+
+  Trouble count(Death death) {
+    ++(death.kind == FaultKind::hang ? hangs_ : deaths_);
+    ++deaths_in_a_row_;
+    return {death.kind, std::move(death.words)};
+  }
+
+  /// A process with the plugin loaded and the kernel open; none if that fails.
+  IdleChild new_child() {
+    auto child = std::make_unique<Child>(orders_of(plugin_));
+    const Greeting greeting = greeting_of(plugin_, *child);
+    record(troubles_of(greeting.noticed), {}, ", by being loaded");
+    return opened(*child) ? std::move(child) : nullptr;
+  }
+
+  bool opened(Child& child) {
+    Child::Answer answer = child.ask(Message().put(Request::open).put(number_));
+    if (Death* const death = std::get_if<Death>(&answer)) return open_failed(count(std::move(*death)));
+    Message& message = std::get<Message>(answer);
+    record(troubles_of(message.take<Noticed>()), {}, ", in open");
+    if (const int status = message.take<int>())
+      return open_failed({FaultKind::refused, fmt::format("returns {}", status)});
+    return true;
+  }
+
+  bool open_failed(const Trouble& trouble) {
+    record({trouble}, {}, ", in open");
+    unopened_ = true;
+    return false;
+  }
+
+  /// Before anything depends on it.
+  void try_closing() {
+    IdleChild child = new_child();
+    if (!child) return;
+    Child::Answer answer = child->ask(Message().put(Request::close));
+    if (Death* const death = std::get_if<Death>(&answer)) {
+      record({count(std::move(*death))}, {}, ", in close");
+      return;
+    }
+    record(troubles_of(std::get<Message>(answer).take<Noticed>()), {}, ", in close");
+    if (opened(*child)) keep(std::move(child));
+  }
+
+  IdleChild idle_child() {
+    {
+      const std::scoped_lock lock(mutex_);
+      if (!idle_.empty()) {
+        IdleChild child = std::move(idle_.back());
+        idle_.pop_back();
+        return child;
+      }
+    }
+    return given_up() ? nullptr : new_child();
+  }
+
+  void keep(IdleChild child) {
+    const std::scoped_lock lock(mutex_);
+    idle_.push_back(std::move(child));
+  }
+
+  Outcome call(std::span<const Point> points) {
+    IdleChild child = idle_child();
+    if (!child) return {};
+    Child::Answer answer = child->ask(with_points(Message().put(Request::evaluate), points, info_.arity));
+    if (Death* const death = std::get_if<Death>(&answer)) return {.troubles = {count(std::move(*death))}};
+    try {
+      Outcome outcome = read_outcome(std::get<Message>(answer), points.size());
+      keep(std::move(child));
+      deaths_in_a_row_ = 0;
+      return outcome;
+    } catch (const std::length_error&) {
+      return {.troubles = {count({FaultKind::protocol, "wrote to a descriptor that is not its own"})}};
+    }
+  }
+
+  static Outcome read_outcome(Message& message, std::size_t count) {
+    Outcome outcome{.troubles = troubles_of(message.take<Noticed>())};
+    const int status = message.take<int>();
+    if (status != 0) outcome.troubles.push_back({FaultKind::refused, fmt::format("returns {}", status)});
+    outcome.has_values = status == 0;
+    for (std::vector<double>* const column : {&outcome.values, &outcome.permuted, &outcome.threaded}) {
+      column->resize(count);
+      message.take_column(*column);
+    }
+    return outcome;
+  }
+
+  void evaluate_batch(std::span<const Point> points, std::span<double> values) {
+    std::ranges::fill(values, no_value);
+    if (given_up()) {
+      not_asked_ += points.size();
+      return;
+    }
+    const Outcome outcome = call(points);
+    if (outcome.troubles.empty() || points.size() == 1) {
+      record(outcome.troubles, points.front());
+      take(outcome, points, values);
+    } else {
+      one_by_one(points, values);
+    }
+  }
+
+  /// A batch went wrong: where?
+  void one_by_one(std::span<const Point> points, std::span<double> values) {
+    bool found = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (given_up()) {
+        not_asked_ += points.size() - i;
+        return;
+      }
+      const Outcome outcome = call(points.subspan(i, 1));
+      found = found || !outcome.troubles.empty();
+      record(outcome.troubles, points[i]);
+      take(outcome, points.subspan(i, 1), values.subspan(i, 1));
+    }
+    if (!found) narrow(points);
+  }
+
+  /// No point alone does it: the smallest part of the batch that does.
+  void narrow(std::span<const Point> points) {
+    std::vector<Trouble> troubles;
+    for (bool smaller = true; smaller;) {
+      smaller = false;
+      for (const auto half : {points.first(points.size() / 2), points.subspan(points.size() / 2)}) {
+        if (half.empty() || given_up()) continue;
+        Outcome outcome = call(half);
+        if (outcome.troubles.empty()) continue;
+        troubles = std::move(outcome.troubles);
+        points = half;
+        smaller = points.size() > 1;
+        break;
+      }
+    }
+    if (troubles.empty()) troubles = call(points).troubles;
+    record(troubles, points.front(),
+           fmt::format(", in a batch of {} points, of which this is the first", points.size()));
+  }
+
+  /// Values as they came, with what is wrong with each.
+  void take(const Outcome& outcome, std::span<const Point> points, std::span<double> values) {
+    if (!outcome.has_values) return;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values[i] = outcome.values[i];
+      judge(points[i], outcome.values[i], outcome.permuted[i], outcome.threaded[i]);
+    }
+  }
+
+  void judge(const Point& point, double value, double permuted, double threaded) {
+    if (bits(value) == protocol::unwritten_bits)
+      return record(FaultKind::unwritten, point, "no value is written");
+    if (!std::isfinite(value)) record(FaultKind::not_finite, point, fmt::format("the value is {}", value));
+    if (bits(permuted) != bits(value))
+      record(FaultKind::order, point, "in another order of points: " + both_text(value, permuted));
+    if (bits(threaded) != bits(value))
+      record(FaultKind::threads, point, "from several threads: " + both_text(value, threaded));
+  }
+
+  /// What is said of a point may be other words each time.
+  struct Before {
+    bool operator()(const Fault& a, const Fault& b) const {
+      if (a.kind != b.kind) return a.kind < b.kind;
+      return a.point != b.point ? a.point < b.point : !a.point && a.words < b.words;
+    }
+  };
+
+  Plugin plugin_;
+  std::size_t number_ = 0;
+  KernelInfo info_;
+  std::atomic<std::size_t> deaths_ = 0, deaths_in_a_row_ = 0, hangs_ = 0, not_asked_ = 0;
+  std::atomic<bool> unopened_ = false;
+  mutable std::mutex mutex_;
+  std::vector<IdleChild> idle_;
+  std::set<Fault, Before> faults_;
+};
+
+std::vector<KernelInfo> kernels_of(const Plugin& plugin) {
+  check(plugin);
+  Child child(orders_of(plugin));
+  return greeting_of(plugin, child).kernels;
+}
+
+PluginKernel::PluginKernel(Plugin plugin, const std::string& name)
+    : work_(std::make_unique<Work>(std::move(plugin), name)) {}
+
+PluginKernel::~PluginKernel() = default;
+
+const KernelInfo& PluginKernel::info() const { return work_->info(); }
+
+void PluginKernel::evaluate(std::span<const Point> points, std::span<double> values) {
+  work_->evaluate(points, values);
+}
+
+Evaluator PluginKernel::evaluator() {
+  return [this](std::span<const Point> points, std::span<double> values) { evaluate(points, values); };
+}
+
+std::optional<double> PluginKernel::seconds(std::span<const Point> points, std::size_t passes) {
+  return work_->seconds(points, passes);
+}
+
+std::vector<Fault> PluginKernel::faults() const { return work_->faults(); }
+
+}  // namespace nipref::verify
