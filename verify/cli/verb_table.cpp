@@ -51,6 +51,19 @@ const OptionText baseline_option{
 const OptionText accept_option{"accept", "with --update-baseline: why an error may be larger than before"};
 const OptionText junit_option{"junit", "file for the outcome as JUnit XML"};
 
+const OptionText symbol_option{
+    "symbol", "of a shared object: this function, double f(double, ...) of the arguments of --quantity"};
+const OptionText quantity_option{"quantity",
+                                 "what --symbol computes; it may be the word after the file as well"};
+const OptionText time_limit_option{"time-limit",
+                                   "seconds that a batch of points may take a kernel (default 10)"};
+const OptionText against_option{
+    "against", "an older shared object: each kernel is timed in turns with the older one of the same name"};
+const OptionText max_slowdown_option{
+    "max-slowdown", "with --against: by how much a kernel may be slower, 10% or 0.1 (default 10%)"};
+const OptionText thread_safe_flag{"thread-safe",
+                                  "the function of --symbol may be called from several threads, and is"};
+
 const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
 const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
 
@@ -141,13 +154,20 @@ const std::array all_verbs{
         true},
     VerbText{
         "grade",
-        "How wrong somebody else's values are, measured as fast's are.",
+        "How wrong somebody else's values are, or the kernels of a shared object, measured as fast's are.",
         "file",
-        "a CSV as points writes it with a column of values more, - for standard input; and the quantity's name, "
-        "unless the file says it",
-        {promise_option, column_option, baseline_option, accept_option, junit_option},
-        {update_baseline_flag, comparable_flag, json_flag, no_times_flag},
-        {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml"}},
+        "a CSV as points writes it with a column of values more, - for standard input, and the quantity's name, "
+        "unless the file says it; or a shared object as nipref/kernel.h has it, names or quantities of its kernels "
+        "(default: all), and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their whole "
+        "domain. It runs in a process of its own",
+        {promise_option, sample_points_option, sample_seed_option, column_option, symbol_option,
+         quantity_option, time_limit_option, against_option, max_slowdown_option, baseline_option,
+         accept_option, junit_option},
+        {thread_safe_flag, update_baseline_flag, comparable_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml",
+         "nipref grade ./mine.so I1 alpha=1e-3..50 --against ./old.so",
+         "nipref grade ./mine.so --symbol f --quantity I1"},
+        true},
     VerbText{
         "bench",
         "Speed against error, beside other libraries.",

@@ -55,6 +55,9 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
           {"audit I3 points=100 rtol=1e-6", "audit"},
           {"points I6 eta=1..2 --points 20", "points"},
           {"grade '" + values + "' I1 --promise 1e17", "grade"},
+          {"grade '" + plugin_file("kernels") + "' all_sound --points 100 --against '" + plugin_file("kernels") +
+               "' --max-slowdown 1e9",
+           "grade"},
           {"grade '" + values + "' I1 --promise 1e17 --baseline /nowhere/baseline.toml", "grade"},
           {"bench I7", "bench"},
           {"bench root.re --against '" + program() + "'", "bench_against"},

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/paths.hpp"
+#include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
+
+using nlohmann::json;
+
+namespace {
+
+std::string grade_kernels(const std::string& more) {
+  return "grade '" + plugin_file("kernels") + "' --quiet --points 300 " + more;
+}
+
+json row_of(const Outcome& outcome) {
+  CAPTURE(outcome.err);
+  const json rows = json::parse(outcome.out)["rows"];
+  REQUIRE(rows.size() == 1);
+  return rows[0];
+}
+
+}  // namespace
+
+TEST_CASE("a kernel of a shared object is graded with the numbers of audit and its speed beside fast") {
+  const Outcome graded = run(grade_kernels("all_sound --json"));
+  CHECK(graded.status == 0);
+  const json row = row_of(graded);
+  const json audited = json::parse(run("audit I3 --points 300 --quiet --json").out)["rows"][0];
+  for (const auto& [name, number] : audited.items()) {
+    CAPTURE(name);
+    if (name != "times") CHECK(row[name] == number);
+  }
+  CHECK(row["faults"].empty());
+  CHECK(row["where"] == "its domain");
+  CHECK(row["times"]["to_fast"]["ratio"].get<double>() > 0);
+  CHECK(row["times"]["to_older"].is_null());
+  CHECK(json::parse(run(grade_kernels("all_sound --json --no-times")).out)["rows"][0].contains("times") ==
+        false);
+}
+
+TEST_CASE("a bare function is graded in ranges, promise and baseline as kernels are") {
+  const std::string call = grade_kernels("I3 alpha=1e-3..50:log --symbol bare_I3 --thread-safe");
+  const ScratchFile baseline;
+  CHECK(run(call + " --baseline '" + baseline.path() + "' --update-baseline").status == 0);
+  CHECK(run(call + " --baseline '" + baseline.path() + "' --strict").status == 0);
+  CHECK(run(call + " --seed 2 --baseline '" + baseline.path() + "' --strict").status == 1);
+  CHECK(run(call + " --promise 1e-3").status == 1);
+  const json row = row_of(run(call + " --json"));
+  CHECK(row["quantity"] == "I3");
+  CHECK(row["where"] == "alpha=1e-3..50:log");
+  CHECK(run(grade_kernels("--symbol bare_I6 --quantity I6")).status == 0);
+}
+
+TEST_CASE("a kernel that crashes is told of, with status 1, and is an error in JUnit") {
+  const ScratchFile junit;
+  const Outcome outcome = run(grade_kernels("crashes alpha=17.25 --junit '" + junit.path() + "'"));
+  CHECK(outcome.status == 1);
+  CHECK(outcome.err.empty());
+  CHECK(outcome.out.find("  crash at alpha=0x1.14p+4 (17.25): SIGSEGV (Segmentation fault)\n") !=
+        std::string::npos);
+  CHECK(outcome.out.find("above the promise at") != std::string::npos);
+  CHECK(junit.text().find("errors=\"1\"") != std::string::npos);
+  CHECK(junit.text().find("crash at alpha=0x1.14p+4") != std::string::npos);
+  // A right value is not enough.
+  const json row = row_of(run(grade_kernels("rounds_up alpha=17.25 --json")));
+  CHECK(row["kept"] == true);
+  CHECK(row["faults"][0]["kind"] == "environment changed");
+  CHECK(run(grade_kernels("rounds_up alpha=17.25")).status == 1);
+}
+
+TEST_CASE("a kernel that is slower than an older one by more than is allowed falls short") {
+  // `slow` does its work thirty times, and both files have it.
+  const std::string same = grade_kernels("slow --against '" + plugin_file("kernels") + "'");
+  CHECK(run(same + " --max-slowdown 10000%").status == 0);
+  const json row = row_of(run(same + " --max-slowdown 100 --json"));
+  CHECK(row["times"]["to_older"]["kept"] == true);
+  CHECK(row["times"]["to_older"]["allowed_slowdown"] == 100);
+  const std::string slower = "grade '" + plugin_file("slower") +
+                             "' all_sound --quiet --points 100 --against '" + plugin_file("kernels") +
+                             "' --max-slowdown 200%";
+  const Outcome outcome = run(slower);
+  CHECK(outcome.status == 1);
+  CHECK(outcome.out.find("TOO SLOW, 200 % slower is allowed") != std::string::npos);
+}
+
+TEST_CASE("what cannot be graded of a shared object is refused") {
+  check_call_refused("grade /nowhere/at/all.so", "cannot open shared object file");
+  check_call_refused(grade_kernels("al_sound"), "all_sound");
+  check_call_refused(grade_kernels("all_sound beta=2"), "beta = 2");
+  check_call_refused(grade_kernels("all_sound --quantity I3"), "must be given with --symbol");
+  check_call_refused(grade_kernels("--symbol bare_I3"), "quantity = (missing)");
+  check_call_refused(grade_kernels("I3 --symbol bare_I3 --quantity I3"), "is given already");
+  check_call_refused(grade_kernels("all_sound --max-slowdown 5%"), "must be given with --against");
+  check_call_refused(grade_kernels("all_sound --max-slowdown=-1 --against x.so"), "max-slowdown = -1");
+  check_call_refused(grade_kernels("all_sound --against /nowhere.so"), "/nowhere.so");
+  check_call_refused(grade_kernels("all_sound --time-limit 0"), "time-limit");
+  check_call_refused(grade_kernels("all_sound --column x"), "has no effect on kernels");
+  const ScratchFile values("alpha,value\n0.5,0.45361862\n");
+  check_call_refused("grade '" + values.path() + "' I1 alpha=2", "alpha = 2");
+  check_call_refused("grade '" + values.path() + "' I1 --points 100", "points = 100");
+}

@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/cli/graded.hpp>
+
+namespace nipref::verify {
+namespace {
+
+const char* words_of(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::not_worse:
+      return "not worse";
+    case Comparison::worse:
+      return "WORSE";
+    default:
+      return "not comparable";
+  }
+}
+
+std::string speed_line(const std::optional<Speed>& speed, const std::string& other) {
+  return speed ? speed_text(*speed, other) : "not measured beside " + other + ", as it fails";
+}
+
+std::string behaviour_text(const Graded& graded) {
+  const Behaviour& behaviour = *graded.behaviour;
+  std::string text;
+  if (!behaviour.faults.empty())
+    text += "  FAULTS:\n" + faults_text(*graded.grade.found.quantity, behaviour.faults);
+  text += "  speed: " + speed_line(behaviour.to_fast, "fast") + "\n";
+  if (const auto& older = behaviour.to_older) {
+    text += fmt::format("  speed: {}: {}, {:g} % slower is allowed\n", speed_line(older->speed, older->older),
+                        older->kept() ? "kept" : "TOO SLOW", 100 * older->allowed);
+  }
+  return text;
+}
+
+Json baseline_json(const Graded& graded) {
+  if (!graded.against_baseline) return {};
+  return {{"comparison", words_of(graded.against_baseline->comparison)},
+          {"words", graded.against_baseline->words}};
+}
+
+Json speed_json(const std::optional<Speed>& speed) {
+  if (!speed) return {};
+  return {{"nanoseconds", speed->nanoseconds},
+          {"other_nanoseconds", speed->other_nanoseconds},
+          {"lower_ratio", speed->lower_ratio},
+          {"ratio", speed->ratio},
+          {"upper_ratio", speed->upper_ratio}};
+}
+
+Json older_json(const std::optional<Slowdown>& older) {
+  if (!older) return {};
+  return {{"file", older->older},
+          {"allowed_slowdown", older->allowed},
+          {"kept", older->kept()},
+          {"speed", speed_json(older->speed)}};
+}
+
+Json times_json(const Graded& graded) {
+  Json times{{"seconds", graded.seconds}};
+  if (const auto& behaviour = graded.behaviour)
+    times.append(
+        {{"to_fast", speed_json(behaviour->to_fast)}, {"to_older", older_json(behaviour->to_older)}});
+  return times;
+}
+
+/// What ends a process is an error of the test's subject, not a value that is wrong.
+bool is_error(const Fault& fault) {
+  switch (fault.kind) {
+    case FaultKind::crash:
+    case FaultKind::exit:
+    case FaultKind::hang:
+    case FaultKind::protocol:
+    case FaultKind::given_up:
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string why_not_kept(const Graded& graded) {
+  const Grade& grade = graded.grade;
+  if (graded.behaviour && !graded.behaviour->faults.empty()) {
+    const Fault& first = graded.behaviour->faults.front();
+    return fmt::format("{}{}: {}", name_of(first.kind),
+                       first.point ? " at" + point_text(*grade.found.quantity, *first.point) : "",
+                       first.words);
+  }
+  if (!grade.found.kept())
+    return fmt::format("largest error found {:.4g} ulp, promised {:g}", grade.found.max_error_ulp,
+                       grade.found.promise);
+  if (graded.behaviour && !graded.behaviour->kept())
+    return "slower than " + graded.behaviour->to_older->older;
+  return "baseline: " + graded.against_baseline->words;
+}
+
+}  // namespace
+
+bool Graded::kept(bool strict) const {
+  if (!grade.found.kept() || (behaviour && !behaviour->kept())) return false;
+  if (!against_baseline || against_baseline->comparison == Comparison::not_worse) return true;
+  return against_baseline->comparison == Comparison::not_comparable && !strict;
+}
+
+std::optional<double> promise_option(const CommandLine& line) {
+  const auto text = line.option("promise");
+  if (!text) return std::nullopt;
+  const double promise = parse_real("promise", *text);
+  if (promise <= 0)
+    throw data::BadInput("promise", *text, "must be a number > 0, units in the last place of the scale");
+  return promise;
+}
+
+std::string graded_text(const Graded& graded) {
+  std::string text = grade_text(graded.grade);
+  if (graded.behaviour) text += behaviour_text(graded);
+  if (graded.against_baseline)
+    text += fmt::format("  baseline: {}: {}\n", words_of(graded.against_baseline->comparison),
+                        graded.against_baseline->words);
+  for (const std::string& remark : graded.remarks) text += "  " + remark + "\n";
+  return text;
+}
+
+Json graded_json(const Graded& graded) {
+  Json row = grade_json(graded.grade);
+  const std::vector<Fault> none;
+  row.append({{"baseline", baseline_json(graded)},
+              {"faults",
+               faults_json(*graded.grade.found.quantity, graded.behaviour ? graded.behaviour->faults : none)},
+              {"remarks", json_list(graded.remarks, [](const std::string& remark) { return Json(remark); })},
+              {"times", times_json(graded)}});
+  return row;
+}
+
+JUnitCase junit_case(const Graded& graded, bool strict) {
+  const Grade& grade = graded.grade;
+  JUnitCase result{fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where),
+                   graded.seconds, JUnitCase::Outcome::passed, "", graded_text(graded)};
+  if (!graded.kept(strict)) {
+    const bool error = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
+    result.outcome = error ? JUnitCase::Outcome::error : JUnitCase::Outcome::failed;
+    result.message = why_not_kept(graded);
+  } else if (graded.against_baseline && graded.against_baseline->comparison == Comparison::not_comparable) {
+    result.outcome = JUnitCase::Outcome::skipped;
+    result.message = "not comparable: " + graded.against_baseline->words;
+  }
+  return result;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,63 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/grade/baseline.hpp>
+#include <nipref/verify/grade/fault.hpp>
+#include <nipref/verify/grade/grade.hpp>
+#include <nipref/verify/grade/junit.hpp>
+#include <nipref/verify/grade/speed.hpp>
+#include <nipref/verify/support/json.hpp>
+
+namespace nipref::verify {
+
+/// A kernel beside an older one.
+struct Slowdown {
+  std::string older;           ///< file
+  double allowed;              ///< its time over the older one's may be 1 and so much
+  std::optional<Speed> speed;  ///< none: one of them fails
+
+  [[nodiscard]] bool kept() const { return speed && speed->ratio <= 1 + allowed; }
+};
+
+/// What there is to say of a kernel besides its errors.
+struct Behaviour {
+  std::vector<Fault> faults;
+  std::optional<Speed> to_fast;  ///< none: it fails
+  std::optional<Slowdown> to_older = {};
+
+  [[nodiscard]] bool kept() const { return faults.empty() && (!to_older || to_older->kept()); }
+};
+
+/// A grade and all that is said of it besides.
+struct Graded {
+  Grade grade;
+  double seconds;
+  std::string seed = {};  ///< of its points
+  std::vector<std::string> remarks = {};
+  std::optional<Behaviour> behaviour = {};  ///< of a kernel
+  std::optional<BaselineComparison> against_baseline = {};
+
+  [[nodiscard]] bool kept(bool strict) const;
+};
+
+std::string graded_text(const Graded& graded);
+Json graded_json(const Graded& graded);
+JUnitCase junit_case(const Graded& graded, bool strict);
+
+/// Values that are there already: the words are a CSV and, if it is not said there, its quantity.
+Graded graded_file(const CommandLine& line);
+
+/// Whether the first word is a shared object.
+bool names_plugin(const CommandLine& line);
+
+/// Kernels of a shared object, those that the words name by their names or quantities, or all; fewer if the process
+/// was interrupted. Tells progress, unless quiet.
+std::vector<Graded> graded_kernels(const CommandLine& line);
+
+/// The option promise, if it is there.
+std::optional<double> promise_option(const CommandLine& line);
+
+}  // namespace nipref::verify

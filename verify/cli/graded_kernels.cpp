@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+/// A kernel that is to be graded, as what.
+struct Chosen {
+  std::string kernel;
+  const Quantity* quantity;
+};
+
+double time_limit_option(const CommandLine& line) {
+  const auto text = line.option("time-limit");
+  return text ? parse_real("time-limit", *text) : Plugin{}.time_limit;
+}
+
+/// "10%" or 0.1.
+double slowdown_option(const CommandLine& line) {
+  constexpr double usual = 0.1;
+  const auto text = line.option("max-slowdown");
+  if (!text) return usual;
+  const bool percent = text->ends_with('%');
+  const double slowdown =
+      parse_real("max-slowdown", percent ? text->substr(0, text->size() - 1) : *text) / (percent ? 100 : 1);
+  if (slowdown < 0) throw BadInput("max-slowdown", *text, "must be a number >= 0: 10% and 0.1 are the same");
+  return slowdown;
+}
+
+/// Of a bare function: the option, or the word after the file.
+const Quantity& quantity_of_symbol(const CommandLine& line) {
+  const auto option = line.option("quantity");
+  if (option && line.words.size() > 1)
+    throw BadInput("argument", line.words[1], "unexpected: the quantity is given already");
+  if (line.words.size() > 2)
+    throw BadInput("argument", line.words[2], "unexpected: a function computes one quantity");
+  if (option) return find_quantity(*option);
+  return find_quantity(line.words.size() > 1 ? line.words[1] : "(missing)");
+}
+
+Plugin plugin_of(const CommandLine& line, const std::string& file) {
+  Plugin plugin{file, {}, time_limit_option(line)};
+  if (const auto symbol = line.option("symbol")) {
+    plugin.function = {*symbol, quantity_of_symbol(line).arguments.size(), line.has("thread-safe")};
+  } else {
+    refuse_option(line, "quantity", "must be given with --symbol: kernels say themselves what they compute");
+    refuse_option(line, "thread-safe", "must be given with --symbol: kernels say it themselves");
+  }
+  return plugin;
+}
+
+bool is_named(const KernelInfo& kernel, const std::string& word) {
+  return kernel.name == word || kernel.quantity == word;
+}
+
+Chosen chosen(const KernelInfo& kernel) {
+  const Quantity& quantity = find_quantity(kernel.quantity);
+  if (kernel.arity != quantity.arguments.size())
+    throw BadInput("kernel", kernel.name,
+                   fmt::format("must have {} arguments, as {} has, instead of {}", quantity.arguments.size(),
+                               quantity.name, kernel.arity));
+  return {kernel.name, &quantity};
+}
+
+void refuse_unknown_kernels(const std::vector<KernelInfo>& kernels, std::span<const std::string> words) {
+  std::vector<std::string_view> names;
+  for (const KernelInfo& kernel : kernels) {
+    names.push_back(kernel.name);
+    if (std::ranges::find(names, kernel.quantity) == names.end()) names.push_back(kernel.quantity);
+  }
+  for (const std::string& word : words) {
+    if (std::ranges::none_of(kernels, [&](const KernelInfo& kernel) { return is_named(kernel, word); }))
+      throw BadInput(
+          "kernel", word,
+          fmt::format("{}must be one of {}", data::did_you_mean(word, names), fmt::join(names, ", ")));
+  }
+}
+
+std::vector<Chosen> chosen_kernels(const CommandLine& line, const Plugin& plugin) {
+  const std::vector<KernelInfo> kernels = kernels_of(plugin);
+  if (plugin.function) return {{plugin.function->symbol, &quantity_of_symbol(line)}};
+  const auto words = std::span(line.words).subspan(1);
+  refuse_unknown_kernels(kernels, words);
+  std::vector<Chosen> all;
+  for (const KernelInfo& kernel : kernels) {
+    if (words.empty() ||
+        std::ranges::any_of(words, [&](const std::string& word) { return is_named(kernel, word); }))
+      all.push_back(chosen(kernel));
+  }
+  return all;
+}
+
+std::string where_text(const CommandLine& line) {
+  if (line.assignments.empty()) return "its domain";
+  std::vector<std::string> ranges;
+  for (const auto& [name, range] : line.assignments) ranges.push_back(name + "=" + range);
+  return fmt::format("{}", fmt::join(ranges, " "));
+}
+
+AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
+  AuditOptions options{points_option(line), {}, {}};
+  options.promise = promise_option(line);
+  options.seed = line.option("seed").value_or("");
+  if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
+  const auto expected = static_cast<double>(options.points_of(quantity));
+  options.progress = [&progress, expected](std::size_t done) {
+    progress.at(static_cast<double>(done) / expected);
+  };
+  return options;
+}
+
+Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quantity& quantity,
+                       const Ranges& ranges) {
+  const std::vector<Point> points = timing_points(quantity, ranges);
+  Behaviour behaviour;
+  if (!points.empty()) behaviour.to_fast = speed_against_fast(kernel, quantity, points);
+  if (const auto older_file = line.option("against")) {
+    Slowdown slowdown{*older_file, slowdown_option(line), {}};
+    PluginKernel older(plugin_of(line, *older_file), kernel.info().name);
+    if (older.info().arity != kernel.info().arity)
+      throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
+    if (!points.empty()) slowdown.speed = speed_against(kernel, older, points);
+    behaviour.to_older = slowdown;
+  }
+  behaviour.faults = kernel.faults();
+  return behaviour;
+}
+
+Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen& chosen,
+                     Progress& progress) {
+  const AuditOptions options = options_of(line, *chosen.quantity, progress);
+  PluginKernel kernel(plugin, chosen.kernel);
+  std::optional<AuditResult> found;
+  const double seconds = seconds_of([&] { found = audit(*chosen.quantity, kernel.evaluator(), options); });
+  progress.at(1, "timing");
+  const std::string what = fmt::format("{} of {}", chosen.kernel, plugin.file.string());
+  return {.grade = grade_of(what, where_text(line), *found),
+          .seconds = seconds,
+          .seed = options.seed,
+          .behaviour = behaviour_of(line, kernel, *chosen.quantity, options.ranges)};
+}
+
+void refuse_what_is_wrong(const CommandLine& line) {
+  refuse_option(line, "column", "has no effect on kernels: must be left out");
+  if (!line.option("against")) refuse_option(line, "max-slowdown", "must be given with --against");
+  static_cast<void>(slowdown_option(line));
+  static_cast<void>(promise_option(line));
+  static_cast<void>(points_option(line));
+  if (const auto older = line.option("against")) static_cast<void>(kernels_of(plugin_of(line, *older)));
+}
+
+}  // namespace
+
+bool names_plugin(const CommandLine& line) {
+  if (line.words.empty()) return false;
+  const std::string& file = line.words.front();
+  std::array<char, 4> first{};
+  std::ifstream(file, std::ios::binary).read(first.data(), first.size());
+  return file.ends_with(".so") || line.option("symbol") || first == std::array{'\x7f', 'E', 'L', 'F'};
+}
+
+std::vector<Graded> graded_kernels(const CommandLine& line) {
+  refuse_what_is_wrong(line);
+  const Plugin plugin = plugin_of(line, line.words.front());
+  const std::vector<Chosen> kernels = chosen_kernels(line, plugin);
+  stop_gently_on_interrupt();
+  Progress progress(standard_error(line.has("quiet")));
+  progress.begin("grade", kernels.size());
+  std::vector<Graded> all;
+  for (const Chosen& chosen : kernels) {
+    if (interrupted()) break;
+    progress.next(chosen.kernel);
+    try {
+      all.push_back(graded_kernel(line, plugin, chosen, progress));
+    } catch (const Interrupted&) {
+      break;
+    }
+  }
+  return all;
+}
+
+}  // namespace nipref::verify
