@@ -57,6 +57,27 @@ file(WRITE ${moved}/share/nipref/tables/thesis-VII.csv "${table}")
 run(${moved}/bin/nipref tables --list)
 expect("thesis-VII [^\n]*The moved table")
 
+# A kernel of somebody who has the program and its header alone.
+file(WRITE ${work}/mine.c "#include <math.h>
+#include <nipref/kernel.h>
+double f(double alpha) { return alpha == 0 ? 0 : copysign(1.5707963267948966, alpha); }
+static int evaluate(void* state, size_t n, const double* const* arguments, double* out) {
+  for (size_t i = 0; i < n; ++i) out[i] = f(arguments[0][i]);
+  return state != 0;
+}
+static const nipref_kernel mine = {NIPREF_KERNEL_ABI, sizeof(nipref_kernel), \"mine\", \"I2\", 1, 0, 0, evaluate, 0};
+const nipref_kernel* const* nipref_kernels(void) {
+  static const nipref_kernel* const all[] = {&mine, 0};
+  return all;
+}
+")
+find_program(cc NAMES cc)
+run(${cc} -shared -fPIC -I ${moved}/include ${work}/mine.c -o ${work}/mine.so -lm)
+run(${moved}/bin/nipref grade ./mine.so --points 500)
+expect("mine of [^\n]*mine.so as I2, its domain: kept")
+run(${moved}/bin/nipref grade ./mine.so --symbol f --quantity I2 --points 500)
+expect("f of [^\n]*mine.so as I2, its domain: kept")
+
 # Examples of everything, given the folder of the data by the package.
 run(${CMAKE_COMMAND} -S ${source} -B ${work}/examples -D nipref_ROOT=${moved} -D CMAKE_BUILD_TYPE=${build_type})
 run(${CMAKE_COMMAND} --build ${work}/examples)
