@@ -29,7 +29,8 @@ std::string behaviour_text(const Graded& graded) {
   const Behaviour& behaviour = *graded.behaviour;
   std::string text;
   if (!behaviour.faults.empty())
-    text += "  FAULTS:\n" + faults_text(*graded.grade.found.quantity, behaviour.faults);
+    text += "  FAULTS, with any of which it falls short:\n" +
+            faults_text(*graded.grade.found.quantity, behaviour.faults);
   text += "  speed: " + speed_line(behaviour.to_fast, "fast") + "\n";
   if (const auto& older = behaviour.to_older) {
     text += fmt::format("  speed: {}: {}, {:g} % slower is allowed\n", speed_line(older->speed, older->older),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 
 #include <nipref/data/bad_input.hpp>
@@ -172,9 +173,12 @@ void refuse_what_is_wrong(const CommandLine& line) {
 bool names_plugin(const CommandLine& line) {
   if (line.words.empty()) return false;
   const std::string& file = line.words.front();
+  if (file.ends_with(".so") || line.option("symbol")) return true;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) return false;  // what is read of a pipe is gone
   std::array<char, 4> first{};
   std::ifstream(file, std::ios::binary).read(first.data(), first.size());
-  return file.ends_with(".so") || line.option("symbol") || first == std::array{'\x7f', 'E', 'L', 'F'};
+  return first == std::array{'\x7f', 'E', 'L', 'F'};
 }
 
 std::vector<Graded> graded_kernels(const CommandLine& line) {

@@ -75,7 +75,8 @@ typedef struct nipref_kernel {
      flushes no small numbers to zero; that nothing is written to standard output; that it returns. */
   int (*evaluate)(void* state, size_t n, const double* const* arguments, double* out);
 
-  /* Ends what `open` made. Null: there is nothing to end. */
+  /* Ends what `open` made. Null: there is nothing to end. Called once, to see that it can be; a process that is no longer
+     needed is ended without it. */
   void (*close)(void* state);
 } nipref_kernel;
 

@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -50,6 +52,13 @@ TEST_CASE("values of the points that nipref gave out are graded, from a file and
   CHECK(row["remarks"].empty());
   CHECK(row["max_error_ulp"].get<double>() > 0);
   CHECK(run("grade - I1 --json < '" + sound.path() + "'").status == 0);
+  // What is read of a pipe to know what it is would be missing, or waited for.
+  const std::string pipe = sound.path() + ".pipe";
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  CHECK(run("grade '" + pipe + "' I1 --json & graded=$!; cat '" + sound.path() + "' >'" + pipe +
+            "'; (sleep 30; kill $graded) >/dev/null 2>&1 & wait $graded")
+            .status == 0);
+  std::filesystem::remove(pipe);
   CHECK(run("grade '" + sound.path() + "' --promise 1e-3").status == 1);
 
   const ScratchFile wrong(with_values(

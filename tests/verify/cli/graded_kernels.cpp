@@ -88,6 +88,7 @@ TEST_CASE("a kernel that is slower than an older one by more than is allowed fal
 
 TEST_CASE("what cannot be graded of a shared object is refused") {
   check_call_refused("grade /nowhere/at/all.so", "cannot open shared object file");
+  check_call_refused("grade '" + program() + "'", "plugin = ");  // known by what is in it, not by its name
   check_call_refused(grade_kernels("al_sound"), "all_sound");
   check_call_refused(grade_kernels("all_sound beta=2"), "beta = 2");
   check_call_refused(grade_kernels("all_sound --quantity I3"), "must be given with --symbol");
