@@ -4,6 +4,7 @@ set(data_dir ${CMAKE_INSTALL_DATADIR}/nipref)
 configure_package_config_file(.cmake/nipref-config.cmake.in ${PROJECT_BINARY_DIR}/nipref-config.cmake
   INSTALL_DESTINATION ${NIPREF_PACKAGE_DIR} PATH_VARS data_dir)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/nipref-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES .cmake/nipref-kernel-check.cmake DESTINATION ${NIPREF_PACKAGE_DIR} COMPONENT command-line)
 install(FILES .cmake/multiprecision.cmake ${PROJECT_BINARY_DIR}/nipref-config.cmake
   ${PROJECT_BINARY_DIR}/nipref-config-version.cmake DESTINATION ${NIPREF_PACKAGE_DIR} COMPONENT data)
 

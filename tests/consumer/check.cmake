@@ -78,6 +78,20 @@ expect("mine of [^\n]*mine.so as I2, its domain: kept")
 run(${moved}/bin/nipref grade ./mine.so --symbol f --quantity I2 --points 500)
 expect("f of [^\n]*mine.so as I2, its domain: kept")
 
+# The tests of somebody's own kernels: CTest, its measurements and JUnit.
+set(kernel_check ${work}/kernel_check)
+run(${CMAKE_COMMAND} -S ${source}/kernel_check -B ${kernel_check} -D nipref_ROOT=${moved})
+run(${CMAKE_COMMAND} --build ${kernel_check})
+run(${CMAKE_CTEST_COMMAND} --test-dir ${kernel_check} --verbose --output-junit junit.xml)
+expect("I2 largest error found, ulp")
+expect("100% tests passed, 0 tests failed out of 3")
+foreach(file_and_says "sound.xml|failures=\"0\"" "wrong.xml|<failure message=\"largest error found" "junit.xml|tests=\"3\"")
+  string(REPLACE "|" ";" file_and_says "${file_and_says}")
+  list(POP_FRONT file_and_says file)
+  file(READ ${kernel_check}/${file} output)
+  expect("${file_and_says}")
+endforeach()
+
 # Examples of everything, given the folder of the data by the package.
 run(${CMAKE_COMMAND} -S ${source} -B ${work}/examples -D nipref_ROOT=${moved} -D CMAKE_BUILD_TYPE=${build_type})
 run(${CMAKE_COMMAND} --build ${work}/examples)

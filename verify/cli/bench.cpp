@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <optional>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/bench_against.hpp>
@@ -18,17 +17,6 @@ constexpr auto notes =
     "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits:\n"
     "10^-N of the scale) and relative to the value.\n"
     "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";
-
-/// "10%" is 0.1; none if it is not asked for.
-std::optional<double> max_slowdown_option(const CommandLine& line) {
-  const auto text = line.option("max-slowdown");
-  if (!text) return std::nullopt;
-  if (!line.option("against")) throw data::BadInput("max-slowdown", *text, "must be given with --against");
-  if (!text->ends_with('%')) throw data::BadInput("max-slowdown", *text, "must be a number of per cent, 10%");
-  const double percent = parse_real("max-slowdown", text->substr(0, text->size() - 1));
-  if (percent < 0) throw data::BadInput("max-slowdown", *text, "must be a number of per cent >= 0");
-  return percent / 100;
-}
 
 /// What this run was asked for, to ask the same of an older program.
 std::vector<std::string> words_of(const CommandLine& line) {

@@ -74,6 +74,18 @@ bool settle_baseline(const CommandLine& line, Graded& graded) {
   return true;
 }
 
+/// What CTest takes from the output of a test into its report.
+std::string measurements(const Graded& graded) {
+  const AuditResult& found = graded.grade.found;
+  const auto measurement = [](std::string_view name, double value) {
+    return fmt::format("<CTestMeasurement type=\"numeric/double\" name=\"{}\">{}</CTestMeasurement>\n", name,
+                       value);
+  };
+  return measurement(found.quantity->name + " largest error found, ulp", found.max_error_ulp) +
+         measurement(found.quantity->name + " mean error, ulp", found.spread.mean) +
+         measurement(found.quantity->name + " promise, ulp", found.promise);
+}
+
 }  // namespace
 
 Graded graded_file(const CommandLine& line) {
@@ -97,6 +109,7 @@ Graded graded_file(const CommandLine& line) {
 
 int grade_verb(const CommandLine& line, std::ostream& out) {
   refuse_what_needs_a_baseline(line);
+  if (line.json) refuse_option(line, "ctest", "must be left out with --json");
   std::vector<Graded> all =
       names_plugin(line) ? graded_kernels(line) : std::vector<Graded>{graded_file(line)};
   const bool strict = line.has("strict");
@@ -113,7 +126,8 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("grade", {{"rows", json_list(all, graded_json)}}, line.no_times);
   } else {
-    for (const Graded& graded : all) out << graded_text(graded);
+    for (const Graded& graded : all)
+      out << graded_text(graded) << (line.has("ctest") ? measurements(graded) : "");
     out << interruption_text();
   }
   return kept ? 0 : 1;

@@ -23,6 +23,8 @@ namespace {
 
 using data::BadInput;
 
+constexpr double usual_slowdown = 0.1;
+
 /// A kernel that is to be graded, as what.
 struct Chosen {
   std::string kernel;
@@ -32,18 +34,6 @@ struct Chosen {
 double time_limit_option(const CommandLine& line) {
   const auto text = line.option("time-limit");
   return text ? parse_real("time-limit", *text) : Plugin{}.time_limit;
-}
-
-/// "10%" or 0.1.
-double slowdown_option(const CommandLine& line) {
-  constexpr double usual = 0.1;
-  const auto text = line.option("max-slowdown");
-  if (!text) return usual;
-  const bool percent = text->ends_with('%');
-  const double slowdown =
-      parse_real("max-slowdown", percent ? text->substr(0, text->size() - 1) : *text) / (percent ? 100 : 1);
-  if (slowdown < 0) throw BadInput("max-slowdown", *text, "must be a number >= 0: 10% and 0.1 are the same");
-  return slowdown;
 }
 
 /// Of a bare function: the option, or the word after the file.
@@ -134,7 +124,7 @@ Behaviour behaviour_of(const CommandLine& line, PluginKernel& kernel, const Quan
   Behaviour behaviour;
   if (!points.empty()) behaviour.to_fast = speed_against_fast(kernel, quantity, points);
   if (const auto older_file = line.option("against")) {
-    Slowdown slowdown{*older_file, slowdown_option(line), {}};
+    Slowdown slowdown{*older_file, max_slowdown_option(line).value_or(usual_slowdown), {}};
     PluginKernel older(plugin_of(line, *older_file), kernel.info().name);
     if (older.info().arity != kernel.info().arity)
       throw BadInput("against", *older_file, "must have a kernel of that name with as many arguments");
@@ -161,8 +151,7 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
 
 void refuse_what_is_wrong(const CommandLine& line) {
   refuse_option(line, "column", "has no effect on kernels: must be left out");
-  if (!line.option("against")) refuse_option(line, "max-slowdown", "must be given with --against");
-  static_cast<void>(slowdown_option(line));
+  static_cast<void>(max_slowdown_option(line));
   static_cast<void>(promise_option(line));
   static_cast<void>(points_option(line));
   if (const auto older = line.option("against")) static_cast<void>(kernels_of(plugin_of(line, *older)));

@@ -67,6 +67,17 @@ std::size_t scenes_option(const CommandLine& line) { return count_option(line, "
 
 std::string seed_option(const CommandLine& line) { return line.option("seed").value_or("1"); }
 
+std::optional<double> max_slowdown_option(const CommandLine& line) {
+  const auto text = line.option("max-slowdown");
+  if (!text) return std::nullopt;
+  if (!line.option("against")) throw BadInput("max-slowdown", *text, "must be given with --against");
+  const bool percent = text->ends_with('%');
+  const double slowdown =
+      parse_real("max-slowdown", percent ? text->substr(0, text->size() - 1) : *text) / (percent ? 100 : 1);
+  if (slowdown < 0) throw BadInput("max-slowdown", *text, "must be a number >= 0: 10% and 0.1 are the same");
+  return slowdown;
+}
+
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
   if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
 }

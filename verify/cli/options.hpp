@@ -32,6 +32,9 @@ struct SceneRequest {
 };
 SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits);
 
+/// By how much something may be slower than what --against names, 0.1 for "10%" or "0.1"; none if it is not said.
+std::optional<double> max_slowdown_option(const CommandLine& line);
+
 /// BadInput, saying `why`, if this option or flag is there.
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);
 

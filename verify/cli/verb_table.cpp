@@ -57,19 +57,19 @@ const OptionText quantity_option{"quantity",
                                  "what --symbol computes; it may be the word after the file as well"};
 const OptionText time_limit_option{"time-limit",
                                    "seconds that a batch of points may take a kernel (default 10)"};
-const OptionText against_option{
+const OptionText older_object_option{
     "against", "an older shared object: each kernel is timed in turns with the older one of the same name"};
 const OptionText max_slowdown_option{
-    "max-slowdown", "with --against: by how much a kernel may be slower, 10% or 0.1 (default 10%)"};
+    "max-slowdown",
+    "with --against: slower by more than this gives status 1, 10% or 0.1 (default: for kernels 10%, for bench none)"};
+const OptionText ctest_flag{"ctest", "tell the largest errors as measurements that CTest collects"};
 const OptionText thread_safe_flag{"thread-safe",
                                   "the function of --symbol may be called from several threads, and is"};
 
 const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
 const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
 
-const OptionText against_option{"against", "an older nipref: both are timed in turns, in three rounds"};
-const OptionText max_slowdown_option{
-    "max-slowdown", "with --against: per cent, 10%; what is slower by more in every round gives status 1"};
+const OptionText older_program_option{"against", "an older nipref: both are timed in turns, in three rounds"};
 const OptionText since_option{"since", "with --changed: a revision of git's (default HEAD)"};
 const OptionText changed_flag{
     "changed", "what the files that differ from git's last revision have a part in, new files too"};
@@ -161,9 +161,10 @@ const std::array all_verbs{
         "(default: all), and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their whole "
         "domain. It runs in a process of its own",
         {promise_option, sample_points_option, sample_seed_option, column_option, symbol_option,
-         quantity_option, time_limit_option, against_option, max_slowdown_option, baseline_option,
+         quantity_option, time_limit_option, older_object_option, max_slowdown_option, baseline_option,
          accept_option, junit_option},
-        {thread_safe_flag, update_baseline_flag, comparable_flag, quiet_flag, json_flag, no_times_flag},
+        {thread_safe_flag, update_baseline_flag, comparable_flag, ctest_flag, quiet_flag, json_flag,
+         no_times_flag},
         {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml",
          "nipref grade ./mine.so I1 alpha=1e-3..50 --against ./old.so",
          "nipref grade ./mine.so --symbol f --quantity I1"},
@@ -174,7 +175,7 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
         "it)",
-        {isa_option, against_option, max_slowdown_option},
+        {isa_option, older_program_option, max_slowdown_option},
         {strict_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref bench I1", "nipref bench elastic-nip --strict",
          "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
