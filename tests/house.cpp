@@ -56,7 +56,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"audit", {"support", "catalogue", "solve"}},
       {"solve", {"support", "catalogue"}},
       {"replay", {"support", "catalogue"}},
-      {"bench", {"support", "catalogue", "replay"}},
+      {"bench", {"support", "catalogue", "replay", "audit", "grade"}},
       {"grade", {"support", "catalogue", "audit"}},
       {"witness", {"support", "solve"}},
       {"c_interface", {"support", "catalogue"}},

@@ -79,11 +79,12 @@ void append(BenchReport& report, const BenchReport& more) {
   std::ranges::copy(more.ratios, std::back_inserter(report.ratios));
 }
 
-BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress) {
+BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress,
+                  const std::vector<OtherKernel>& others) {
   BenchReport report;
   for (const Quantity* quantity : quantities) {
     if (!quantity->timed_alone) continue;
-    std::ranges::move(bench_double(*quantity, progress), std::back_inserter(report.rows));
+    std::ranges::move(bench_double(*quantity, progress, others), std::back_inserter(report.rows));
     std::ranges::move(bench_digits(*quantity, progress), std::back_inserter(report.rows));
   }
   report.ratios = form_ratios(report.rows);

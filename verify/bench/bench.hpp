@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/grade/plugin.hpp>
 
 namespace nipref::verify {
 
@@ -55,15 +56,24 @@ void append(BenchReport& report, const BenchReport& more);
 /// Receives what is being timed; may be empty.
 using BenchProgress = std::function<void(const std::string&)>;
 
-/// Double precision: fast at several rtol, scalar and batch, beside the catalogue's peers, each with its
-/// error against ref.
-std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress);
+/// Somebody's kernel of a quantity, timed beside fast in a process of its own.
+struct OtherKernel {
+  std::string name;
+  std::string quantity;
+  PluginKernel* kernel;  ///< belongs to the caller
+};
+
+/// Double precision: fast at several rtol, scalar and batch, beside the catalogue's peers and those of the other
+/// kernels that are of this quantity, each with its error against ref.
+std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
+                                   const std::vector<OtherKernel>& others = {});
 
 /// 30 to 200 digits: ref, the first call (which builds the nodes) apart from the steady cost, beside the
 /// catalogue's peers. Only quantities with multiprecision peers have such rows.
 std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress);
 
 /// All rows of these quantities, and of the promised ratios those that can be formed from them.
-BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress);
+BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress,
+                  const std::vector<OtherKernel>& others = {});
 
 }  // namespace nipref::verify

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/timed_row.hpp>
@@ -89,6 +91,7 @@ std::string range_text(const Quantity& quantity, const TimedRange& range) {
 struct BatchMethod {
   std::string name;
   std::function<void(std::size_t count, std::span<double> values)> evaluate;
+  std::function<double(std::size_t count, std::size_t passes)> seconds = {};  ///< see Contender
 };
 
 std::string tolerance_name(double rtol) {
@@ -122,9 +125,34 @@ BatchMethod peer_method(const Peer& peer, const Columns& columns) {
           }};
 }
 
-std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& columns) {
+std::vector<Point> points_of(const Columns& columns) {
+  std::vector<Point> points(columns.front().size());
+  for (const auto& column : columns) {
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].push_back(column[i]);
+  }
+  return points;
+}
+
+BatchMethod kernel_method(const OtherKernel& other, const Columns& columns) {
+  const auto points = std::make_shared<const std::vector<Point>>(points_of(columns));
+  return {other.name,
+          [=](std::size_t count, std::span<double> values) {
+            other.kernel->evaluate(std::span(*points).first(count), values.first(count));
+          },
+          [=](std::size_t count, std::size_t passes) {
+            // What fails is infinitely slow; its values, which are none, say so too.
+            return other.kernel->seconds(std::span(*points).first(count), passes)
+                .value_or(std::numeric_limits<double>::infinity());
+          }};
+}
+
+std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& columns,
+                                 const std::vector<OtherKernel>& others) {
   std::vector<BatchMethod> all{scalar_method(quantity, columns, fast::Accuracy::best_rtol)};
   if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::best_rtol));
+  for (const OtherKernel& other : others) {
+    if (other.quantity == quantity.name) all.push_back(kernel_method(other, columns));
+  }
   if (quantity.peers.empty()) return all;
   for (const double rtol : tolerances) {
     if (rtol == fast::Accuracy::best_rtol) continue;
@@ -163,14 +191,15 @@ void compare(std::span<const double> values, const Truth& truth, BenchRow& row) 
   row.max_relative_error = relative;
 }
 
-std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range) {
+std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range,
+                                  const std::vector<OtherKernel>& others) {
   const Columns columns = draw_columns(quantity, range);
-  const std::vector<BatchMethod> contestants = methods(quantity, columns);
+  const std::vector<BatchMethod> contestants = methods(quantity, columns, others);
   std::vector<double> values(points_in_a_set);
   std::vector<Contender> contenders;
   for (const BatchMethod& method : contestants) {
-    contenders.push_back(
-        {[&](std::size_t count) { method.evaluate(count, values); }, least_points, points_in_a_set});
+    contenders.push_back({[&](std::size_t count) { method.evaluate(count, values); }, least_points,
+                          points_in_a_set, method.seconds});
   }
   const std::vector<Timing> timings = time_interleaved(contenders, 15, 1e-3);
 
@@ -187,12 +216,13 @@ std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& ra
 
 }  // namespace
 
-std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress) {
+std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
+                                   const std::vector<OtherKernel>& others) {
   std::vector<BenchRow> rows;
   for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;
     if (progress) progress(range.name);
-    std::vector<BenchRow> more = bench_range(quantity, range);
+    std::vector<BenchRow> more = bench_range(quantity, range, others);
     rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   }
   return rows;

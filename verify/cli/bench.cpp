@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <filesystem>
+#include <memory>
 #include <optional>
 
 #include <nipref/verify/bench/render.hpp>
@@ -25,6 +27,24 @@ std::vector<std::string> words_of(const CommandLine& line) {
   return words;
 }
 
+/// The kernels of a shared object, if one is named.
+class OtherKernels {
+ public:
+  explicit OtherKernels(const std::optional<std::string>& file) {
+    if (!file) return;
+    for (const KernelInfo& info : kernels_of({*file})) {
+      kernels_.push_back(std::make_unique<PluginKernel>(Plugin{*file}, info.name));
+      all_.push_back({info.name + " of " + std::filesystem::path(*file).filename().string(), info.quantity,
+                      kernels_.back().get()});
+    }
+  }
+  [[nodiscard]] const std::vector<OtherKernel>& all() const { return all_; }
+
+ private:
+  std::vector<std::unique_ptr<PluginKernel>> kernels_;
+  std::vector<OtherKernel> all_;
+};
+
 int against_verb(const CommandLine& line, std::ostream& out) {
   const auto most = max_slowdown_option(line);
   Progress progress(standard_error(line.has("quiet")));
@@ -44,9 +64,10 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = selection(line, bench_groups());
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
+  const OtherKernels others(line.option("with"));
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  const BenchReport report = bench_all(selected, progress);
+  const BenchReport report = bench_all(selected, progress, others.all());
   if (line.json) {
     out << answer_text("bench", bench_json(report), line.no_times);
   } else {

@@ -10,7 +10,7 @@ namespace nipref::verify {
 
 std::vector<std::string_view> bench_groups() { return {"elastic-nip", "viscoelastic-nip", "half-space"}; }
 
-BenchReport bench_all(const Selection& selected, Progress& progress) {
+BenchReport bench_all(const Selection& selected, Progress& progress, const std::vector<OtherKernel>& others) {
   const auto timed_alone = std::ranges::count_if(selected.quantities, &Quantity::timed_alone);
   progress.begin("bench", static_cast<std::size_t>(timed_alone) + selected.groups.size());
   const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
@@ -18,7 +18,7 @@ BenchReport bench_all(const Selection& selected, Progress& progress) {
   for (const Quantity* quantity : selected.quantities) {
     if (!quantity->timed_alone || interrupted()) continue;
     progress.next(quantity->name);
-    append(report, bench({quantity}, show));
+    append(report, bench({quantity}, show, others));
   }
   const auto add = [&](const char* group, BenchReport (*bench_group)(const BenchProgress&)) {
     if (!selected.has(group) || interrupted()) return;

@@ -12,6 +12,7 @@ namespace nipref::verify {
 std::vector<std::string_view> bench_groups();
 
 /// Times what is selected, of quantities and bench_groups(). What is finished, if the process is interrupted.
-BenchReport bench_all(const Selection& selected, Progress& progress);
+BenchReport bench_all(const Selection& selected, Progress& progress,
+                      const std::vector<OtherKernel>& others = {});
 
 }  // namespace nipref::verify

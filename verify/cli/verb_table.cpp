@@ -69,6 +69,7 @@ const OptionText thread_safe_flag{"thread-safe",
 const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
 const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
 
+const OptionText with_option{"with", "a shared object, whose kernels are timed beside fast's; see grade"};
 const OptionText older_program_option{"against", "an older nipref: both are timed in turns, in three rounds"};
 const OptionText since_option{"since", "with --changed: a revision of git's (default HEAD)"};
 const OptionText changed_flag{
@@ -175,9 +176,9 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
         "it)",
-        {isa_option, older_program_option, max_slowdown_option},
+        {with_option, isa_option, older_program_option, max_slowdown_option},
         {strict_flag, quiet_flag, json_flag, no_times_flag},
-        {"nipref bench I1", "nipref bench elastic-nip --strict",
+        {"nipref bench I1", "nipref bench elastic-nip --strict", "nipref bench I1 --with ./mine.so",
          "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
     VerbText{"report",
              "Audit, bench and tables on a page or two.",

@@ -16,6 +16,8 @@
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
+#include "support/paths.hpp"
+
 using namespace nipref;
 
 namespace {
@@ -95,6 +97,18 @@ TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
     CHECK(row.max_error_ulp.value() <= 2);
   }
   CHECK(report.ratios.empty());
+}
+
+TEST_CASE("somebody's kernel is timed beside fast, with its errors, and only for its own quantity") {
+  verify::PluginKernel kernel({plugin_file("kernels")}, "all_sound");
+  const std::vector<verify::OtherKernel> others{{"mine", "I3", &kernel}};
+  const auto rows = verify::bench_double(verify::find_quantity("I3"), {}, others);
+  const auto mine = std::ranges::find(rows, "mine", &verify::BenchRow::method);
+  REQUIRE(mine != rows.end());
+  CHECK(mine->nanoseconds > 0);
+  CHECK(mine->max_error_ulp.value() == rows.front().max_error_ulp.value());
+  const auto other_rows = verify::bench_double(verify::find_quantity("I4"), {}, others);
+  CHECK(std::ranges::find(other_rows, "mine", &verify::BenchRow::method) == other_rows.end());
 }
 
 TEST_CASE("however slow a method is, its errors are found at the same points") {

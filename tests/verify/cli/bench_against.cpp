@@ -16,6 +16,7 @@ TEST_CASE("slower is what is so in every round") {
 TEST_CASE("what is no older program, or no share, is refused") {
   check_call_refused("bench I7 --against /nowhere/nipref", "against = /nowhere/nipref: must be a nipref");
   check_call_refused("bench I7 --against /bin/true", "against = /bin/true: must be a nipref");
+  check_call_refused("bench I7 --with /nowhere.so", "/nowhere.so");
   check_call_refused("bench I7 --max-slowdown 10%", "max-slowdown = 10%: must be given with --against");
   check_call_refused("bench I7 --against x --max-slowdown ten",
                      "max-slowdown = ten: must be");

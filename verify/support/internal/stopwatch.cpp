@@ -12,16 +12,24 @@ struct Round {
   std::size_t passes;
 };
 
+/// Seconds of so many times the first `count` evaluations.
+double seconds_of_passes(const Contender& contender, std::size_t count, std::size_t passes) {
+  if (contender.seconds) return contender.seconds(count, passes);
+  return seconds_of([&] {
+    for (std::size_t pass = 0; pass < passes; ++pass) contender.run(count);
+  });
+}
+
 /// The round that fits into the time. The very first run may build what later ones find kept, and says nothing
 /// about their time.
 Round plan(const Contender& contender, double seconds) {
   std::size_t count = std::min(contender.least, contender.most);
-  double taken = seconds_of([&] { contender.run(count); });
+  double taken = seconds_of_passes(contender, count, 1);
   while (count < contender.most && taken < seconds / 2) {
     count = std::min(2 * count, contender.most);
-    taken = seconds_of([&] { contender.run(count); });
+    taken = seconds_of_passes(contender, count, 1);
   }
-  if (count == contender.least) taken = seconds_of([&] { contender.run(count); });
+  if (count == contender.least) taken = seconds_of_passes(contender, count, 1);
   return {count, std::max<std::size_t>(1, static_cast<std::size_t>(seconds / taken))};
 }
 
@@ -29,10 +37,8 @@ Round plan(const Contender& contender, double seconds) {
 /// processor's caches does not count.
 double seconds_per_evaluation(const Contender& contender, const Round& round) {
   if (round.passes > 1) contender.run(round.count);
-  const double seconds = seconds_of([&] {
-    for (std::size_t pass = 0; pass < round.passes; ++pass) contender.run(round.count);
-  });
-  return seconds / static_cast<double>(round.count * round.passes);
+  return seconds_of_passes(contender, round.count, round.passes) /
+         static_cast<double>(round.count * round.passes);
 }
 
 /// Of sorted values.

@@ -13,6 +13,8 @@ struct Contender {
   std::function<void(std::size_t count)> run;
   std::size_t least;  ///< a round has at least so many, however slow: fewer would not stand for the range
   std::size_t most;
+  /// Seconds of so many times the first n, measured where they are done; empty: they are measured here.
+  std::function<double(std::size_t count, std::size_t passes)> seconds = {};
 };
 
 struct Timing {
