@@ -61,6 +61,8 @@ fs::path data_directory() {
 
 std::filesystem::path tables_directory() { return data_directory() / "tables"; }
 
+std::filesystem::path golden_directory() { return data_directory() / "golden"; }
+
 std::filesystem::path scenes_directory() { return data_directory() / "scenes"; }
 
 }  // namespace nipref::data

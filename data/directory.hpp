@@ -14,6 +14,9 @@ namespace nipref::data {
 /// The seeds' tables.
 [[nodiscard]] std::filesystem::path tables_directory();
 
+/// The golden values.
+[[nodiscard]] std::filesystem::path golden_directory();
+
 /// The example scenes.
 [[nodiscard]] std::filesystem::path scenes_directory();
 

@@ -60,7 +60,8 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"grade", {"support", "catalogue", "audit"}},
       {"witness", {"support", "solve"}},
       {"c_interface", {"support", "catalogue"}},
-      {"cli", {"support", "catalogue", "audit", "grade", "solve", "replay", "bench", "witness"}}}},
+      {"golden", {"support", "catalogue", "audit"}},
+      {"cli", {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

@@ -87,6 +87,7 @@ struct Quantity {
   std::string definition;  ///< one line
   std::string source;      ///< seed and equation number
   std::string scale;       ///< what errors are measured against, in words
+  std::string unit = "1";  ///< of the value; 1: none
   std::vector<Argument> arguments;
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 

@@ -23,7 +23,7 @@ namespace {
 using data::BadInput;
 
 constexpr auto right_form = "corrected";
-constexpr long default_digits = 50;
+constexpr int default_digits = 50;
 constexpr auto of_the_nearest_doubles =
     "fast takes each argument rounded to the nearest double; its error is for that argument.";
 
@@ -67,13 +67,6 @@ std::string path_of(const CommandLine& line) {
   return path;
 }
 
-int digits_of(const CommandLine& line) {
-  const auto text = line.option("digits");
-  const long digits = text ? parse_integer("digits", *text) : default_digits;
-  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
-  return static_cast<int>(digits);
-}
-
 /// Null for the right one.
 const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
   const std::string form = line.option("form").value_or(right_form);
@@ -105,7 +98,7 @@ Request request_of(const CommandLine& line) {
           form,
           form == nullptr && path != "fast",
           form == nullptr && path != "ref",
-          digits_of(line),
+          digits_option(line, default_digits),
           accuracy_option(line)};
 }
 

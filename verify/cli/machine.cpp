@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nipref_build_info.hpp>
 #include <optional>
@@ -55,6 +56,17 @@ std::string version_text() {
 }
 
 std::string compiler() { return std::string(build_info::compiler); }
+
+Provenance provenance() {
+  constexpr std::string_view mark = "-dirty";
+  std::string commit(build_info::commit);
+  const bool dirty = commit.ends_with(mark);
+  if (dirty) commit.resize(commit.size() - mark.size());
+  const auto mpfr =
+      std::ranges::find(build_info::libraries, "MPFR", [](const auto& library) { return library.first; });
+  return {std::string(build_info::version), compiler(), std::string(mpfr->second), commit,
+          !dirty && commit != "unknown"};
+}
 
 Json version_json() {
   return {{"version", build_info::version},

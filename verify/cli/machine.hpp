@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
@@ -10,6 +11,9 @@ std::string version_text();
 
 /// What this program was compiled with.
 std::string compiler();
+
+/// What golden values made now are made with.
+Provenance provenance();
 
 /// The same as "nipref" in every answer.
 Json version_json();

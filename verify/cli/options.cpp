@@ -78,6 +78,15 @@ std::optional<double> max_slowdown_option(const CommandLine& line) {
   return slowdown;
 }
 
+int digits_option(const CommandLine& line, int unsaid) {
+  const auto text = line.option("digits");
+  const long digits = text ? parse_integer("digits", *text) : unsaid;
+  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
+  return static_cast<int>(digits);
+}
+
+std::size_t every_option(const CommandLine& line) { return count_option(line, "every", 1'000'000, 1); }
+
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
   if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
 }

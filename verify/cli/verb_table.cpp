@@ -76,6 +76,14 @@ const OptionText changed_flag{
     "changed", "what the files that differ from git's last revision have a part in, new files too"};
 const OptionText isa_option{
     "isa", "baseline, v3 or v4: fast runs its code for that, as on another machine (default: the best)"};
+const OptionText golden_points_option{
+    "points", "values of each quantity, 1 to 1e8 (default 250, 200 where they take seconds)"};
+const OptionText golden_digits_option{"digits",
+                                      "decimal digits, 16 to 1000 (default 50, 30 where they take seconds)"};
+const OptionText every_option{"every", "check: look at every so many-th row only (default 1)"};
+const OptionText all_flag{"all",
+                          "check: recompute every row by ref, slow ones too; update: change every row"};
+const OptionText dirty_flag{"dirty", "update: though the program was built from no clean commit"};
 
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
@@ -170,6 +178,14 @@ const std::array all_verbs{
          "nipref grade ./mine.so I1 alpha=1e-3..50 --against ./old.so",
          "nipref grade ./mine.so --symbol f --quantity I1"},
         true},
+    VerbText{"golden",
+             "Values that are kept, each confirmed by a second method: make, check, update or list them.",
+             "action",
+             "make, check, update or list, and names of quantities (default: all); check takes files too",
+             {golden_points_option, golden_digits_option, seed_option, every_option},
+             {all_flag, dirty_flag, quiet_flag, json_flag, no_times_flag},
+             {"nipref golden check", "nipref golden check I1 mine.csv --all",
+              "nipref golden make I1 --points 1000", "nipref golden update Un"}},
     VerbText{
         "bench",
         "Speed against error, beside other libraries.",

@@ -59,6 +59,8 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
                "' --max-slowdown 1e9",
            "grade"},
           {"grade '" + values + "' I1 --promise 1e17 --baseline /nowhere/baseline.toml", "grade"},
+          {"golden check I2 --every 100", "golden_check"},
+          {"golden list I2", "golden_list"},
           {"bench I7", "bench"},
           {"bench root.re --against '" + program() + "'", "bench_against"},
           {"tables thesis-VII thesis-XI brock2013-1", "tables"},

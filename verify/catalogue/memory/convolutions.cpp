@@ -77,6 +77,7 @@ Quantity wave_entry(std::string name, std::string definition, std::string source
   entry.name = std::move(name);
   entry.definition = std::move(definition);
   entry.source = "thesis (6.20), " + source;
+  entry.unit = "unit of t";
   entry.scale = "the integral of the exponentials, under a sine times min(1, b |T - tau|)";
   for (const char* rate : {"lambda", "a", "b"}) entry.arguments.push_back({rate, ArgumentKind::rate, {}, {}});
   entry.arguments.push_back({"t", ArgumentKind::time, {}, {}});
@@ -96,6 +97,7 @@ Quantity sign_entry(std::string name, std::string of, ByRef by_ref, ByFast by_fa
   entry.definition =
       "int_0^t theta(t - tau) sign(T - tau) dtau, theta = gamma0 delta + gamma e^(-lambda t) a term of " + of;
   entry.source = "thesis (6.20), (AII.20), (AII.21)";
+  entry.unit = "unit of gamma0";
   entry.scale = "|gamma0| + |gamma| int_0^t e^(-lambda tau) dtau";
   for (const char* amplitude : {"gamma0", "gamma"})
     entry.arguments.push_back({amplitude, ArgumentKind::amplitude, {}, {}});

@@ -127,6 +127,7 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.name = std::move(name);
   entry.definition = std::move(definition);
   entry.source = std::move(source);
+  entry.unit = "1/unit of bulk";
   entry.scale = remembered_size;
   entry.promise = moving_load_promise;
   entry.audit_points = 100;

@@ -87,6 +87,7 @@ Quantity entry_un() {
   entry.name = "un";
   entry.definition = "normal displacement by a unit normal line load: (theta1 + theta2) I1(alpha) / pi";
   entry.source = "thesis (4.25 a)";
+  entry.unit = "1/unit of young";
   entry.scale = "max(|un|, slowest residue term's amplitude, 2^-1022 (theta1 + theta2)/pi)";
   entry.arguments = {nonzero_position_argument("alpha"), young_argument(), poisson_argument()};
   entry.promise = displacement_promise;
@@ -107,6 +108,7 @@ Quantity entry_vn() {
       "tangential displacement by a unit normal line load: "
       "(-theta2 I2(alpha) + (theta1 + theta2) I3(alpha) + theta2 I4(eta) - theta1 I5(eta)) / pi";
   entry.source = "thesis (4.25 c)";
+  entry.unit = "1/unit of young";
   entry.scale = sum_of_terms;
   entry.arguments = {position_argument("alpha"), position_argument("eta"), young_argument(),
                      poisson_argument()};
@@ -131,6 +133,7 @@ Quantity entry_us() {
   entry.definition =
       "normal displacement by a unit shear line load: (theta2 I2(alpha) - (theta1 + theta2) I3(alpha)) / pi";
   entry.source = "thesis (4.25 b)";
+  entry.unit = "1/unit of young";
   entry.scale = sum_of_terms;
   entry.arguments = {position_argument("alpha"), young_argument(), poisson_argument()};
   entry.promise = displacement_promise;
@@ -153,6 +156,7 @@ Quantity entry_vs() {
       "tangential displacement by a unit shear line load: ((theta1 + theta2) I6(alpha, eta) + theta1 "
       "I7(eta)) / pi";
   entry.source = "thesis (4.25 d)";
+  entry.unit = "1/unit of young";
   entry.scale = std::string(sum_of_terms) + ", each kernel at least 2^-1022";
   entry.arguments = {nonzero_position_argument("alpha"), position_argument("eta"), young_argument(),
                      poisson_argument()};

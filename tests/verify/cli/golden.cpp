@@ -1,0 +1,125 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/golden_folder.hpp"
+#include "support/json_schema.hpp"
+#include "support/run_nipref.hpp"
+
+namespace {
+
+using nlohmann::json;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// Changes the first place where `from` stands.
+void edit(const std::filesystem::path& path, const std::string& from, const std::string& to) {
+  std::string text = text_of(path);
+  REQUIRE(text.find(from) != std::string::npos);
+  text.replace(text.find(from), from.size(), to);
+  std::ofstream(path) << text;
+}
+
+void sum(const GoldenFolder& folder) {
+  REQUIRE(std::system(("cd '" + folder.path().string() + "' && sha256sum *.csv >SHA256SUMS").c_str()) == 0);
+}
+
+/// An answer that fits the schema.
+json answer(const std::string& arguments, const std::string& definition, int status) {
+  static const JsonSchema schema(
+      json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
+  const Outcome outcome = run(arguments + " --json");
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  CHECK(outcome.status == status);
+  const json found = json::parse(outcome.out);
+  CHECK(schema.misfit(found, definition) == "");
+  CHECK(schema.misfit(found) == "");
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
+  const GoldenFolder folder;
+  const json made = answer("golden make I2 root.re --points 6 --digits 30 --seed 5", "golden_make", 0);
+  CHECK(made["files"].size() == 2);
+  CHECK(made["files"][0]["rows"] == 6);
+  CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
+        0);
+  const json kept = answer("golden check", "golden_check", 0);
+  CHECK(kept["files"].size() == 2);
+  CHECK(kept["files"][0]["hashed"] == true);
+  CHECK(answer("golden list I2 I3", "golden_list", 0)["missing"] == json{"I3"});
+
+  SUBCASE("a digit that is changed is found, by its checksum and by the reference") {
+    edit(folder.file("I2.csv"), "1.5707963267948966192313216916", "1.5707963267948966192313216917");
+    const json changed = answer("golden check I2", "golden_check", 1);
+    CHECK(changed["files"][0]["failures"][0]["fault"] == "text-changed");
+    CHECK(changed["files"][0]["failures"][1]["fault"] == "wrong");
+    const Outcome text = run("golden check");
+    CHECK(text.status == 1);
+    CHECK(text.out.find("12 golden values: 1 wrong, 0 useless, 1 text-changed") != std::string::npos);
+
+    const std::string before = text_of(folder.file("I2.csv"));
+    const json updated = answer("golden update I2 --dirty", "golden_update", 0);
+    REQUIRE(updated["files"][0]["changed"].size() == 1);
+    CHECK(updated["files"][0]["changed"][0]["why"] == "another value");
+    CHECK(run("golden check").status == 0);
+    const std::string after = text_of(folder.file("I2.csv"));
+    CHECK(after != before);
+    CHECK(after.find("# updated: 1 rows by ") != std::string::npos);
+    CHECK(run("golden update I2 --dirty").out.find("0 of 6 rows changed") != std::string::npos);
+    CHECK(text_of(folder.file("I2.csv")) == after);
+    const Outcome all = run("golden update I2 --dirty --all");
+    CHECK(all.out.find("\n- ") != std::string::npos);
+    CHECK(all.out.find("\n+ ") != std::string::npos);
+    CHECK(all.out.find("6 of 6 rows changed") != std::string::npos);
+  }
+  SUBCASE("a wide bound is useless even where the checksum agrees") {
+    const std::string text = text_of(folder.file("root.re.csv"));
+    const std::size_t row = text.find("\n0x") + 1, value = text.find(',', row) + 1,
+                      bound = text.find(',', value) + 1;
+    std::string wide = text;
+    wide.replace(bound, text.find(',', bound) - bound, "1e-9");
+    std::ofstream(folder.file("root.re.csv")) << wide;
+    sum(folder);
+    const json useless = answer("golden check root.re", "golden_check", 1);
+    REQUIRE(useless["files"][0]["failures"].size() == 1);
+    CHECK(useless["files"][0]["failures"][0]["fault"] == "useless");
+    CHECK(useless["files"][0]["failures"][0]["row"] == 1);
+  }
+  SUBCASE("a file by its path, and one that cannot be read") {
+    CHECK(run("golden check '" + folder.file("I2.csv").string() + "'").status == 0);
+    std::ofstream(folder.file("I2.csv")) << "nothing";
+    const json changed = answer("golden check", "golden_check", 1);
+    CHECK(changed["files"][1]["quantity"].is_null());
+  }
+}
+
+TEST_CASE("golden: bad input is refused before anything is written") {
+  const GoldenFolder folder;
+  check_call_refused("golden", "must be make, check, update or list");
+  check_call_refused("golden forge I1", "must be make, check, update or list");
+  check_call_refused("golden make I9", "I9");
+  check_call_refused("golden make I1 --digits 5", "digits = 5");
+  check_call_refused("golden make I1 --points 0", "points = 0");
+  check_call_refused("golden make I1 --dirty", "golden make has no such option");
+  check_call_refused("golden check --points 3", "golden check has no such option");
+  check_call_refused("golden check --every 0", "every = 0");
+  check_call_refused("golden check nowhere.csv", "must be a file that can be read");
+  check_call_refused("golden list --all", "golden list has no such option");
+  check_call_refused("golden update I1 --dirty", "must be a file that can be read");
+  const json commit = json::parse(run("--version --json").out)["nipref"]["commit"];
+  if (commit.is_null() || commit.get<std::string>().ends_with("-dirty")) {
+    check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");
+  }
+  CHECK(std::filesystem::is_empty(folder.path()));
+}

@@ -1,0 +1,156 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/checksums.hpp>
+
+#include "support/golden_folder.hpp"
+
+using namespace nipref;
+using verify::GoldenFault;
+using verify::Quantity;
+
+namespace {
+
+std::vector<GoldenFault> faults_of(const verify::CheckedGolden& checked) {
+  std::vector<GoldenFault> faults;
+  for (const verify::GoldenFailure& failure : checked.failures) faults.push_back(failure.fault);
+  return faults;
+}
+
+verify::GoldenFile golden(const char* quantity) {
+  return verify::read_golden(verify::golden_path(verify::find_quantity(quantity)));
+}
+
+/// The last `rows` ones.
+verify::GoldenFile last_of(verify::GoldenFile file, std::ptrdiff_t rows) {
+  file.rows.erase(file.rows.begin(), file.rows.end() - rows);
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("golden values are what they were, every file to the last character, every 40th value") {
+  CHECK(verify::check_folder(data::golden_directory()).empty());
+  for (const Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    const std::string bytes = verify::bytes_of(verify::golden_path(quantity));
+    CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(quantity.name + ".csv") ==
+          verify::sha256(bytes));
+    verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
+    // One is enough where a value takes seconds.
+    const verify::CheckOptions options{false, quantity.audit_points < 10 ? file.rows.size() : 40};
+    const verify::CheckedGolden checked = verify::check_rows(quantity, file, options);
+    CHECK(checked.recomputed >= 1);
+    for (const verify::GoldenFailure& failure : checked.failures) FAIL_CHECK(failure.what);
+  }
+}
+
+TEST_CASE("fast with a perturbed coefficient is found by golden values, the others are not blamed") {
+  const Quantity& quantity = verify::find_quantity("I5");
+  Quantity damaged = quantity;
+  // Of its first branch alone, and by four units in the last place.
+  damaged.by_fast = [by_fast = quantity.by_fast](std::span<const double> x, fast::Accuracy accuracy) {
+    const double value = by_fast(x, accuracy);
+    return std::abs(x[0]) < 0.1 ? value * (1 + 0x1p-50) : value;
+  };
+  const verify::GoldenFile file = golden("I5");
+  CHECK(verify::check_rows(quantity, file, {}).kept());
+  const verify::CheckedGolden checked = verify::check_rows(damaged, file, {});
+  CHECK(checked.failures.size() > 20);
+  for (const verify::GoldenFailure& failure : checked.failures) {
+    CHECK(failure.fault == GoldenFault::wrong);
+    CHECK(failure.what.find("fast is") != std::string::npos);
+    CHECK(std::abs(file.rows[*failure.row - 1].arguments[0]) < 0.1);
+  }
+}
+
+TEST_CASE("a reference that moves by less than any double sees is found") {
+  const Quantity& quantity = verify::find_quantity("I1");
+  Quantity moved = quantity;
+  moved.by_ref = [by_ref = quantity.by_ref](std::span<const ref::Exact> x, int digits) {
+    verify::Reference reference = by_ref(x, digits);
+    ref::Real step(64);
+    mpfr_mul_d(step.get(), reference.value.get(), 1e-45, MPFR_RNDN);
+    mpfr_add(reference.value.get(), reference.value.get(), step.get(), MPFR_RNDN);
+    return reference;
+  };
+  const verify::CheckedGolden checked = verify::check_rows(moved, last_of(golden("I1"), 10), {});
+  REQUIRE(checked.failures.size() == 10);
+  CHECK(checked.failures.front().fault == GoldenFault::wrong);
+  CHECK(checked.failures.front().what.find("the reference is") != std::string::npos);
+}
+
+TEST_CASE("a bound too wide to say anything is useless, and not wrong") {
+  verify::GoldenFile file = last_of(golden("I1"), 3);
+  file.rows[1].bound = "1e-3";
+  const verify::CheckedGolden checked = verify::check_rows(file.quantity(), file, {});
+  CHECK(faults_of(checked) == std::vector{GoldenFault::useless});
+  CHECK(checked.failures.front().row == 2);
+  Quantity coarse = file.quantity();
+  coarse.by_ref = [by_ref = coarse.by_ref](std::span<const ref::Exact> x, int digits) {
+    verify::Reference reference = by_ref(x, digits);
+    mpfr_set_d(reference.error.get(), 1, MPFR_RNDU);
+    return reference;
+  };
+  file.rows.erase(file.rows.begin() + 1);
+  CHECK(faults_of(verify::check_rows(coarse, file, {})) == std::vector(2, GoldenFault::useless));
+}
+
+TEST_CASE("any character that is changed in a golden file or its checksum is found") {
+  const verify::GoldenFile file = last_of(golden("I2"), 1);
+  const std::string text = verify::golden_text(file.quantity(), file);
+  const GoldenFolder folder;
+  const auto write = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(folder.file(name), std::ios::binary) << bytes;
+  };
+  verify::Checksums sums;
+  sums.set("I2.csv", text);
+  write("SHA256SUMS", sums.text());
+  write("I2.csv", text);
+  CHECK(verify::check_golden(folder.file("I2.csv"), {}).kept());
+  for (std::size_t i = 0; i < text.size(); i += 3) {
+    std::string changed = text;
+    changed[i] = changed[i] == '1' ? '2' : '1';
+    write("I2.csv", changed);
+    CAPTURE(changed);
+    const auto faults = faults_of(verify::check_golden(folder.file("I2.csv"), {}));
+    REQUIRE_FALSE(faults.empty());
+    CHECK(faults.front() == GoldenFault::text_changed);
+  }
+  write("I2.csv", text);
+  std::string other = sums.text();
+  other[5] = other[5] == '1' ? '2' : '1';
+  write("SHA256SUMS", other);
+  CHECK(faults_of(verify::check_golden(folder.file("I2.csv"), {})) == std::vector{GoldenFault::text_changed});
+}
+
+TEST_CASE("files that checksums do not list, and files that are gone, are found") {
+  const GoldenFolder folder;
+  CHECK(verify::check_folder(folder.path()).empty());
+  std::ofstream(folder.file("I2.csv")) << "x";
+  REQUIRE(verify::check_folder(folder.path()).size() == 1);
+  CHECK(verify::check_folder(folder.path()).front().what == "SHA256SUMS does not list I2.csv");
+  verify::Checksums sums;
+  sums.set("I2.csv", "x");
+  sums.set("I3.csv", "x");
+  std::ofstream(folder.file("SHA256SUMS")) << sums.text();
+  REQUIRE(verify::check_folder(folder.path()).size() == 1);
+  CHECK(verify::check_folder(folder.path()).front().what == "SHA256SUMS lists I3.csv, which is not there");
+}
+
+TEST_CASE("a file of somebody's own needs no checksum") {
+  const verify::GoldenFile file = last_of(golden("I2"), 1);
+  const GoldenFolder folder;
+  std::ofstream(folder.file("mine.csv")) << verify::golden_text(file.quantity(), file);
+  const verify::CheckedGolden checked = verify::check_golden(folder.file("mine.csv"), {});
+  CHECK(checked.kept());
+  CHECK_FALSE(checked.hashed);
+  std::ofstream(folder.file("broken.csv")) << "# quantity: I2\n";
+  CHECK_THROWS_AS(verify::check_golden(folder.file("broken.csv"), {}), data::BadInput);
+}

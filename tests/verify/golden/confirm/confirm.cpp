@@ -1,0 +1,22 @@
+#include <doctest/doctest.h>
+
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/confirm/confirm.hpp>
+#include <nipref/verify/golden/make.hpp>
+
+using namespace nipref;
+
+TEST_CASE("every quantity of the catalogue has a second method, which confirms its golden values again") {
+  for (const verify::Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    REQUIRE(verify::confirmer_of(quantity.name));
+    // Convolutions over a way need seconds to begin.
+    if (verify::is_slow(quantity) || quantity.name.starts_with("Un") || quantity.name.starts_with("Vn"))
+      continue;
+    const verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
+    for (std::size_t i = 0; i < file.rows.size(); i += 100) {
+      verify::GoldenRow row = file.rows[i];
+      CHECK(verify::confirm_row(quantity, row) == "");
+    }
+  }
+}

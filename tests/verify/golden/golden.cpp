@@ -1,0 +1,106 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/golden.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+
+namespace {
+
+const std::string head =
+    "# quantity: ti.branch\n# digits: 30\n"
+    "theta_deg,which,c11,c33,c13,c44,c66,density,value,bound,scale,status,confirmed_by,origin\n";
+const std::string row = "-0x1.8p+4,minus,0x1p+3,0x1p+4,0x0p+0,0x1p+1,0x1p+1,0x1p+10";
+
+std::string refusal(const std::string& text) {
+  const ScratchFile file(text);
+  try {
+    static_cast<void>(verify::read_golden(file.path()));
+  } catch (const data::BadInput& refused) {
+    return refused.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("golden values are read as they are written") {
+  const std::string text = head + row +
+                           ",1.25e-3,1e-40,0.00125,proven,closed form to 2.0e-41,worst:fast@abc\n" + row +
+                           ",0,0,0,estimated,closed form to 0,user\n";
+  const ScratchFile file(text);
+  const verify::GoldenFile golden = verify::read_golden(file.path());
+  CHECK(golden.digits() == 30);
+  REQUIRE(golden.rows.size() == 2);
+  CHECK(golden.rows[0].arguments == verify::Point{-24, 2, 8, 16, 0, 2, 2, 1024});
+  CHECK(golden.rows[0].number().to_double() == 1.25e-3);
+  CHECK(mpfr_cmp_d(golden.rows[0].number().error.get(), 1e-40) >= 0);
+  CHECK(golden.rows[0].proven);
+  CHECK_FALSE(golden.rows[1].proven);
+  CHECK(verify::golden_text(golden.quantity(), golden) == text);
+}
+
+TEST_CASE("a golden file that is none is refused with line and column") {
+  const std::string good = ",1,1e-9,1,proven,closed form,dense\n";
+  CHECK(refusal(head + row + good) == "");
+  CHECK(refusal("# quantity: I9\n# digits: 30\nx\n").find("I9") != std::string::npos);
+  CHECK(refusal("# digits: 30\nx\n").find("quantity = (missing)") != std::string::npos);
+  CHECK(refusal("# quantity: I1\nalpha\n").find("digits = (missing)") != std::string::npos);
+  CHECK(refusal("# quantity: I1\n# digits: 30\nalpha,value\n")
+            .find(":3:7: must be followed by the column bound") != std::string::npos);
+  CHECK(refusal("# quantity: I1\n# digits: 30\neta,value\n").find(":3:1: must be the column alpha") !=
+        std::string::npos);
+  CHECK(refusal(head + row + ",one,1e-9,1,proven,c,dense\n").find("must be a finite decimal number") !=
+        std::string::npos);
+  CHECK(refusal(head + row + ",nan,1e-9,1,proven,c,dense\n").find("must be a finite decimal number") !=
+        std::string::npos);
+  CHECK(refusal(head + row + ",1,-1e-9,1,proven,c,dense\n").find("must not be negative") !=
+        std::string::npos);
+  CHECK(refusal(head + row + ",1,1e-9,-1,proven,c,dense\n").find("must not be negative") !=
+        std::string::npos);
+  CHECK(refusal(head + row + ",1,1e-9,1,certain,c,dense\n").find("must be proven or estimated") !=
+        std::string::npos);
+  std::string unknown = row;
+  unknown.replace(unknown.find("minus"), 5, "other");
+  CHECK(refusal(head + unknown + good).find("must be 56 or plus or minus") != std::string::npos);
+}
+
+TEST_CASE(
+    "every quantity of the catalogue has golden values, each confirmed, at least 200 points, 10000 in all") {
+  std::size_t all = 0;
+  std::uintmax_t bytes = 0;
+  for (const verify::Quantity& quantity : verify::catalogue()) {
+    CAPTURE(quantity.name);
+    REQUIRE(std::filesystem::exists(verify::golden_path(quantity)));
+    bytes += std::filesystem::file_size(verify::golden_path(quantity));
+    const verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
+    CHECK(file.quantity().name == quantity.name);
+    CHECK(file.entry("tree") == "clean");
+    CHECK(file.entry("commit").size() == 40);
+    for (const char* key : {"unit", "command", "nipref", "compiler", "mpfr", "example"})
+      CHECK_FALSE(file.entry(key).empty());
+    CHECK(file.rows.size() >= 200);
+    all += file.rows.size();
+    std::set<std::vector<double>> points;
+    std::set<std::string> origins;
+    for (const verify::GoldenRow& one : file.rows) {
+      points.insert(one.arguments);
+      origins.insert(one.origin.substr(0, one.origin.find('@')));
+      CHECK(one.confirmed_by.find(" to ") != std::string::npos);
+    }
+    CHECK(points.size() == file.rows.size());
+    CHECK(origins.contains("worst:fast"));
+    CHECK((origins.contains("hard") || quantity.draw));
+  }
+  CHECK(all >= 10'000);
+  CHECK(bytes < 4'500'000);
+}

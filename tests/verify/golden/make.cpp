@@ -1,0 +1,66 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/make.hpp>
+
+using namespace nipref;
+using verify::Quantity;
+
+namespace {
+
+const verify::Provenance nowhere{"0", "a compiler", "4", std::string(40, 'a'), true};
+
+/// What the reference says, moved by this part of it; its bound is what it was.
+Quantity with_wrong_reference(Quantity quantity, double part) {
+  quantity.by_ref = [by_ref = quantity.by_ref, part](std::span<const ref::Exact> arguments, int digits) {
+    verify::Reference reference = by_ref(arguments, digits);
+    ref::Real moved(reference.value.precision());
+    mpfr_mul_d(moved.get(), reference.value.get(), part, MPFR_RNDN);
+    mpfr_add(reference.value.get(), reference.value.get(), moved.get(), MPFR_RNDN);
+    return reference;
+  };
+  return quantity;
+}
+
+}  // namespace
+
+TEST_CASE("golden values of a kernel: all confirmed, of all origins, the same again") {
+  const Quantity& quantity = verify::find_quantity("I4");
+  const verify::GoldenOptions options{20, 40, "7"};
+  const verify::MadeGolden made = verify::make_golden(quantity, options, nowhere);
+  CHECK(made.refused.empty());
+  REQUIRE(made.file.rows.size() == 20);
+  CHECK(made.file.entry("command") == "nipref golden make I4 --points 20 --digits 40 --seed 7");
+  CHECK(made.file.entry("tree") == "clean");
+  for (const char* origin : {"hard", "worst:fast@aaaaaaaaaaaa", "dense"})
+    CHECK(std::ranges::count(made.file.rows, std::string(origin), &verify::GoldenRow::origin) > 0);
+  for (const verify::GoldenRow& row : made.file.rows) {
+    CHECK(row.proven);
+    CHECK(row.confirmed_by.starts_with("integral along the real axis"));
+    CHECK(mpfr_cmp_d(row.number().error.get(), 1e-40 * std::max(row.scale, 1e-200)) <= 0);
+  }
+  CHECK(verify::golden_text(quantity, made.file) ==
+        verify::golden_text(quantity, verify::make_golden(quantity, options, nowhere).file));
+}
+
+TEST_CASE("a value that no second method confirms is not taken, however little it is off") {
+  for (const char* const name : {"I1", "J2", "halfspace.compliance"}) {
+    CAPTURE(name);
+    const Quantity wrong = with_wrong_reference(verify::find_quantity(name), 1e-35);
+    const verify::MadeGolden made = verify::make_golden(wrong, {10, 40}, nowhere);
+    CHECK(made.refused.size() >= 5);
+    for (const verify::GoldenRow& row : made.file.rows) CHECK(row.number().to_double() == 0);
+    for (const verify::RefusedRow& row : made.refused)
+      CHECK(row.reason.find("differs by") != std::string::npos);
+  }
+}
+
+TEST_CASE("a quantity without a second method has no golden values") {
+  Quantity unknown = verify::find_quantity("I1");
+  unknown.name = "I9";
+  CHECK_THROWS_AS(verify::make_golden(unknown, {5, 30}, nowhere), data::BadInput);
+}

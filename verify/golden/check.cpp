@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/checksums.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a unit in the last place of the scale.
+constexpr double widest = 1e-3;
+
+bool is_useless(const ref::Estimated& golden, const ref::Estimated& now, double scale) {
+  ref::Real sum(64), most(64);
+  mpfr_add(sum.get(), golden.error.get(), now.error.get(), MPFR_RNDU);
+  mpfr_set_d(most.get(), ulp_of(scale), MPFR_RNDN);
+  mpfr_mul_d(most.get(), most.get(), widest, MPFR_RNDN);
+  return !(mpfr_lessequal_p(sum.get(), most.get()) != 0);
+}
+
+/// Failures of one row.
+std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& row, std::size_t number,
+                                     int digits, bool by_ref) {
+  std::vector<GoldenFailure> failures;
+  const std::string at = point_text(quantity, row.arguments);
+  const ref::Estimated golden = row.number();
+  const auto fail = [&](GoldenFault fault, const std::string& what) {
+    failures.push_back({fault, number, at + ": " + what});
+  };
+  if (is_useless(golden, {ref::Real(2), ref::Real(2), digits}, row.scale)) {
+    fail(GoldenFault::useless,
+         fmt::format("the bound {} is too wide for the scale {:.3g}", row.bound, row.scale));
+    return failures;
+  }
+  if (by_ref) {
+    try {
+      const Reference now = ref_value(quantity, row.arguments, digits);
+      if (is_useless(golden, now, row.scale)) {
+        fail(GoldenFault::useless, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
+                                               now.error_text(), row.scale));
+      } else if (!intersect(golden, now)) {
+        fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
+                                             now.value_text(), now.error_text(), row.value, row.bound));
+      }
+    } catch (const data::BadInput& refused) {
+      fail(GoldenFault::wrong, fmt::format("the reference refuses it: {}", refused.what()));
+    }
+  }
+  const double fast = fast_value(quantity, row.arguments, {});
+  const double ulps = deviation(fast, golden, row.scale).ulps;
+  if (!(ulps <= quantity.promise)) {
+    fail(GoldenFault::wrong, fmt::format("fast is {:.17g}, {:.3g} ulp of the scale off {}, promised are {:g}",
+                                         fast, ulps, row.value, quantity.promise));
+  }
+  return failures;
+}
+
+/// Whether the i-th of `count` items is one of `wanted` evenly taken ones.
+bool is_taken(std::size_t i, std::size_t count, std::size_t wanted) {
+  return wanted >= count || (i * wanted) / count != ((i + 1) * wanted) / count;
+}
+
+}  // namespace
+
+std::string_view name(GoldenFault fault) {
+  switch (fault) {
+    case GoldenFault::wrong:
+      return "wrong";
+    case GoldenFault::useless:
+      return "useless";
+    default:
+      return "text-changed";
+  }
+}
+
+bool intersect(const ref::Estimated& a, const ref::Estimated& b) {
+  ref::Real distance(64), allowed(64);
+  mpfr_sub(distance.get(), a.value.get(), b.value.get(), MPFR_RNDA);
+  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
+  mpfr_add(allowed.get(), a.error.get(), b.error.get(), MPFR_RNDU);
+  return mpfr_lessequal_p(distance.get(), allowed.get()) != 0;
+}
+
+CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < file.rows.size(); i += options.every) rows.push_back(i);
+  const std::size_t by_ref = options.all ? rows.size() : std::min(rows.size(), quantity.audit_points);
+  const int digits = file.digits();
+  std::vector<std::vector<GoldenFailure>> failures(rows.size());
+  parallel_for(
+      rows.size(),
+      [&](std::size_t i) {
+        failures[i] =
+            check_row(quantity, file.rows[rows[i]], rows[i] + 1, digits, is_taken(i, rows.size(), by_ref));
+      },
+      [&](std::size_t done) {
+        if (options.progress) options.progress(static_cast<double>(done) / static_cast<double>(rows.size()));
+      });
+  CheckedGolden checked;
+  checked.quantity = quantity.name;
+  checked.rows = rows.size();
+  checked.recomputed = by_ref;
+  for (auto& found : failures) std::ranges::move(found, std::back_inserter(checked.failures));
+  return checked;
+}
+
+CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
+  const auto sums = Checksums::of(path.parent_path()).by_name();
+  const auto expected = sums.find(path.filename().string());
+  std::optional<GoldenFailure> changed;
+  if (expected != sums.end() && sha256(bytes_of(path)) != expected->second)
+    changed = {
+        GoldenFault::text_changed, {}, fmt::format("{} is not what {} says", path.string(), checksums_name)};
+  CheckedGolden checked;
+  try {
+    const GoldenFile file = read_golden(path);
+    checked = check_rows(file.quantity(), file, options);
+  } catch (const data::BadInput& unreadable) {
+    if (!changed) throw;
+    changed->what += fmt::format(", and cannot be read: {}", unreadable.what());
+  }
+  checked.path = path;
+  checked.hashed = expected != sums.end();
+  if (changed) checked.failures.insert(checked.failures.begin(), *changed);
+  return checked;
+}
+
+std::vector<GoldenFailure> check_folder(const fs::path& folder) {
+  const auto sums = Checksums::of(folder).by_name();
+  std::vector<GoldenFailure> failures;
+  const auto fail = [&](const std::string& what) {
+    failures.push_back({GoldenFault::text_changed, {}, what});
+  };
+  for (const auto& [name, digest] : sums) {
+    if (!fs::exists(folder / name))
+      fail(fmt::format("{} lists {}, which is not there", checksums_name, name));
+  }
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".csv") && !sums.contains(name))
+      fail(fmt::format("{} does not list {}", checksums_name, name));
+  }
+  return failures;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/golden/checksums.hpp>
+
+namespace nipref::verify {
+
+std::string sha256(std::string_view bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned length = 0;
+  if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1)
+    throw std::runtime_error("libcrypto has no SHA-256");
+  std::string text;
+  for (unsigned i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw data::BadInput("file", path.string(), "must be a file that can be read");
+  return text.str();
+}
+
+Checksums Checksums::of(const std::filesystem::path& folder) {
+  Checksums sums;
+  const std::filesystem::path path = folder / checksums_name;
+  if (!std::filesystem::exists(path)) return sums;
+  std::istringstream lines(bytes_of(path));
+  constexpr std::size_t digits = 64;
+  for (std::string line; std::getline(lines, line);) {
+    // Two blanks, or a blank and the star of a file read as binary.
+    const bool is_one = line.size() > digits + 2 && line[digits] == ' ' &&
+                        line.find_first_not_of("0123456789abcdef") == digits;
+    if (!is_one) throw data::BadInput("checksums", path.string(), "must have lines as sha256sum writes them");
+    sums.by_name_[line.substr(digits + 2)] = line.substr(0, digits);
+  }
+  return sums;
+}
+
+std::string Checksums::text() const {
+  std::string text;
+  for (const auto& [name, digest] : by_name_) text += fmt::format("{}  {}\n", digest, name);
+  return text;
+}
+
+}  // namespace nipref::verify

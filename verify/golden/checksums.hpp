@@ -1,0 +1,31 @@
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace nipref::verify {
+
+/// SHA-256 of these bytes, 64 hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+/// Every byte of a file. BadInput if it cannot be read.
+std::string bytes_of(const std::filesystem::path& path);
+
+/// The SHA256SUMS of a folder, as sha256sum writes and checks it.
+class Checksums {
+ public:
+  /// Of none if there is no such file. BadInput if it is not one.
+  static Checksums of(const std::filesystem::path& folder);
+
+  [[nodiscard]] const std::map<std::string, std::string>& by_name() const { return by_name_; }
+  void set(const std::string& name, std::string_view bytes) { by_name_[name] = sha256(bytes); }
+  [[nodiscard]] std::string text() const;
+
+ private:
+  std::map<std::string, std::string> by_name_;
+};
+
+inline constexpr auto checksums_name = "SHA256SUMS";
+
+}  // namespace nipref::verify

@@ -1,0 +1,17 @@
+#include <nipref/verify/golden/confirm/confirm.hpp>
+#include <nipref/verify/golden/confirm/isotropic.hpp>
+#include <nipref/verify/golden/confirm/memory.hpp>
+#include <nipref/verify/golden/confirm/sheet.hpp>
+#include <nipref/verify/golden/confirm/transverse.hpp>
+
+namespace nipref::verify {
+
+Confirm confirmer_of(std::string_view quantity) {
+  for (auto* const of_subject :
+       {confirm::of_sheet, confirm::of_memory, confirm::of_isotropic, confirm::of_transverse}) {
+    if (Confirm found = of_subject(quantity)) return found;
+  }
+  return {};
+}
+
+}  // namespace nipref::verify

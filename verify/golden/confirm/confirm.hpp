@@ -1,0 +1,25 @@
+#pragma once
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <nipref/ref/number/real.hpp>
+#include <nipref/verify/catalogue/quantity.hpp>
+
+namespace nipref::verify {
+
+/// What a second method says of a quantity at a point. Neither the code that makes the value nor its arithmetic is in
+/// it: numbers are Boost's over MPFR and MPC.
+struct Witness {
+  std::string method;
+  ref::Real value;
+  ref::Real error;  ///< estimate: what the method changes by when its own work is halved
+};
+
+using Confirm = std::function<Witness(std::span<const double> point)>;
+
+/// The second method for the quantity of that name; empty if there is none.
+Confirm confirmer_of(std::string_view quantity);
+
+}  // namespace nipref::verify

@@ -1,0 +1,30 @@
+#pragma once
+#include <nipref/verify/golden/confirm/number.hpp>
+
+namespace nipref::verify::confirm {
+
+/// Of half-spaces: X = 1e-44 leaves a hundred digits.
+using Wave = Number<150>;
+
+inline Wave radians(const Wave& degrees) { return degrees * pi<Wave>() / 180; }
+/// Exactly 0 at 90 degrees.
+inline Wave cosine_of(const Wave& degrees) { return sin(radians(90 - abs(degrees))); }
+inline Wave sine_of(const Wave& degrees) { return sin(radians(degrees)); }
+
+/// What a line answers, over 1/mu.
+struct LineAnswerByFormula {
+  Wave compliance, coupling, coupling_across, in_line;
+};
+
+/// Of an isotropic half-space of mu = 1 at the phase speed squared X, in closed form without 0/0 at X = 0.
+/// (brock2012 18a and its counterpart for the shear)
+LineAnswerByFormula isotropic_answer(const Wave& poisson, const Wave& X);
+
+/// A line of a sliding contact: shares of the span ahead of the load and behind it, h and Q of brock2012 (33).
+struct SlidingShape {
+  Wave ahead, behind, h, Q;
+
+  SlidingShape(const LineAnswerByFormula& line, const Wave& friction, const Wave& cosine, const Wave& sine);
+};
+
+}  // namespace nipref::verify::confirm

@@ -1,0 +1,256 @@
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/golden/confirm/isotropic.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Arguments = std::span<const double>;
+
+/// c_T^2/c_L^2.
+Wave squared_ratio(const Wave& poisson) { return (1 - 2 * poisson) / (2 - 2 * poisson); }
+
+/// v_R^2/v_S^2, the root in (0, 1) of Rayleigh's cubic.
+Wave rayleigh_squared(const Wave& poisson) {
+  const Wave k = squared_ratio(poisson);
+  const auto cubic = [&](const auto& x, const auto& ratio) {
+    return ((x - 8) * x + (24 - 16 * ratio)) * x - 16 * (1 - ratio);
+  };
+  double low = 0, high = 1;
+  const auto rough = static_cast<double>(k);
+  for (int step = 0; step < 50; ++step) (cubic((low + high) / 2, rough) < 0 ? low : high) = (low + high) / 2;
+  Wave x = (low + high) / 2;
+  for (int step = 0; step < 6; ++step) x -= cubic(x, k) / ((3 * x - 16) * x + (24 - 16 * k));
+  return x;
+}
+
+Wave squared_speed(double speed, const Wave& cosine) {
+  const Wave along = Wave(speed) * cosine;
+  return along * along;
+}
+
+/// poisson, speed, degrees.
+LineAnswerByFormula line_at(Arguments x) {
+  return isotropic_answer(x[0], squared_speed(x[1], cosine_of(x[2])));
+}
+
+Witness closed(const Wave& value) { return witness<Wave>("closed form", value, abs(value) * Wave("1e-80")); }
+
+/// d ln K/d ln speed, the closed form differentiated.
+Wave condition(Arguments x) {
+  const Wave k = squared_ratio(x[0]), X = squared_speed(x[1], cosine_of(x[2]));
+  const Wave wS = sqrt(1 - X), wD = sqrt(1 - k * X), product = wS * wD;
+  const Wave product_slope = -(wD / wS + k * wS / wD) / 2;
+  const Wave defect = (1 + k - k * X) / (1 + product);
+  const Wave defect_slope = -(k + defect * product_slope) / (1 + product);
+  return 2 * X * ((1 + 4 * defect_slope) / (4 - X - 4 * defect) - k / (2 * wD * wD));
+}
+
+SlidingShape shape_at(Arguments x, double friction, const Wave& degrees) {
+  const Wave cosine = cosine_of(degrees);
+  return {isotropic_answer(x[0], squared_speed(x[1], cosine)), friction, cosine, sine_of(degrees)};
+}
+
+Wave rolling_index(Arguments x) {
+  const LineAnswerByFormula line = line_at(x);
+  const Wave q = line.coupling / sqrt(line.compliance * line.in_line);
+  return log((1 + q) / (1 - q)) / (2 * pi<Wave>());
+}
+
+Wave rolling_amplitude(Arguments x, double degrees) {
+  const double at[] = {x[0], x[1], degrees};
+  const LineAnswerByFormula line = line_at(at);
+  return sqrt(line.in_line /
+              (line.compliance * (line.compliance * line.in_line - line.coupling * line.coupling)));
+}
+
+/// int_0^b (b - s) s^a (1 - s)^b ds, a = 1 - b, by the binomial series, b <= 1/2 or so.
+Wave small_moment(const Wave& b) {
+  const Wave a = 1 - b;
+  Wave sum = 0, term = pow(b, a + 2);
+  for (int n = 0; n < 1000; ++n) {
+    const Wave next = term / ((a + n + 1) * (a + n + 2));
+    sum += next;
+    if (abs(next) < abs(sum) * Wave("1e-110")) break;
+    term *= (n - b) / (n + 1) * b;
+  }
+  return sum;
+}
+
+/// int |s - behind| s^ahead (1 - s)^behind ds over 0 < s < 1.
+Wave moment(const SlidingShape& line) {
+  const bool smaller_behind = line.behind <= line.ahead;
+  const Wave& b = smaller_behind ? line.behind : line.ahead;
+  const Wave a = 1 - b, beta = a * b * pi<Wave>() / (2 * sin(pi<Wave>() * b));
+  return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
+}
+
+using Integrand = std::function<Wave(const Wave& psi)>;
+
+/// Ends of panels from 0 to pi/2 that grow from `first` at 0 and from `last` at pi/2, radians.
+std::vector<Wave> panels(const Wave& first, const Wave& last) {
+  std::vector<Wave> ends{Wave(0)}, behind{pi<Wave>() / 2};
+  const Wave middle = pi<Wave>() / 4;
+  for (Wave step = std::min<Wave>(first, middle); ends.back() < middle; step = ends.back())
+    ends.push_back(std::min<Wave>(middle, ends.back() + step));
+  for (Wave step = std::min<Wave>(last, middle); pi<Wave>() / 2 - behind.back() < middle;
+       step = pi<Wave>() / 2 - behind.back())
+    behind.push_back(std::max<Wave>(middle, behind.back() - step));
+  ends.insert(ends.end(), behind.rbegin() + 1, behind.rend());
+  return ends;
+}
+
+/// Directions with weights of Gauss's rule.
+struct Direction {
+  Wave cosine, sine, weight;
+};
+
+template <unsigned points>
+std::vector<Direction> directions_of(const std::vector<Wave>& ends) {
+  using Rule = boost::math::quadrature::gauss<Wave, points>;
+  std::vector<Direction> all;
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    const Wave middle = (ends[i] + ends[i - 1]) / 2, half = (ends[i] - ends[i - 1]) / 2;
+    for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+      const Wave offset = half * Rule::abscissa()[k], weight = half * Rule::weights()[k];
+      for (const Wave& psi : {Wave(middle - offset), Wave(middle + offset)}) {
+        all.push_back({cos(psi), sin(psi), weight});
+        if (offset == 0) break;
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<Direction> directions_between(const std::vector<Wave>& ends, bool coarse) {
+  return coarse ? directions_of<40>(ends) : directions_of<52>(ends);
+}
+
+/// How far the peak of K about the direction of motion reaches, radians.
+Wave peak_width(Arguments x) {
+  const Wave X = squared_speed(x[1], 1), critical = rayleigh_squared(x[0]);
+  return X == 0 ? Wave(1) : std::min<Wave>(1, sqrt((critical - X) / X));
+}
+
+Wave die_force(Arguments x, bool coarse) {
+  const SlidingShape along = shape_at(x, x[2], 0);
+  const Wave steepness = along.Q / along.h;
+  Wave sum = 0;
+  for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
+    const SlidingShape line(isotropic_answer(x[0], squared_speed(x[1], at.cosine)), x[2], at.cosine, at.sine);
+    const Wave span = steepness * line.h / line.Q;
+    sum += at.weight * span * span * span / line.h * moment(line);
+  }
+  return 2 * sum;
+}
+
+/// w^2 = e^eta cos^2 + e^-eta sin^2, eta > 0 where the ellipse is longer along the motion, and the integrals of
+/// K/w, K cos^2/w^3 and K sin^2/w^3 over half a turn.
+struct Ellipse {
+  Wave eta, first, along, across;
+};
+
+Ellipse ellipse_at(Arguments x, bool coarse) {
+  const double rough = 0.62 * std::log(x[2]);
+  // Room for an ellipse that the peak of K makes longer; a narrower first panel does no harm.
+  const Wave narrow = exp(-Wave(std::fabs(rough) * 1.2)) / 2, width = peak_width(x) / 2;
+  const auto lines = directions_between(panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
+                                               rough > 0 ? std::min<Wave>(narrow, width) : Wave(width)),
+                                        coarse);
+  std::vector<Wave> compliances;
+  for (const Direction& at : lines)
+    compliances.push_back(isotropic_answer(x[0], squared_speed(x[1], at.cosine)).compliance);
+  Ellipse ellipse{rough, 0, 0, 0};
+  for (int step = 0; step < 60; ++step) {
+    const Wave wide = exp(ellipse.eta), narrow_side = 1 / wide;
+    Wave along_slope = 0, across_slope = 0;
+    ellipse.first = ellipse.along = ellipse.across = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const Direction& at = lines[i];
+      const Wave cc = at.cosine * at.cosine, ss = at.sine * at.sine;
+      const Wave square = wide * cc + narrow_side * ss, slope = (wide * cc - narrow_side * ss) / square;
+      const Wave term = 2 * at.weight * compliances[i] / sqrt(square), cubed = term / square;
+      ellipse.first += term;
+      ellipse.along += cubed * cc;
+      ellipse.across += cubed * ss;
+      along_slope -= 3 * cubed * cc * slope / 2;
+      across_slope -= 3 * cubed * ss * slope / 2;
+    }
+    const Wave change = -log(ellipse.along / ellipse.across * Wave(x[2])) /
+                        (along_slope / ellipse.along - across_slope / ellipse.across);
+    if (abs(change) < Wave("1e-75")) break;
+    ellipse.eta += change / std::max<Wave>(1, abs(change));
+  }
+  return ellipse;
+}
+
+Wave axis_ratio(Arguments x, bool coarse) { return exp(-abs(ellipse_at(x, coarse).eta)); }
+
+Wave stiffness(Arguments x, bool coarse) {
+  const Ellipse ellipse = ellipse_at(x, coarse);
+  return 8 * pi<Wave>() / 3 *
+         sqrt((ellipse.along + ellipse.across) / (ellipse.first * ellipse.first * ellipse.first));
+}
+
+Confirm by_gauss_rule(Wave (*value)(Arguments, bool coarse)) {
+  return [value](Arguments x) {
+    const Wave fine = value(x, false);
+    return witness<Wave>("Gauss's rule over the lines", fine,
+                         abs(fine - value(x, true)) + abs(fine) * Wave("1e-70"));
+  };
+}
+
+const std::map<std::string, Confirm, std::less<>>& all() {
+  static const std::map<std::string, Confirm, std::less<>> methods{
+      {"halfspace.compliance", [](Arguments x) { return closed(line_at(x).compliance); }},
+      {"halfspace.coupling", [](Arguments x) { return closed(line_at(x).coupling); }},
+      {"halfspace.condition", [](Arguments x) { return closed(condition(x)); }},
+      {"halfspace.rayleigh",
+       [](Arguments x) {
+         const Wave value = sqrt(rayleigh_squared(x[0]));
+         return witness<Wave>("root of Rayleigh's cubic", value, value * Wave("1e-80"));
+       }},
+      {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x[2], x[3]).ahead); }},
+      {"die.span_ratio",
+       [](Arguments x) {
+         const SlidingShape along = shape_at(x, x[2], 0), across = shape_at(x, x[2], 90);
+         return closed(along.Q / across.Q * across.h / along.h);
+       }},
+      {"die.force", by_gauss_rule(die_force)},
+      {"rolling.index", [](Arguments x) { return closed(rolling_index(x)); }},
+      {"rolling.span_ratio",
+       [](Arguments x) { return closed(rolling_amplitude(x, 0) / rolling_amplitude(x, 90)); }},
+      {"ellipse.axis_ratio", by_gauss_rule(axis_ratio)},
+      {"ellipse.stiffness", by_gauss_rule(stiffness)}};
+  return methods;
+}
+
+}  // namespace
+
+LineAnswerByFormula isotropic_answer(const Wave& poisson, const Wave& X) {
+  const Wave k = squared_ratio(poisson), wS = sqrt(1 - X), wD = sqrt(1 - k * X);
+  const Wave defect = (1 + k - k * X) / (1 + wS * wD), rayleigh = 4 - X - 4 * defect;
+  return {wD / rayleigh, (2 * defect - 1) / rayleigh, 0, wS / rayleigh};
+}
+
+SlidingShape::SlidingShape(const LineAnswerByFormula& line, const Wave& friction, const Wave& cosine,
+                           const Wave& sine) {
+  const Wave shear = friction * (cosine * line.coupling - sine * line.coupling_across);
+  ahead = atan2(line.compliance, shear) / pi<Wave>();
+  behind = 1 - ahead;
+  h = sqrt(line.compliance * line.compliance + shear * shear);
+  Q = pow(behind, behind) * pow(ahead, ahead);
+}
+
+Confirm of_isotropic(std::string_view quantity) {
+  const auto found = all().find(quantity);
+  return found == all().end() ? Confirm() : found->second;
+}
+
+}  // namespace nipref::verify::confirm

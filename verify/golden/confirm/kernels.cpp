@@ -1,0 +1,193 @@
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include <nipref/verify/golden/confirm/kernels.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+struct Node {
+  Float x, weight;
+  Float T, I3, I4, I5, I7, I6_alpha, I6_eta;  ///< weight times symbol
+};
+
+/// Node j stands at t = j/256; the coarse rule has the even ones. Where |x| <= 3 the integrands are analytic and
+/// bounded for |Im t| < 0.3.
+std::vector<Node> make_nodes() {
+  std::vector<Node> nodes;
+  const Float step = Float(1) / 256;
+  for (int j = -1400; j <= 1600; ++j) {
+    const Float t = j * step, x = exp(t - exp(-t)), weight = step * x * (1 + exp(-t));
+    if (x > 400) break;
+    const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
+    nodes.push_back({x, weight, unit * sine / cosine, unit, unit * sine / x, unit * cosine, unit * sine,
+                     unit / x, unit * cosine / x});
+  }
+  return nodes;
+}
+
+const std::vector<Node>& nodes() {
+  static const std::vector<Node> all = make_nodes();
+  return all;
+}
+
+/// Sum of `integrand` over the nodes, and how much it differs from twice that over the even ones.
+template <class Integrand>
+Split integral(Integrand integrand) {
+  Float even = 0, odd = 0;
+  bool is_even = true;
+  for (const Node& node : nodes()) {
+    (is_even ? even : odd) += integrand(node);
+    is_even = !is_even;
+  }
+  return {0, even + odd, abs(odd - even) + abs(even) * Float("1e-90")};
+}
+
+/// e^(i x z) times residues, summed over the poles.
+Complex around_poles(const Float& x, Complex Pole::*residue) {
+  Complex sum = 0;
+  for (std::size_t n = poles; n >= 1; --n) {
+    const Pole& at = pole(n);
+    sum += at.*residue * exp(Complex(-at.z.imag() * x, at.z.real() * x));
+  }
+  return sum;
+}
+
+Float tail(const Float& x) { return 8 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * x); }
+
+Split even_far(const mpq_class& x, Complex Pole::*residue) {
+  const Float distance = to_number<Float>(abs(x));
+  const Complex sum = around_poles(distance, residue);
+  return {0, -2 * pi<Float>() * sum.imag(), tail(distance) + abs(sum) * Float("1e-90")};
+}
+
+Split odd_far(const mpq_class& x, Complex Pole::*residue) {
+  const Float distance = to_number<Float>(abs(x));
+  const Complex sum = around_poles(distance, residue);
+  return {sgn(x), 2 * sgn(x) * pi<Float>() * sum.real(), tail(distance) + abs(sum) * Float("1e-90")};
+}
+
+bool is_far(const mpq_class& x) { return abs(x) >= far; }
+
+Split odd(const mpq_class& x, Float Node::*symbol, Complex Pole::*residue) {
+  if (is_far(x)) return odd_far(x, residue);
+  const Float at = to_number<Float>(x);
+  return integral([&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
+}
+
+/// Newton's iteration in double: only to put a circle around the root.
+std::complex<double> near_root(std::size_t n) {
+  const double y = (static_cast<double>(n) - 0.25) * std::numbers::pi;
+  std::complex<double> z(std::acosh(2 * y) / 2, y);
+  for (int k = 0; k < 20; ++k) z -= (std::sinh(2.0 * z) + 2.0 * z) / (2.0 * std::cosh(2.0 * z) + 2.0);
+  return z;
+}
+
+Pole make_pole(std::size_t n) {
+  constexpr int points = 128;
+  const std::complex<double> near = near_root(n);
+  const Complex centre(Float(near.real()), Float(near.imag()));
+  const Float radius = Float(1) / 4;
+  Pole pole{};
+  Complex moment = 0;
+  for (int k = 0; k < points; ++k) {
+    const Float angle = 2 * pi<Float>() * k / points;
+    const Complex arm(radius * cos(angle), radius * sin(angle)), z = centre + arm;
+    const Complex sine = sinh(z), cosine = cosh(z);
+    const Complex unit = 2 * arm / (Float(points) * (2 * sine * cosine + 2 * z));  // of 2/S
+    moment += unit * arm;
+    pole.I1 += unit * sine * sine / z;
+    pole.I3 += unit;
+    pole.I4 += unit * sine / z;
+    pole.I5 += unit * cosine;
+    pole.I7 += unit * sine;
+    pole.I6_alpha += unit / z;
+    pole.I6_eta += unit * cosine / z;
+  }
+  pole.z = centre + moment / pole.I3;
+  return pole;
+}
+
+/// I1 with the logarithm taken out: - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
+Split I1_near(const mpq_class& alpha) {
+  const Float at = abs(to_number<Float>(alpha));
+  Split sum = integral([&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
+  sum.rest -= log(tanh(pi<Float>() * at / 4));
+  return sum;
+}
+
+/// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx.
+Split eta_from_far(const mpq_class& eta) {
+  const Float at = to_number<Float>(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
+  return integral([&](const Node& node) -> Float {
+    return 2 * node.I6_eta * sin(half_sum * node.x) * sin(half_difference * node.x);
+  });
+}
+
+/// int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x.
+Split alpha_from_far(const mpq_class& alpha) {
+  const Float at = to_number<Float>(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
+  return integral([&](const Node& node) -> Float {
+    const Float lifted = sinh(node.x / 2);
+    return 2 * node.I6_alpha *
+           (sin(half_sum * node.x) * sin(half_difference * node.x) - cos(far * node.x) * lifted * lifted);
+  });
+}
+
+}  // namespace
+
+Split& Split::add(const mpq_class& factor, const Split& term) {
+  const Float by = to_number<Float>(factor);
+  quarters += factor * term.quarters;
+  rest += by * term.rest;
+  error += abs(by) * term.error;
+  return *this;
+}
+
+Float Split::value() const { return to_number<Float>(quarters) * pi<Float>() / 4 + rest; }
+
+const Pole& pole(std::size_t n) {
+  static const std::vector<Pole> all = [] {
+    std::vector<Pole> made;
+    for (std::size_t k = 1; k <= poles; ++k) made.push_back(make_pole(k));
+    return made;
+  }();
+  return all.at(n - 1);
+}
+
+Split kernel_I1(const mpq_class& alpha) {
+  return is_far(alpha) ? even_far(alpha, &Pole::I1) : I1_near(alpha);
+}
+
+Split kernel_I2(const mpq_class& alpha) { return {2 * sgn(alpha), 0, 0}; }
+Split kernel_I3(const mpq_class& alpha) { return odd(alpha, &Node::I3, &Pole::I3); }
+Split kernel_I4(const mpq_class& eta) { return odd(eta, &Node::I4, &Pole::I4); }
+Split kernel_I5(const mpq_class& eta) { return odd(eta, &Node::I5, &Pole::I5); }
+
+Split kernel_I7(const mpq_class& eta) {
+  if (is_far(eta)) return even_far(eta, &Pole::I7);
+  const Float at = to_number<Float>(eta);
+  return integral([&](const Node& node) -> Float { return node.I7 * cos(at * node.x); });
+}
+
+Split kernel_I6_eta(const mpq_class& eta) {
+  if (!is_far(eta)) return eta_from_far(eta).add(1, kernel_I6_eta(far));
+  Split value = even_far(eta, &Pole::I6_eta);
+  value.quarters = -abs(eta);
+  return value;
+}
+
+Split kernel_I6_alpha(const mpq_class& alpha) {
+  if (!is_far(alpha)) {
+    Split value = I1_near(alpha);
+    return value.add(1, alpha_from_far(alpha)).add(1, kernel_I6_eta(far));
+  }
+  Split value = even_far(alpha, &Pole::I6_alpha);
+  value.quarters = -abs(alpha);
+  return value;
+}
+
+}  // namespace nipref::verify::confirm

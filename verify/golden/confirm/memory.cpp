@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <map>
+#include <string>
+
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/verify/golden/confirm/history.hpp>
+#include <nipref/verify/golden/confirm/memory.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Arguments = std::span<const double>;
+using Wide = Number<250>;
+using WideComplex = ComplexNumber<250>;
+
+Witness closed_form(const Wide& value) {
+  return witness<Wide>("closed form", value, abs(value) * Wide("1e-100"));
+}
+
+/// e^(shift) int_from^to e^(rate w) dw, by its antiderivative.
+WideComplex exponential(const WideComplex& rate, const Wide& shift, const Wide& from, const Wide& to) {
+  if (rate == WideComplex(0)) return exp(shift) * (to - from);
+  return (exp(WideComplex(rate * to + shift)) - exp(WideComplex(rate * from + shift))) / rate;
+}
+
+/// J2 + i J1: distances w = T - tau ahead of the load.
+WideComplex ahead(Arguments x) {
+  const Wide lambda = x[0], a = x[1], b = x[2], t = x[3], T = x[4];
+  if (T <= 0) return 0;
+  return exponential(WideComplex(-lambda - a, b), lambda * (T - t), std::max<Wide>(T - t, 0), T);
+}
+
+/// J4 - i J3: distances w = tau - T behind it.
+WideComplex behind(Arguments x) {
+  const Wide lambda = x[0], a = x[1], b = x[2], t = x[3], T = x[4];
+  if (t <= T) return 0;
+  return exponential(WideComplex(lambda - a, b), -lambda * (t - T), std::max<Wide>(-T, 0), t - T);
+}
+
+/// int_from^to e^(-lambda v) dv by Gauss's rule, panel by panel, until nothing is left.
+Float faded_by_gauss(const Float& lambda, const Float& from, const Float& to) {
+  Float sum = 0, at = from;
+  while (at < to && lambda * (at - from) < 300) {
+    const Float end = lambda > 0 ? std::min<Float>(to, at + 8 / lambda) : to;
+    sum += boost::math::quadrature::gauss<Float, 60>::integrate(
+        [&](const Float& v) -> Float { return exp(-lambda * v); }, at, end);
+    at = end;
+  }
+  return sum;
+}
+
+/// J5, J6.
+Witness of_sign(Arguments x) {
+  const Float gamma0 = x[0], gamma = x[1], lambda = x[2], t = x[3], T = x[4];
+  const Float passed = std::clamp<Float>(t - T, 0, t);  // ages at which the load had passed
+  const Float behind = passed > 0 ? faded_by_gauss(lambda, 0, passed) : Float(0);
+  const Float ahead = passed < t ? faded_by_gauss(lambda, passed, t) : Float(0);
+  const Float at_once = T > t ? gamma0 : T < t ? Float(-gamma0) : Float(0);
+  return witness<Float>("Gauss's rule", at_once + gamma * (ahead - behind),
+                        (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
+}
+
+/// Of the load's way, in half thicknesses: from where it is to where it started.
+struct Way {
+  mpq_class alpha;
+  std::optional<mpq_class> start;
+};
+
+/// theta * I for a material function of doubles.
+class Convolution {
+ public:
+  Convolution(data::MaterialFunction theta, double speed, double half_thickness)
+      : theta_(std::move(theta)), way_per_time_(mpq_class(speed) / mpq_class(half_thickness)) {}
+
+  void add(Long& sum, Float& error, int sign, Remembered kernel, const Way& way) const {
+    const auto part = [&](const mpq_class& amplitude, const Float& fine, const Float& coarse) {
+      const Float by = to_number<Float>(amplitude);
+      sum += sign * Long(by * fine);
+      error += abs(by) * (abs(fine - coarse) + abs(fine) * Float("1e-65"));
+    };
+    const bool is_odd = kernel != Remembered::I1;
+    if (!is_odd || sgn(way.alpha) != 0) {
+      const Split now = at(kernel, way.alpha);
+      const Float rest = is_odd ? Float(now.value() - sgn(way.alpha) * pi<Float>() / 4) : now.rest;
+      const Float exact_rest = now.quarters != 0 ? now.rest : rest;
+      part(theta_.instantaneous, exact_rest, exact_rest);
+    }
+    for (const data::RelaxationTerm& term : theta_.terms) {
+      if (is_at_rest(way)) continue;
+      const mpq_class rate = mpq_class(term.rate.real()) / way_per_time_;
+      part(mpq_class(term.amplitude.real()) / way_per_time_,
+           history(kernel, way.alpha, way.start, rate, false),
+           history(kernel, way.alpha, way.start, rate, true));
+    }
+    if (is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
+  }
+
+  /// theta * (pi sign) times `share`.
+  void add_sign(Long& sum, int sign, const mpq_class& share, const Way& way) const {
+    Long total = to_number<Long>(theta_.instantaneous) * sgn(way.alpha);
+    for (const data::RelaxationTerm& term : theta_.terms) {
+      if (is_at_rest(way)) continue;
+      const mpq_class amplitude = mpq_class(term.amplitude.real()) / way_per_time_;
+      total += to_number<Long>(amplitude) *
+               history_of_sign(way.alpha, way.start, mpq_class(mpq_class(term.rate.real()) / way_per_time_));
+    }
+    sum += sign * total * to_number<Long>(share) * pi<Long>();
+  }
+
+ private:
+  static bool is_at_rest(const Way& way) { return way.start && *way.start == way.alpha; }
+
+  static Split at(Remembered kernel, const mpq_class& alpha) {
+    switch (kernel) {
+      case Remembered::I1:
+        return kernel_I1(alpha);
+      case Remembered::I3:
+        return kernel_I3(alpha);
+      case Remembered::I4:
+        return kernel_I4(alpha);
+      default:
+        return kernel_I5(alpha);
+    }
+  }
+
+  data::MaterialFunction theta_;
+  mpq_class way_per_time_;
+};
+
+/// The sheet's arguments: speed, half thickness, material, bulk, tau; the material that fast was given, its constants
+/// rounded to doubles.
+struct Sheet {
+  Convolution theta1, theta2;
+
+  explicit Sheet(Arguments x) : Sheet(material(x), x[0], x[1]) {}
+
+ private:
+  Sheet(const data::ViscoelasticMaterial& material, double speed, double half_thickness)
+      : theta1(material.theta1(), speed, half_thickness), theta2(material.theta2(), speed, half_thickness) {}
+
+  static data::ViscoelasticMaterial material(Arguments x) {
+    const data::Compliances at_once{4 / (3 * x[3]), 4 / (9 * x[3])};
+    return x[2] == 0 ? data::single_relaxation_time_solid(at_once, x[4])
+                     : data::misprinted_thesis_solid(at_once, x[4]);
+  }
+};
+
+Witness over_pi(const Long& sum, const Float& error) {
+  return witness<Long>("direct convolution over the way", sum / pi<Long>(), Long(error / pi<Float>()));
+}
+
+Witness Un(const Sheet& sheet, const Way& way) {
+  Long sum = 0;
+  Float error = 0;
+  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
+    theta->add(sum, error, 1, Remembered::I1, way);
+  return over_pi(sum, error);
+}
+
+Witness Vn(const Sheet& sheet, const Way& alpha, const Way& eta) {
+  Long sum = 0;
+  Float error = 0;
+  for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
+    theta->add(sum, error, 1, Remembered::I3, alpha);
+  sheet.theta2.add_sign(sum, -1, mpq_class(1, 2), alpha);
+  sheet.theta2.add(sum, error, 1, Remembered::I4, eta);
+  sheet.theta1.add(sum, error, -1, Remembered::I5, eta);
+  return over_pi(sum, error);
+}
+
+/// At the time t after the start, of what it passes at T; x: the sheet's arguments.
+Way started(double t, double T, Arguments x) {
+  const mpq_class way_per_time = mpq_class(x[0]) / mpq_class(x[1]);
+  return {(mpq_class(T) - mpq_class(t)) * way_per_time, mpq_class(mpq_class(T) * way_per_time)};
+}
+
+Way steady(double alpha) { return {alpha, std::nullopt}; }
+
+const std::map<std::string, Confirm, std::less<>>& all() {
+  static const std::map<std::string, Confirm, std::less<>> methods{
+      {"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
+      {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
+      {"J3", [](Arguments x) { return closed_form(-behind(x).imag()); }},
+      {"J4", [](Arguments x) { return closed_form(behind(x).real()); }},
+      {"J5", of_sign},
+      {"J6", of_sign},
+      {"Un", [](Arguments x) { return Un(Sheet(x.subspan(2)), started(x[0], x[1], x.subspan(2))); }},
+      {"Vn",
+       [](Arguments x) {
+         const Arguments sheet = x.subspan(3);
+         return Vn(Sheet(sheet), started(x[0], x[1], sheet), started(x[0], x[2], sheet));
+       }},
+      {"Un_steady", [](Arguments x) { return Un(Sheet(x.subspan(1)), steady(x[0])); }},
+      {"Vn_steady", [](Arguments x) { return Vn(Sheet(x.subspan(2)), steady(x[0]), steady(x[1])); }}};
+  return methods;
+}
+
+}  // namespace
+
+Confirm of_memory(std::string_view quantity) {
+  const auto found = all().find(quantity);
+  return found == all().end() ? Confirm() : found->second;
+}
+
+}  // namespace nipref::verify::confirm

@@ -1,0 +1,43 @@
+#pragma once
+#include <gmpxx.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/mpc.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <string>
+#include <utility>
+
+#include <nipref/ref/number/real.hpp>
+#include <nipref/verify/golden/confirm/confirm.hpp>
+
+/// Numbers of the second methods.
+namespace nipref::verify::confirm {
+
+template <unsigned digits>
+using Number = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<digits>,
+                                             boost::multiprecision::et_off>;
+template <unsigned digits>
+using ComplexNumber = boost::multiprecision::number<boost::multiprecision::mpc_complex_backend<digits>,
+                                                    boost::multiprecision::et_off>;
+
+template <class Float>
+Float pi() {
+  return boost::math::constants::pi<Float>();
+}
+
+template <class Float>
+Float to_number(const mpq_class& x) {
+  Float value;
+  mpfr_set_q(value.backend().data(), x.get_mpq_t(), MPFR_RNDN);
+  return value;
+}
+
+template <class Float>
+Witness witness(std::string method, const Float& value, const Float& error) {
+  ref::Real v(mpfr_get_prec(value.backend().data())), e(64);
+  mpfr_set(v.get(), value.backend().data(), MPFR_RNDN);
+  mpfr_abs(e.get(), error.backend().data(), MPFR_RNDU);
+  return {std::move(method), std::move(v), std::move(e)};
+}
+
+}  // namespace nipref::verify::confirm

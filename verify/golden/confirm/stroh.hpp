@@ -1,0 +1,138 @@
+#pragma once
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <nipref/verify/golden/confirm/number.hpp>
+
+/// The surface response of anisotropic half-spaces by Stroh's eigenvectors from the roots of his sextic, unproven, for
+/// solids whose roots are distinct.
+namespace nipref::verify::confirm {
+
+template <unsigned digits>
+class Stroh {
+ public:
+  using Float = Number<digits>;
+  using Complex = ComplexNumber<digits>;
+  using Voigt = std::array<std::array<Float, 6>, 6>;
+  template <class Scalar>
+  using Square = std::array<std::array<Scalar, 3>, 3>;
+
+  /// Y, the inverse of the impedance, in the axes (n, across, 3); n = (cosine, sine) need not be normalised.
+  static Square<Complex> admittance(const Voigt& stiffness, const Float& density, const Float& phase_speed,
+                                    Float cosine, Float sine) {
+    constexpr std::size_t voigt[3][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}};
+    const Float norm = sqrt(cosine * cosine + sine * sine);
+    cosine /= norm;
+    sine /= norm;
+    // Tensor in the rotated axes, so that n = e1.
+    const Square<Float> axes{{{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}}};
+    const auto c = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+      Float sum = 0;
+      for (std::size_t n = 0; n < 81; ++n) {
+        const std::size_t p = n / 27, q = n / 9 % 3, r = n / 3 % 3, s = n % 3;
+        const Float& modulus = stiffness[voigt[p][q]][voigt[r][s]];
+        if (modulus == 0 || axes[i][p] == 0 || axes[j][q] == 0 || axes[k][r] == 0 || axes[l][s] == 0)
+          continue;
+        sum += axes[i][p] * axes[j][q] * axes[k][r] * axes[l][s] * modulus;
+      }
+      return sum;
+    };
+    Square<Float> r, t;
+    Square<Polynomial> p;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        r[i][k] = c(i, 0, k, 2);
+        t[i][k] = c(i, 2, k, 2);
+        const Float inertia = i == k ? Float(density * phase_speed * phase_speed) : Float(0);
+        p[i][k] = {c(i, 0, k, 0) - inertia, r[i][k] + c(i, 2, k, 0), t[i][k]};
+      }
+    }
+    Polynomial sextic;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+      add(sextic, times(p[0][k], times(p[1][l], p[2][m])), 1);
+      add(sextic, times(p[0][k], times(p[1][m], p[2][l])), -1);
+    }
+    std::array<Column, 3> a, b;  // one vector for each root
+    std::size_t count = 0;
+    for (const Complex& s : roots_of(sextic)) {
+      if (s.imag() < 0 || count == 3) continue;
+      std::array<Column, 3> rows;
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) rows[i][k] = p[i][k][0] + s * (p[i][k][1] + s * p[i][k][2]);
+      }
+      a[count] = cross(rows[0], rows[1]);
+      for (const auto& other : {cross(rows[1], rows[2]), cross(rows[2], rows[0])}) {
+        if (size(other) > size(a[count])) a[count] = other;
+      }
+      for (std::size_t i = 0; i < 3; ++i) {
+        b[count][i] = 0;
+        for (std::size_t k = 0; k < 3; ++k) b[count][i] += (r[k][i] + s * t[i][k]) * a[count][k];
+      }
+      ++count;
+    }
+    // Y = i A B^{-1}; the rows of B^{-1} are cross products of the columns of B.
+    const Complex determinant = dot(b[0], cross(b[1], b[2]));
+    Square<Complex> y;
+    for (auto& row : y) row.fill(Complex(0));
+    for (std::size_t n = 0; n < 3; ++n) {
+      const auto inverse = cross(b[(n + 1) % 3], b[(n + 2) % 3]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+          y[i][k] += Complex(Float(0), Float(1)) * a[n][i] * inverse[k] / determinant;
+      }
+    }
+    return y;
+  }
+
+ private:
+  using Polynomial = std::vector<Float>;
+  using Column = std::array<Complex, 3>;
+
+  static Polynomial times(const Polynomial& x, const Polynomial& y) {
+    Polynomial result(x.size() + y.size() - 1, Float(0));
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      for (std::size_t k = 0; k < y.size(); ++k) result[i + k] += x[i] * y[k];
+    }
+    return result;
+  }
+
+  static void add(Polynomial& sum, const Polynomial& x, int sign) {
+    sum.resize(std::max(sum.size(), x.size()), Float(0));
+    for (std::size_t i = 0; i < x.size(); ++i) sum[i] += sign * x[i];
+  }
+
+  /// All roots at once, by Durand and Kerner.
+  static std::vector<Complex> roots_of(const Polynomial& p) {
+    const Float settled = pow(Float(10), -static_cast<int>(digits) + 8);
+    const std::size_t degree = p.size() - 1;
+    std::vector<Complex> roots;
+    for (std::size_t k = 0; k < degree; ++k)
+      roots.push_back(pow(Complex(Float("0.4"), Float("0.9")), int(k)));
+    for (int step = 0; step < 500; ++step) {
+      Float largest = 0;
+      for (std::size_t i = 0; i < degree; ++i) {
+        Complex value = p[degree];
+        for (std::size_t k = degree; k-- > 0;) value = value * roots[i] + p[k];
+        Complex product = p[degree];
+        for (std::size_t k = 0; k < degree; ++k) {
+          if (k != i) product *= roots[i] - roots[k];
+        }
+        const Complex change = value / product;
+        roots[i] -= change;
+        largest = std::max<Float>(largest, abs(change) / (1 + abs(roots[i])));
+      }
+      if (largest < settled) break;
+    }
+    return roots;
+  }
+
+  static Column cross(const Column& x, const Column& y) {
+    return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+  }
+  static Complex dot(const Column& x, const Column& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+  static Float size(const Column& x) { return abs(x[0]) + abs(x[1]) + abs(x[2]); }
+};
+
+}  // namespace nipref::verify::confirm

@@ -1,0 +1,278 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/confirm/stroh.hpp>
+#include <nipref/verify/golden/confirm/transverse.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Arguments = std::span<const double>;
+
+/// In the units of the seed's steel, whose constants are decimals.
+template <unsigned digits>
+class Solid {
+ public:
+  using Float = Number<digits>;
+
+  /// axis, c11, c33, c13, c44, c66, density from the argument number `at` on.
+  Solid(Arguments x, std::size_t at) : normal_(x[at] < 0.5) {
+    const Float shear("77.2"), c11 = x[at + 1] / shear, c33 = x[at + 2] / shear, c13 = x[at + 3] / shear,
+                               c44 = x[at + 4] / shear;
+    // About a normal axis c66 is felt only by waves polarised across the lines, which shall not disturb.
+    const Float c66 = normal_ ? c11 : Float(x[at + 5] / shear);
+    density_ = Float(x[at + 6]) / 7860;
+    const std::size_t along = normal_ ? 2 : 1;
+    for (auto& row : voigt_) row.fill(Float(0));
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const bool with_axis = i == along || k == along;
+        voigt_[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : Float(c11 - 2 * c66));
+      }
+      voigt_[i + 3][i + 3] = i == along ? c66 : c44;
+    }
+  }
+
+  /// Y of lines at psi that see the speed `phase`; axes (n, across, 3).
+  [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
+    const Float psi = psi_degrees * pi<Float>() / 180;
+    return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
+  }
+
+ private:
+  bool normal_;
+  typename Stroh<digits>::Voigt voigt_;
+  Float density_;
+};
+
+template <unsigned digits>
+Number<digits> cosine_between(const Number<digits>& psi_degrees, const Number<digits>& theta_degrees) {
+  return sin((90 - abs(Number<digits>(psi_degrees - theta_degrees))) * pi<Number<digits>>() / 180);
+}
+
+template <unsigned digits>
+LineAnswerByFormula answer(const Solid<digits>& solid, const Number<digits>& psi, const Number<digits>& theta,
+                           const Number<digits>& speed) {
+  const auto y = solid.admittance(psi, speed * cosine_between<digits>(psi, theta));
+  return {Wave(y[2][2].real()), Wave(-y[2][0].imag()), Wave(-y[2][1].imag()), Wave(0)};
+}
+
+Witness by_stroh(const Wave& value, const Wave& scale) {
+  return witness<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
+}
+
+/// theta, psi, speed, solid.
+LineAnswerByFormula line_at(Arguments x) { return answer<150>(Solid<150>(x, 3), x[1], x[0], x[2]); }
+
+Witness of_line(Arguments x, Wave LineAnswerByFormula::*member) {
+  const LineAnswerByFormula line = line_at(x);
+  return by_stroh(line.*member, line.compliance);
+}
+
+/// d ln K/d ln speed by a central difference.
+Witness condition(Arguments x) {
+  constexpr unsigned digits = 240;
+  using Float = Number<digits>;
+  const Solid<digits> solid(x, 3);
+  const Float cosine = cosine_between<digits>(x[1], x[0]), step("1e-50");
+  const auto ln_K = [&](const Float& factor) -> Float {
+    return log(solid.admittance(x[1], factor * x[2] * cosine)[2][2].real());
+  };
+  const Float slope = (ln_K(1 + step) - ln_K(1 - step)) / (2 * step);
+  return by_stroh(Wave(slope), std::max<Wave>(1, abs(Wave(slope))));
+}
+
+/// The speed at which 1/K vanishes along psi, by the secant rule from a double near it.
+template <unsigned digits>
+Number<digits> surface_wave(const Solid<digits>& solid, const Number<digits>& psi,
+                            const Number<digits>& theta, double near) {
+  using Float = Number<digits>;
+  const Float cosine = abs(cosine_between<digits>(psi, theta));
+  const auto inverse = [&](const Float& speed) -> Float {
+    return 1 / solid.admittance(psi, speed * cosine)[2][2].real();
+  };
+  Float last = near, speed = near * Float("0.9999999999999"), last_value = inverse(last);
+  const Float settled = pow(Float(10), 30 - static_cast<int>(digits));
+  for (int step = 0; step < 20; ++step) {
+    const Float value = inverse(speed), change = value * (speed - last) / (value - last_value);
+    last = speed;
+    last_value = value;
+    speed -= change;
+    if (abs(change) < settled * speed) break;
+  }
+  return speed;
+}
+
+using Speed = Number<130>;
+
+Witness by_secant(const Speed& value) {
+  return witness<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
+}
+
+/// theta, psi, solid.
+Witness rayleigh(Arguments x) {
+  const double near = find_quantity("ti.rayleigh").by_fast(x, {});
+  return by_secant(surface_wave<130>(Solid<130>(x, 2), x[1], x[0], near));
+}
+
+/// The line that is critical first, degrees, to 1e-7 or so, and its speed.
+struct CriticalLine {
+  double psi, speed;
+};
+
+CriticalLine critical_line(Arguments x, double theta_degrees, std::size_t at) {
+  const auto found =
+      fast::critical_speed({x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]},
+                           x[at] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane,
+                           fast::Direction::of_degrees(theta_degrees));
+  return {found.psi * 180 / std::numbers::pi, found.speed * std::sqrt(7860 / 77.2)};
+}
+
+/// theta, solid: the minimum over the lines by Newton's iteration for its slope.
+Witness critical(Arguments x) {
+  const Solid<130> solid(x, 1);
+  const CriticalLine near = critical_line(x, x[0], 1);
+  Speed psi = near.psi, value = 0;
+  const Speed step("1e-22");
+  for (int k = 0; k < 5; ++k) {
+    const auto at = [&](const Speed& degrees) { return surface_wave<130>(solid, degrees, x[0], near.speed); };
+    const Speed above = at(psi + step), below = at(psi - step);
+    value = at(psi);
+    const Speed change = -step * (above - below) / (2 * (above - 2 * value + below));
+    psi += change;
+    if (abs(change) < Speed("1e-32")) break;
+  }
+  return by_secant(value);
+}
+
+/// theta, which, constants: eigenvalues of Christoffel's matrix.
+Witness branch(Arguments x) {
+  const Wave cosine = cosine_of(x[0]), sine = sine_of(x[0]), cc = cosine * cosine, ss = sine * sine;
+  const Wave c11 = x[2], c33 = x[3], c13 = x[4], c44 = x[5], c66 = x[6], density = x[7];
+  const Wave g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
+  const Wave root = sqrt((g11 - g22) * (g11 - g22) + 4 * g12 * g12);
+  const Wave larger = (g11 + g22 + root) / 2;
+  const Wave modulus = x[1] == 0   ? Wave(c66 * cc + c44 * ss)
+                       : x[1] == 1 ? larger
+                                   : Wave((g11 * g22 - g12 * g12) / larger);
+  const Wave speed = sqrt(modulus / density * 7860 / Wave("77.2"));
+  return witness<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
+}
+
+// Of the sphere: theta, speed, patch, solid, own.
+constexpr std::size_t sphere_solid = 3, own = 10;
+
+template <unsigned digits>
+LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const Wave& from_motion) {
+  using Float = Number<digits>;
+  LineAnswerByFormula line = answer<digits>(solid, Float(Float(from_motion) + x[0]), x[0], x[1]);
+  const Wave along = Wave(x[2]) * x[1] * cosine_of(from_motion);
+  const LineAnswerByFormula steel = isotropic_answer(Wave("0.29529"), along * along);
+  line.compliance += steel.compliance;
+  line.coupling -= steel.coupling;
+  return line;
+}
+
+Witness span_ratio(Arguments x) {
+  const Solid<150> solid(x, sphere_solid);
+  const auto shape = [&](double degrees) {
+    return SlidingShape(sphere_line(solid, x, degrees), x[own + 1], cosine_of(degrees), sine_of(degrees));
+  };
+  const SlidingShape along = shape(0), line = shape(x[own]);
+  const Wave ratio = along.Q / line.Q * line.h / along.h;
+  return by_stroh(ratio, ratio);
+}
+
+struct Line {
+  Wave cosine2, sine2, weight;  ///< of twice the angle
+  Wave compliance;
+};
+
+/// ln of the axes' ratio and twice the angle as (p, q), w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), for
+/// which int K n n/w^3 is the same in all directions, by Newton's method with differences.
+Wave slenderness(const std::vector<Line>& lines) {
+  const auto defect = [&](const Wave& p, const Wave& q) {
+    const Wave eta = sqrt(p * p + q * q), turning = eta == 0 ? Wave(1) : Wave(sinh(eta) / eta),
+               mean = cosh(eta);
+    Wave one = 0, cosine = 0, sine = 0;
+    for (const Line& line : lines) {
+      const Wave square = mean + turning * (p * line.cosine2 + q * line.sine2);
+      const Wave term = line.weight * line.compliance / (square * sqrt(square));
+      one += term;
+      cosine += term * line.cosine2;
+      sine += term * line.sine2;
+    }
+    return std::pair<Wave, Wave>{cosine / one, sine / one};
+  };
+  const Wave step("1e-40");
+  Wave p = 0, q = 0;
+  for (int k = 0; k < 40; ++k) {
+    const auto [c, s] = defect(p, q);
+    const auto [c_p, s_p] = defect(p + step, q);
+    const auto [c_q, s_q] = defect(p, q + step);
+    const Wave a = (c_p - c) / step, b = (c_q - c) / step, d = (s_p - s) / step, e = (s_q - s) / step;
+    const Wave determinant = a * e - b * d, dp = -(c * e - s * b) / determinant,
+               dq = -(s * a - c * d) / determinant;
+    const Wave length = sqrt(dp * dp + dq * dq), part = 1 / std::max<Wave>(1, length);
+    p += part * dp;
+    q += part * dq;
+    if (length < Wave("1e-60")) break;
+  }
+  return sqrt(p * p + q * q);
+}
+
+/// By the trapezoidal rule in u, tan(psi - line) = s tan u with the line that is critical first and s^2 about the width
+/// of the peak of K there, doubled until the ratio changes no more.
+Witness sphere_axis_ratio(Arguments x) {
+  constexpr unsigned digits = 80;
+  constexpr int first = 64, most = 8192;
+  const Solid<digits> solid(x, sphere_solid);
+  const CriticalLine critical = critical_line(x, x[0], sphere_solid);
+  const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x[1] / critical.speed)));
+  const Wave stretch = sqrt(Wave(width)), centre = Wave(critical.psi) - x[0];
+  const auto line_at = [&](int k, int count) -> Line {
+    const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch * sin(u);
+    const Wave degrees = centre + atan2(sine, cosine) * 180 / pi<Wave>(), psi = radians(degrees);
+    return {cos(2 * psi), sin(2 * psi), stretch / (cosine * cosine + sine * sine),
+            sphere_line(solid, x, degrees).compliance};
+  };
+  std::vector<Line> lines;
+  for (int k = 0; k < first; ++k) lines.push_back(line_at(k, first));
+  Wave ratio = exp(-slenderness(lines)), change = 1;
+  for (int count = 2 * first; count <= most && change > Wave("1e-34") * ratio; count *= 2) {
+    for (int k = 1; k < count; k += 2) lines.push_back(line_at(k, count));
+    const Wave finer = exp(-slenderness(lines));
+    change = abs(finer - ratio);
+    ratio = finer;
+  }
+  return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", ratio, change + ratio * Wave("1e-60"));
+}
+
+const std::map<std::string, Confirm, std::less<>>& all() {
+  static const std::map<std::string, Confirm, std::less<>> methods{
+      {"ti.compliance", [](Arguments x) { return of_line(x, &LineAnswerByFormula::compliance); }},
+      {"ti.coupling", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling); }},
+      {"ti.coupling_across", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling_across); }},
+      {"ti.condition", condition},
+      {"ti.rayleigh", rayleigh},
+      {"ti.branch", branch},
+      {"ti.critical", critical},
+      {"ti.span_ratio", span_ratio},
+      {"ti.axis_ratio", sphere_axis_ratio}};
+  return methods;
+}
+
+}  // namespace
+
+Confirm of_transverse(std::string_view quantity) {
+  const auto found = all().find(quantity);
+  return found == all().end() ? Confirm() : found->second;
+}
+
+}  // namespace nipref::verify::confirm

@@ -1,0 +1,193 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/data/table/csv.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/golden.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+using data::CsvField;
+
+constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scale",
+                                                 "status", "confirmed_by", "origin"};
+
+std::vector<std::string> columns_of(const Quantity& quantity) {
+  std::vector<std::string> columns;
+  for (const Argument& argument : quantity.arguments) columns.push_back(argument.name);
+  columns.insert(columns.end(), std::begin(columns_of_a_row), std::end(columns_of_a_row));
+  return columns;
+}
+
+/// Bits that hold a decimal text so well that what is lost is nothing beside two digits of a bound.
+mpfr_prec_t bits_for(const std::string& text) { return static_cast<mpfr_prec_t>(4 * text.size() + 128); }
+
+/// False if it is no number.
+bool read_decimal(const std::string& text, ref::Real& number, mpfr_rnd_t rounding) {
+  return !text.empty() && mpfr_set_str(number.get(), text.c_str(), 10, rounding) == 0 &&
+         mpfr_number_p(number.get()) != 0;
+}
+
+/// The whole field as a double, decimal or hexadecimal.
+std::optional<double> read_double(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Reads rows of a file that is about `quantity`.
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, const Quantity& quantity) : path_(path), quantity_(quantity) {}
+
+  [[nodiscard]] GoldenRow row(const std::vector<CsvField>& fields) const {
+    GoldenRow row{};
+    std::size_t at = 0;
+    for (const Argument& argument : quantity_.arguments)
+      row.arguments.push_back(argument_of(argument, fields[at++]));
+    row.value = decimal(fields[at++]);
+    row.bound = decimal(fields[at++]);
+    if (row.bound.front() == '-') refuse(fields[at - 1], "a bound must not be negative");
+    row.scale = number(fields[at++]);
+    if (row.scale < 0) refuse(fields[at - 1], "a scale must not be negative");
+    const CsvField& status = fields[at++];
+    if (status.text != "proven" && status.text != "estimated") refuse(status, "must be proven or estimated");
+    row.proven = status.text == "proven";
+    row.confirmed_by = fields[at++].text;
+    row.origin = fields[at++].text;
+    return row;
+  }
+
+  [[noreturn]] void refuse(const CsvField& field, const std::string& requirement) const {
+    data::refuse(path_, field.position, requirement);
+  }
+
+ private:
+  [[nodiscard]] double argument_of(const Argument& argument, const CsvField& field) const {
+    if (argument.kind != ArgumentKind::choice) return number(field);
+    const auto found = std::ranges::find(argument.choices, field.text);
+    if (found == argument.choices.end()) refuse(field, "must be " + domain(argument));
+    return static_cast<double>(found - argument.choices.begin());
+  }
+
+  [[nodiscard]] double number(const CsvField& field) const {
+    const auto value = read_double(field.text);
+    if (!value) refuse(field, "must be a finite number");
+    return *value;
+  }
+
+  [[nodiscard]] std::string decimal(const CsvField& field) const {
+    ref::Real value(bits_for(field.text));
+    if (!read_decimal(field.text, value, MPFR_RNDN)) refuse(field, "must be a finite decimal number");
+    return field.text;
+  }
+
+  const std::filesystem::path& path_;
+  const Quantity& quantity_;
+};
+
+std::string argument_text(const Argument& argument, double value) {
+  return argument.kind == ArgumentKind::choice ? std::string(argument.choice(value))
+                                               : fmt::format("{:a}", value);
+}
+
+/// Of a value that is 0 the text rounds nothing.
+std::string bound_text(const Reference& reference) {
+  if (!mpfr_zero_p(reference.value.get()) || mpfr_zero_p(reference.error.get()))
+    return reference.error_text();
+  char* text = nullptr;
+  if (mpfr_asprintf(&text, "%.1RUe", reference.error.get()) < 0) throw std::bad_alloc();
+  std::string result(text);
+  mpfr_free_str(text);
+  return result;
+}
+
+}  // namespace
+
+ref::Estimated GoldenRow::number() const {
+  ref::Real number(bits_for(value)), error(64);
+  read_decimal(value, number, MPFR_RNDN);
+  read_decimal(bound, error, MPFR_RNDU);
+  return {std::move(number), std::move(error), digits_beyond_double};
+}
+
+const std::string& GoldenFile::entry(const std::string& key) const {
+  const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
+  if (found == header.end()) throw BadInput(key, "(missing)", "must stand in the header of a golden file");
+  return found->second;
+}
+
+const Quantity& GoldenFile::quantity() const { return find_quantity(entry("quantity")); }
+
+int GoldenFile::digits() const { return static_cast<int>(parse_integer("digits", entry("digits"))); }
+
+void GoldenFile::set(const std::string& key, const std::string& text) {
+  const auto found = std::ranges::find(header, key, &std::pair<std::string, std::string>::first);
+  if (found == header.end()) {
+    header.emplace_back(key, text);
+  } else {
+    found->second = text;
+  }
+}
+
+GoldenRow golden_row(const Quantity& quantity, const Point& point, const Reference& reference) {
+  GoldenRow row{};
+  row.arguments = point;
+  row.value = reference.value_text();
+  row.bound = bound_text(reference);
+  row.scale = std::max(std::fabs(reference.to_double()), quantity.envelope(point));
+  row.proven = reference.proven;
+  return row;
+}
+
+std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
+  std::string text;
+  for (const auto& [key, value] : file.header) text += fmt::format("# {}: {}\n", key, value);
+  const std::vector<std::string> columns = columns_of(quantity);
+  for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
+  text += '\n';
+  for (const GoldenRow& row : file.rows) {
+    for (std::size_t i = 0; i < row.arguments.size(); ++i)
+      text += argument_text(quantity.arguments[i], row.arguments[i]) + ",";
+    text += fmt::format("{},{},{},{},{},{}\n", row.value, row.bound, row.scale,
+                        row.proven ? "proven" : "estimated", row.confirmed_by, row.origin);
+  }
+  return text;
+}
+
+GoldenFile read_golden(const std::filesystem::path& path) {
+  const data::CsvFile csv = data::read_csv(path);
+  GoldenFile file;
+  for (const CsvField& comment : csv.comments) {
+    const std::size_t colon = comment.text.find(": ");
+    if (colon == std::string::npos) data::refuse(path, comment.position, "must be '# key: text'");
+    file.header.emplace_back(comment.text.substr(0, colon), comment.text.substr(colon + 2));
+  }
+  const Quantity& quantity = file.quantity();
+  static_cast<void>(file.digits());
+  const Reader reader(path, quantity);
+  const std::vector<std::string> columns = columns_of(quantity);
+  const std::vector<CsvField>& names = csv.records.front();
+  for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
+    if (i >= columns.size()) reader.refuse(names[i], "must not be there: a row ends with the origin");
+    if (i >= names.size()) reader.refuse(names.back(), "must be followed by the column " + columns[i]);
+    if (names[i].text != columns[i]) reader.refuse(names[i], "must be the column " + columns[i]);
+  }
+  for (std::size_t i = 1; i < csv.records.size(); ++i) file.rows.push_back(reader.row(csv.records[i]));
+  return file;
+}
+
+std::filesystem::path golden_path(const Quantity& quantity) {
+  return data::golden_directory() / (quantity.name + ".csv");
+}
+
+}  // namespace nipref::verify

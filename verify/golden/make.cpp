@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/audit/internal/zeros.hpp>
+#include <nipref/verify/catalogue/deviation.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/golden/confirm/confirm.hpp>
+#include <nipref/verify/golden/make.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+// Shares of the points asked for; the rest is dense.
+constexpr double share_of_hard = 0.4, share_of_zeros = 0.1, share_of_worst = 0.1;
+/// Of filling up with dense points where some were no new ones, or are not taken.
+constexpr int most_rounds = 8;
+/// The audit's points, however cheap the quantity is.
+constexpr std::size_t most_audited = 4000;
+// Of the progress.
+constexpr double part_of_audit = 0.2;
+
+struct Candidate {
+  Point point;
+  std::string origin;
+};
+
+/// The audit's worst point, and the worst of as many others, worst first.
+std::vector<Point> worst_points(const Quantity& quantity, const std::string& seed, std::size_t count) {
+  const std::size_t audited = std::min(quantity.audit_points, most_audited);
+  Random random("golden worst " + quantity.name + " " + seed);
+  const std::vector<Point> points = random_points(quantity, {}, audited, random);
+  std::vector<double> used(points.size());
+  parallel_for(points.size(),
+               [&](std::size_t i) {
+                 try {
+                   used[i] = deviation(fast_value(quantity, points[i], {}),
+                                       ref_value(quantity, points[i], digits_beyond_double),
+                                       quantity.envelope(points[i]))
+                                 .ulps;
+                 } catch (const data::BadInput&) {
+                   used[i] = 0;
+                 }
+               },
+               {});
+  std::vector<std::size_t> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return used[a] > used[b]; });
+  AuditOptions options;
+  options.points = audited;
+  std::vector<Point> worst{audit(quantity, options).worst};
+  for (std::size_t i = 0; i < order.size() && worst.size() < count; ++i) worst.push_back(points[order[i]]);
+  return worst;
+}
+
+/// Points that are not there yet.
+class Candidates {
+ public:
+  Candidates(const Quantity& quantity, const GoldenOptions& options)
+      : quantity_(quantity), random_("golden " + quantity.name + " " + options.seed) {}
+
+  void add(const std::vector<Point>& points, const std::string& origin) {
+    for (const Point& point : points) {
+      if (seen_.insert(point).second) fresh_.push_back({point, origin});
+    }
+  }
+  void add_dense(std::size_t count) { add(dense_points(quantity_, {}, count, random_), "dense"); }
+
+  /// Hard cases, zeros, and what an audit finds worst.
+  void add_first(const GoldenOptions& options, const Provenance& provenance) {
+    const auto share = [&](double part) {
+      return static_cast<std::size_t>(std::ceil(part * static_cast<double>(options.points)));
+    };
+    add(thinned(hard_points(quantity_, {}, random_), share(share_of_hard)), "hard");
+    add(zero_points(quantity_, {}, share(share_of_zeros), random_), "hard");
+    add(worst_points(quantity_, options.seed, share(share_of_worst)),
+        "worst:fast@" + provenance.commit.substr(0, 12));
+  }
+
+  [[nodiscard]] std::size_t size() const { return fresh_.size(); }
+  /// Those added since it was last asked.
+  std::vector<Candidate> taken() { return std::exchange(fresh_, {}); }
+
+ private:
+  const Quantity& quantity_;
+  Random random_;
+  std::set<Point> seen_;
+  std::vector<Candidate> fresh_;
+};
+
+/// What became of a candidate; nothing where the reference does not take it.
+struct Outcome {
+  std::optional<GoldenRow> row;
+  std::optional<RefusedRow> refused;
+};
+
+Outcome outcome_of(const Quantity& quantity, const Candidate& candidate, int digits) {
+  std::optional<Reference> reference;
+  try {
+    reference = ref_value(quantity, candidate.point, digits);
+  } catch (const data::BadInput&) {
+    return {};
+  }
+  GoldenRow row = golden_row(quantity, candidate.point, *reference);
+  row.origin = candidate.origin;
+  if (std::string reason = confirm_row(quantity, row); !reason.empty())
+    return {{}, RefusedRow{candidate.point, std::move(reason)}};
+  return {std::move(row), {}};
+}
+
+std::string decimal_example(const Quantity& quantity, const Point& point) {
+  std::string text = "in the first row";
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    text += argument.kind == ArgumentKind::choice
+                ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
+                : fmt::format(" {}={}", argument.name, point[i]);
+  }
+  return text;
+}
+
+std::string real_text(const ref::Real& number) {
+  char* text = nullptr;
+  if (mpfr_asprintf(&text, "%.1RUe", number.get()) < 0) throw std::bad_alloc();
+  std::string result(text);
+  mpfr_free_str(text);
+  return result;
+}
+
+}  // namespace
+
+std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
+  const Confirm confirm = confirmer_of(quantity.name);
+  if (!confirm)
+    throw data::BadInput("quantity", quantity.name, "must have a second method that confirms its values");
+  const Witness witness = confirm(row.arguments);
+  const ref::Estimated golden = row.number();
+  ref::Real distance(64), allowed(64);
+  mpfr_sub(distance.get(), golden.value.get(), witness.value.get(), MPFR_RNDA);
+  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
+  mpfr_add(allowed.get(), golden.error.get(), witness.error.get(), MPFR_RNDU);
+  // Written so that a NaN confirms nothing.
+  if (!(mpfr_lessequal_p(distance.get(), allowed.get()) != 0))
+    return fmt::format("{} differs by {}, more than {}", witness.method, real_text(distance),
+                       real_text(allowed));
+  mpfr_add(distance.get(), distance.get(), witness.error.get(), MPFR_RNDU);
+  ref::Real most(64);
+  mpfr_set_d(most.get(), ulp_of(row.scale), MPFR_RNDD);
+  mpfr_div_ui(most.get(), most.get(), 1000, MPFR_RNDD);
+  if (!(mpfr_lessequal_p(distance.get(), most.get()) != 0))
+    return fmt::format("{} is good to {} only", witness.method, real_text(distance));
+  row.confirmed_by = fmt::format("{} to {}", witness.method, real_text(distance));
+  return "";
+}
+
+bool is_slow(const Quantity& quantity) { return quantity.audit_points < 10; }
+
+MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, const Provenance& provenance) {
+  MadeGolden made;
+  std::vector<GoldenRow>& rows = made.file.rows;
+  std::size_t zeros = 0;
+  const auto tell = [&](double part) {
+    if (options.progress) options.progress(part);
+  };
+  Candidates candidates(quantity, options);
+  candidates.add_first(options, provenance);
+  tell(part_of_audit);
+  for (int round = 0; round < most_rounds && rows.size() < options.points; ++round) {
+    const std::size_t begin = rows.size(), lacking = options.points - begin;
+    if (candidates.size() < lacking) candidates.add_dense(lacking - candidates.size());
+    const std::vector<Candidate> all = candidates.taken();
+    std::vector<Outcome> outcomes(all.size());
+    parallel_for(
+        all.size(), [&](std::size_t i) { outcomes[i] = outcome_of(quantity, all[i], options.digits); },
+        [&](std::size_t done) {
+          const double part = static_cast<double>(begin) + static_cast<double>(lacking) *
+                                                               static_cast<double>(done) /
+                                                               static_cast<double>(all.size());
+          tell(part_of_audit + (1 - part_of_audit) * part / static_cast<double>(options.points));
+        });
+    for (Outcome& outcome : outcomes) {
+      if (outcome.refused) made.refused.push_back(*std::move(outcome.refused));
+      if (!outcome.row || rows.size() == options.points) continue;
+      const bool is_nothing = outcome.row->value == "0" && outcome.row->bound == "0";
+      if (is_nothing && ++zeros > options.points / 20) continue;
+      rows.push_back(*std::move(outcome.row));
+    }
+  }
+  made.file.header = {{"quantity", quantity.name},
+                      {"definition", quantity.definition},
+                      {"unit", quantity.unit},
+                      {"scale", quantity.scale},
+                      {"command", fmt::format("nipref golden make {} --points {} --digits {} --seed {}",
+                                              quantity.name, options.points, options.digits, options.seed)},
+                      {"digits", std::to_string(options.digits)},
+                      {"nipref", provenance.nipref},
+                      {"compiler", provenance.compiler},
+                      {"mpfr", provenance.mpfr},
+                      {"commit", provenance.commit},
+                      {"tree", provenance.clean ? "clean" : "dirty"}};
+  if (!made.file.rows.empty())
+    made.file.header.emplace_back("example", decimal_example(quantity, made.file.rows.front().arguments));
+  return made;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/update.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// A scale may have been rounded otherwise.
+bool is_other_scale(double before, double after) {
+  return std::fabs(before - after) > 1e-12 * std::max(std::fabs(before), std::fabs(after));
+}
+
+/// Empty if nothing has.
+std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bool all) {
+  if (!intersect(before.number(), after.number())) return "another value";
+  if (before.proven != after.proven) return "another status";
+  if (is_other_scale(before.scale, after.scale)) return "another scale";
+  return all ? "asked for" : "";
+}
+
+struct Outcome {
+  std::optional<ChangedRow> changed;
+  std::optional<RefusedRow> refused;
+};
+
+Outcome outcome_of(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
+                   bool all) {
+  std::optional<Reference> reference;
+  try {
+    reference = ref_value(quantity, before.arguments, digits);
+  } catch (const data::BadInput& refused) {
+    return {{}, RefusedRow{before.arguments, fmt::format("the reference refuses it: {}", refused.what())}};
+  }
+  GoldenRow after = golden_row(quantity, before.arguments, *reference);
+  after.origin = before.origin;
+  std::string why = reason_to_change(before, after, all);
+  if (why.empty()) return {};
+  if (std::string reason = confirm_row(quantity, after); !reason.empty())
+    return {{}, RefusedRow{before.arguments, std::move(reason)}};
+  return {ChangedRow{number, before, std::move(after), std::move(why)}, {}};
+}
+
+}  // namespace
+
+UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
+                            const Provenance& provenance, const std::function<void(double part)>& progress) {
+  const int digits = file.digits();
+  std::vector<Outcome> outcomes(file.rows.size());
+  parallel_for(
+      file.rows.size(),
+      [&](std::size_t i) { outcomes[i] = outcome_of(quantity, file.rows[i], i + 1, digits, all); },
+      [&](std::size_t done) {
+        if (progress) progress(static_cast<double>(done) / static_cast<double>(file.rows.size()));
+      });
+  UpdatedGolden updated{file, {}, {}};
+  for (Outcome& outcome : outcomes) {
+    if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));
+    if (!outcome.changed) continue;
+    updated.file.rows[outcome.changed->row - 1] = outcome.changed->after;
+    updated.changed.push_back(*std::move(outcome.changed));
+  }
+  if (!updated.changed.empty()) {
+    updated.file.set("updated", fmt::format("{} rows by {}, tree {}", updated.changed.size(),
+                                            provenance.commit, provenance.clean ? "clean" : "dirty"));
+  }
+  return updated;
+}
+
+}  // namespace nipref::verify
