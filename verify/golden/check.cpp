@@ -20,6 +20,9 @@ namespace fs = std::filesystem;
 /// Of a unit in the last place of the scale.
 constexpr double widest = 1e-3;
 
+/// Rows that are compared with the reference, however long that takes.
+constexpr std::size_t fewest = 6;
+
 bool is_useless(const ref::Estimated& golden, const ref::Estimated& now, double scale) {
   ref::Real sum(64), most(64);
   mpfr_add(sum.get(), golden.error.get(), now.error.get(), MPFR_RNDU);
@@ -94,7 +97,8 @@ bool intersect(const ref::Estimated& a, const ref::Estimated& b) {
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options) {
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < file.rows.size(); i += options.every) rows.push_back(i);
-  const std::size_t by_ref = options.all ? rows.size() : std::min(rows.size(), quantity.audit_points);
+  const std::size_t by_ref =
+      options.all ? rows.size() : std::min(rows.size(), std::max(fewest, quantity.audit_points / 4));
   const int digits = file.digits();
   std::vector<std::vector<GoldenFailure>> failures(rows.size());
   parallel_for(

@@ -27,8 +27,8 @@ struct GoldenFailure {
 };
 
 struct CheckOptions {
-  /// Reference values are made anew at every row. Otherwise at as many rows, evenly taken, as the quantity has audit
-  /// points, which are few where a value takes seconds.
+  /// Reference values are made anew at every row. Otherwise at a quarter as many rows, evenly taken and six at least, as
+  /// the quantity has audit points, which are few where a value takes seconds.
   bool all = false;
   /// Of the rows every so many-th is looked at, > 0.
   std::size_t every = 1;
