@@ -185,7 +185,8 @@ Split kernel_I6_alpha(const mpq_class& alpha) {
     Split value = I1_near(alpha);
     return value.add(1, alpha_from_far(alpha)).add(1, kernel_I6_eta(far));
   }
-  Split value = even_far(alpha, &Pole::I6_alpha);
+  // Of 2 cosh^2 z/(z S) = 2/(z S) + 2 sinh^2 z/(z S).
+  Split value = even_far(alpha, &Pole::I6_alpha).add(1, even_far(alpha, &Pole::I1));
   value.quarters = -abs(alpha);
   return value;
 }
