@@ -23,8 +23,8 @@ namespace {
 constexpr double share_of_hard = 0.4, share_of_zeros = 0.1, share_of_worst = 0.1;
 /// Of filling up with dense points where some were no new ones, or are not taken.
 constexpr int most_rounds = 8;
-/// The audit's points, however cheap the quantity is.
-constexpr std::size_t most_audited = 4000;
+/// The audit's points for each that is made, however cheap the quantity is.
+constexpr std::size_t most_audited = 16;
 // Of the progress.
 constexpr double part_of_audit = 0.2;
 
@@ -34,9 +34,9 @@ struct Candidate {
 };
 
 /// The audit's worst point, and the worst of as many others, worst first.
-std::vector<Point> worst_points(const Quantity& quantity, const std::string& seed, std::size_t count) {
-  const std::size_t audited = std::min(quantity.audit_points, most_audited);
-  Random random("golden worst " + quantity.name + " " + seed);
+std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& golden, std::size_t count) {
+  const std::size_t audited = std::min(quantity.audit_points, most_audited * golden.points);
+  Random random("golden worst " + quantity.name + " " + golden.seed);
   const std::vector<Point> points = random_points(quantity, {}, audited, random);
   std::vector<double> used(points.size());
   parallel_for(points.size(),
@@ -81,7 +81,7 @@ class Candidates {
     };
     add(thinned(hard_points(quantity_, {}, random_), share(share_of_hard)), "hard");
     add(zero_points(quantity_, {}, share(share_of_zeros), random_), "hard");
-    add(worst_points(quantity_, options.seed, share(share_of_worst)),
+    add(worst_points(quantity_, options, share(share_of_worst)),
         "worst:fast@" + provenance.commit.substr(0, 12));
   }
 
