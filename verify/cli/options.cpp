@@ -42,13 +42,6 @@ std::filesystem::path scene_file_of(const CommandLine& line, std::string_view ve
   return is_file ? word : data::example_scene(word.string());
 }
 
-int digits_of(const CommandLine& line, int usual) {
-  const auto text = line.option("digits");
-  const long digits = text ? parse_integer("digits", *text) : usual;
-  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
-  return static_cast<int>(digits);
-}
-
 }  // namespace
 
 SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits) {
@@ -56,7 +49,7 @@ SceneRequest scene_request(const CommandLine& line, std::string_view verb, int u
   if (path != "ref" && path != "fast") throw BadInput("path", path, "must be ref or fast");
   if (path == "fast")
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
-  const int digits = digits_of(line, usual_digits);
+  const int digits = digits_option(line, usual_digits);
   return {data::load_scene(scene_file_of(line, verb), line.assignments),
           path == "ref" ? std::optional(digits) : std::nullopt};
 }
