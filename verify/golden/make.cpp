@@ -79,10 +79,11 @@ class Candidates {
     const auto share = [&](double part) {
       return static_cast<std::size_t>(std::ceil(part * static_cast<double>(options.points)));
     };
-    add(thinned(hard_points(quantity_, {}, random_), share(share_of_hard)), "hard");
-    add(zero_points(quantity_, {}, share(share_of_zeros), random_), "hard");
+    // The worst first: a hard case that is among them is both.
     add(worst_points(quantity_, options, share(share_of_worst)),
         "worst:fast@" + provenance.commit.substr(0, 12));
+    add(thinned(hard_points(quantity_, {}, random_), share(share_of_hard)), "hard");
+    add(zero_points(quantity_, {}, share(share_of_zeros), random_), "hard");
   }
 
   [[nodiscard]] std::size_t size() const { return fresh_.size(); }
