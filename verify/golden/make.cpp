@@ -98,12 +98,12 @@ class Candidates {
 };
 
 /// What became of a candidate; nothing where the reference does not take it.
-struct Outcome {
+struct MadeRow {
   std::optional<GoldenRow> row;
   std::optional<RefusedRow> refused;
 };
 
-Outcome outcome_of(const Quantity& quantity, const Candidate& candidate, int digits) {
+MadeRow made_row(const Quantity& quantity, const Candidate& candidate, int digits) {
   std::optional<Reference> reference;
   try {
     reference = ref_value(quantity, candidate.point, digits);
@@ -178,16 +178,16 @@ MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, c
     const std::size_t begin = rows.size(), lacking = options.points - begin;
     if (candidates.size() < lacking) candidates.add_dense(lacking - candidates.size());
     const std::vector<Candidate> all = candidates.taken();
-    std::vector<Outcome> outcomes(all.size());
+    std::vector<MadeRow> outcomes(all.size());
     parallel_for(
-        all.size(), [&](std::size_t i) { outcomes[i] = outcome_of(quantity, all[i], options.digits); },
+        all.size(), [&](std::size_t i) { outcomes[i] = made_row(quantity, all[i], options.digits); },
         [&](std::size_t done) {
           const double part = static_cast<double>(begin) + static_cast<double>(lacking) *
                                                                static_cast<double>(done) /
                                                                static_cast<double>(all.size());
           tell(part_of_audit + (1 - part_of_audit) * part / static_cast<double>(options.points));
         });
-    for (Outcome& outcome : outcomes) {
+    for (MadeRow& outcome : outcomes) {
       if (outcome.refused) made.refused.push_back(*std::move(outcome.refused));
       if (!outcome.row || rows.size() == options.points) continue;
       const bool is_nothing = outcome.row->value == "0" && outcome.row->bound == "0";

@@ -24,13 +24,13 @@ std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bo
   return all ? "asked for" : "";
 }
 
-struct Outcome {
+struct UpdatedRow {
   std::optional<ChangedRow> changed;
   std::optional<RefusedRow> refused;
 };
 
-Outcome outcome_of(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
-                   bool all) {
+UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
+                       bool all) {
   std::optional<Reference> reference;
   try {
     reference = ref_value(quantity, before.arguments, digits);
@@ -51,15 +51,15 @@ Outcome outcome_of(const Quantity& quantity, const GoldenRow& before, std::size_
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
                             const Provenance& provenance, const std::function<void(double part)>& progress) {
   const int digits = file.digits();
-  std::vector<Outcome> outcomes(file.rows.size());
+  std::vector<UpdatedRow> outcomes(file.rows.size());
   parallel_for(
       file.rows.size(),
-      [&](std::size_t i) { outcomes[i] = outcome_of(quantity, file.rows[i], i + 1, digits, all); },
+      [&](std::size_t i) { outcomes[i] = updated_row(quantity, file.rows[i], i + 1, digits, all); },
       [&](std::size_t done) {
         if (progress) progress(static_cast<double>(done) / static_cast<double>(file.rows.size()));
       });
   UpdatedGolden updated{file, {}, {}};
-  for (Outcome& outcome : outcomes) {
+  for (UpdatedRow& outcome : outcomes) {
     if (outcome.refused) updated.refused.push_back(*std::move(outcome.refused));
     if (!outcome.changed) continue;
     updated.file.rows[outcome.changed->row - 1] = outcome.changed->after;
