@@ -1,6 +1,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
+#include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
@@ -42,6 +43,7 @@ std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantitie
     if (interrupted()) break;
     progress.next(quantity->name);
     const auto expected = static_cast<double>(options.points_of(*quantity));
+    options.more_points = golden_points(*quantity, {}, options.points_of(*quantity));
     options.progress = [&](std::size_t done) { progress.at(static_cast<double>(done) / expected); };
     try {
       results.push_back(audit(*quantity, options));

@@ -95,7 +95,11 @@ int check(const CommandLine& line, std::ostream& out) {
   if (paths.empty()) {
     folder = check_folder(data::golden_directory());
     for (const Quantity& quantity : catalogue()) {
-      if (fs::exists(golden_path(quantity))) paths.push_back(golden_path(quantity));
+      if (fs::exists(golden_path(quantity))) {
+        paths.push_back(golden_path(quantity));
+      } else {
+        folder.push_back({GoldenFault::missing, {}, quantity.name + " has no golden values"});
+      }
     }
   }
   CheckOptions options;

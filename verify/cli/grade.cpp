@@ -6,6 +6,7 @@
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/keep_worst.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/output_file.hpp>
@@ -117,6 +118,9 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
   for (Graded& graded : all) {
     const bool settled = settle_baseline(line, graded);
     kept = kept && settled && graded.kept(strict);
+  }
+  if (const auto path = line.option("keep-worst")) {
+    for (const Graded& graded : all) keep_worst(*path, graded);
   }
   if (const auto junit = line.option("junit")) {
     std::vector<JUnitCase> cases;

@@ -8,12 +8,15 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
 namespace nipref::verify {
 namespace {
+
+constexpr std::size_t largest_golden_share = 4;  // a quarter of the points
 
 const Quantity& only_quantity(const CommandLine& line) {
   if (line.words.size() > 1)
@@ -36,6 +39,9 @@ int points_verb(const CommandLine& line, std::ostream& out) {
   options.points = points_option(line);
   options.search = false;
   if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
+  const std::size_t wanted = options.points_of(quantity);
+  options.more_points = golden_points(quantity, options.ranges, wanted / largest_golden_share);
+  options.points = wanted - options.more_points.size();
   options.seed = line.option("seed").value_or("");
   std::vector<Point> points = audit_points(quantity, options);
   std::erase_if(points, [&](const Point& point) { return std::isnan(fast_value(quantity, point, {})); });

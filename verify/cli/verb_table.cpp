@@ -49,6 +49,8 @@ const OptionText column_option{
 const OptionText baseline_option{
     "baseline", "TOML file of errors found earlier; more than 1.5 times that and 0.25 ulp fails"};
 const OptionText accept_option{"accept", "with --update-baseline: why an error may be larger than before"};
+const OptionText keep_worst_option{"keep-worst",
+                                   "file like a golden one, to which the worst point is appended"};
 const OptionText junit_option{"junit", "file for the outcome as JUnit XML"};
 
 const OptionText symbol_option{
@@ -171,7 +173,7 @@ const std::array all_verbs{
         "domain. It runs in a process of its own",
         {promise_option, sample_points_option, sample_seed_option, column_option, symbol_option,
          quantity_option, time_limit_option, older_object_option, max_slowdown_option, baseline_option,
-         accept_option, junit_option},
+         accept_option, junit_option, keep_worst_option},
         {thread_safe_flag, update_baseline_flag, comparable_flag, ctest_flag, quiet_flag, json_flag,
          no_times_flag},
         {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml",

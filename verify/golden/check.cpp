@@ -81,6 +81,8 @@ std::string_view name(GoldenFault fault) {
       return "wrong";
     case GoldenFault::useless:
       return "useless";
+    case GoldenFault::missing:
+      return "missing";
     default:
       return "text-changed";
   }

@@ -12,12 +12,13 @@
 namespace nipref::verify {
 
 enum class GoldenFault {
-  wrong,        ///< the reference, or fast within its promise, does not meet the value
-  useless,      ///< a bound so wide that nothing can be said
-  text_changed  ///< a file is not what its checksum says
+  wrong,         ///< the reference, or fast within its promise, does not meet the value
+  useless,       ///< a bound so wide that nothing can be said
+  text_changed,  ///< a file is not what its checksum says
+  missing        ///< a quantity of the catalogue has no golden values
 };
 
-/// wrong, useless, text-changed.
+/// wrong, useless, text-changed, missing.
 std::string_view name(GoldenFault fault);
 
 struct GoldenFailure {

@@ -78,10 +78,11 @@ std::string checked_text(const std::vector<GoldenFailure>& folder, const std::ve
                         file.recomputed, file.hashed ? "" : ", no checksum", file.kept() ? "kept" : "BROKEN");
     for (const GoldenFailure& failure : file.failures) text += failure_text(failure);
   }
-  return text + fmt::format("{} golden values: {} wrong, {} useless, {} text-changed\n", rows,
+  return text + fmt::format("{} golden values: {} wrong, {} useless, {} text-changed, {} missing\n", rows,
                             failures_of(GoldenFault::wrong, folder, files),
                             failures_of(GoldenFault::useless, folder, files),
-                            failures_of(GoldenFault::text_changed, folder, files));
+                            failures_of(GoldenFault::text_changed, folder, files),
+                            failures_of(GoldenFault::missing, folder, files));
 }
 
 Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files) {

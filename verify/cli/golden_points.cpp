@@ -1,0 +1,19 @@
+#include <filesystem>
+
+#include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/cli/golden_points.hpp>
+#include <nipref/verify/golden/golden.hpp>
+
+namespace nipref::verify {
+
+std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most) {
+  const std::filesystem::path path = golden_path(quantity);
+  if (!std::filesystem::exists(path)) return {};
+  std::vector<Point> points;
+  for (const GoldenRow& row : read_golden(path).rows) {
+    if (contains(ranges, row.arguments)) points.push_back(row.arguments);
+  }
+  return thinned(std::move(points), most);
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,13 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include <nipref/verify/catalogue/ranges.hpp>
+
+namespace nipref::verify {
+
+/// The points of the quantity's golden values that lie in the ranges, at most `most` of them, evenly taken; none if it
+/// has no golden values. BadInput if their file cannot be read.
+std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most);
+
+}  // namespace nipref::verify
