@@ -31,27 +31,27 @@ NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& val
   }
 }
 
-#ifdef __AVX512F__
+#ifdef NIPREF_WIDE
 
 template <Regime regime, Component component, int tier>
-NIPREF_INLINE WidePair in_regime(__m512d x) {
+NIPREF_INLINE WidePair in_regime(Wide x) {
   if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
   if constexpr (regime == Regime::piece) return piece<component, tier>(x);
 }
 
-/// The same for the regimes that have a form of their own for eight points.
+/// The same for the regimes that have a form of their own for vectors.
 template <Regime regime, Component component, int tier, Words words>
 requires(regime != Regime::residue_tail) NIPREF_INLINE
     void evaluate_regime(const SortedPoints& points, SortedValues& values) {
   const int32_t first = first_of_regime[static_cast<int>(regime)];
   const int32_t last = first + points.count[static_cast<int>(regime)];
   for (int32_t i = first; i < last; i += lanes) {
-    const WidePair value = in_regime<regime, component, tier>(_mm512_load_pd(points.x + i));
+    const WidePair value = in_regime<regime, component, tier>(load(points.x + i));
     if constexpr (words == Words::rounded) {
-      _mm512_store_pd(values.high + i, value.high + value.low);
+      store(values.high + i, value.high + value.low);
     } else {
-      _mm512_store_pd(values.high + i, value.high);
-      _mm512_store_pd(values.low + i, value.low);
+      store(values.high + i, value.high);
+      store(values.low + i, value.low);
     }
   }
 }

@@ -11,9 +11,9 @@ struct CoarseBlock {
   int32_t tail_count;
   alignas(64) double tail_argument[regime_capacity];
   alignas(64) double tail_value[regime_capacity];
-#ifdef __AVX512F__
-  __mmask8 is_tail[block_size / lanes];  ///< which of eight arguments belong to the tail
-  alignas(64) int64_t offset[block_size];
+#ifdef NIPREF_WIDE
+  LaneBits is_tail[block_size / lanes];  ///< which of a vector's arguments belong to the tail
+  alignas(64) uint64_t offset[block_size];
   alignas(64) double t[block_size];
   alignas(64) double rest[block_size];
 #else
@@ -21,7 +21,7 @@ struct CoarseBlock {
 #endif
 };
 
-#ifdef __AVX512F__
+#ifdef NIPREF_WIDE
 
 /// Collects the tail and locates all points. The offsets of rows go through memory, far ahead of their use:
 /// scalar loads soon after a vector's store wait for it, and extractions from its register are slow.
@@ -29,16 +29,15 @@ template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
   int32_t tail_count = 0;
   for (int32_t i = 0; i < n; i += lanes) {
-    const __m512d x = _mm512_loadu_pd(argument + i);
-    const __m512d magnitude = _mm512_abs_pd(x);
-    const __mmask8 is_tail = _mm512_cmp_pd_mask(magnitude, _mm512_set1_pd(piece_end), _CMP_GE_OQ);
+    const Wide x = load(argument + i);
+    const LaneBits is_tail = other_lanes(where_less(magnitude(x), all(piece_end)));
     block.is_tail[i / lanes] = is_tail;
-    _mm512_storeu_pd(block.tail_argument + tail_count, _mm512_maskz_compress_pd(is_tail, x));
+    compress(block.tail_argument + tail_count, is_tail, x);
     tail_count += __builtin_popcount(is_tail);
-    const WideCoarsePoint at = locate_coarsely<component, tier>(magnitude);
-    _mm512_store_si512(block.offset + i, at.offset);
-    _mm512_store_pd(block.t + i, at.t);
-    if constexpr (shape_of<component> == Shape::logarithmic) _mm512_store_pd(block.rest + i, at.rest);
+    const WideCoarsePoint at = locate_coarsely<component, tier>(magnitude(x));
+    store(block.offset + i, at.offset);
+    store(block.t + i, at.t);
+    if constexpr (shape_of<component> == Shape::logarithmic) store(block.rest + i, at.rest);
   }
   fill_up(block.tail_argument + tail_count);
   block.tail_count = tail_count;
@@ -50,12 +49,11 @@ NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* 
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const double* tail = block.tail_value;
   for (int32_t i = 0; i < n; i += lanes) {
-    __m512d result =
-        cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, _mm512_load_pd(block.t + i));
-    if constexpr (shape_of<component> == Shape::logarithmic) result += _mm512_load_pd(block.rest + i);
-    if constexpr (shape_of<component> == Shape::odd) result *= _mm512_loadu_pd(argument + i);
-    const __mmask8 is_tail = block.is_tail[i / lanes];
-    _mm512_storeu_pd(value + i, expand(result, is_tail, tail));
+    Wide result = cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, load(block.t + i));
+    if constexpr (shape_of<component> == Shape::logarithmic) result += load(block.rest + i);
+    if constexpr (shape_of<component> == Shape::odd) result *= load(argument + i);
+    const LaneBits is_tail = block.is_tail[i / lanes];
+    store(value + i, expand(result, is_tail, tail));
     tail += __builtin_popcount(is_tail);
   }
 }

@@ -6,6 +6,7 @@
 #include <nipref/fast/sheet/arithmetic/piece.hpp>
 #include <nipref/fast/sheet/arithmetic/piece_wide.hpp>
 #include <nipref/fast/sheet/arithmetic/residue_tail.hpp>
+#include <nipref/fast/sheet/arithmetic/wide.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

@@ -1,28 +1,27 @@
 #pragma once
 
-// Table rows for eight points at a time with AVX-512. Loading rows and transposing them takes half the time
-// of gathering powers.
+// Table rows for a vector of points. Loading rows and transposing them takes half the time of gathering powers.
 
-#ifdef __AVX512F__
+#include <nipref/fast/sheet/arithmetic/wide.hpp>
 
-#include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
-
-#include <nipref/fast/sheet/arithmetic/floating.hpp>
+#ifdef NIPREF_WIDE
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
+/// Numbers 0 ... 3 from the offset of each lane, number by number.
+struct Columns {
+  Wide number[4];
+};
+
+#ifdef __AVX512F__
+
 /// Four neighbouring numbers of a table at two offsets, side by side.
-NIPREF_INLINE __m512d two_rows(const double* table, int64_t first, int64_t second) {
+NIPREF_INLINE __m512d two_rows(const double* table, uint64_t first, uint64_t second) {
   return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(table + first)),
                             _mm256_load_pd(table + second), 1);
 }
 
-/// Numbers 0 ... 3 from each of eight offsets, number by number.
-struct Columns {
-  __m512d number[4];
-};
-
-NIPREF_INLINE Columns columns(const double* table, const int64_t* offset) {
+NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
   constexpr int even_lanes = 0x88;
   constexpr int odd_lanes = 0xdd;
   const __m512d rows02 = two_rows(table, offset[0], offset[2]);
@@ -38,6 +37,25 @@ NIPREF_INLINE Columns columns(const double* table, const int64_t* offset) {
            _mm512_shuffle_f64x2(even_low, even_high, odd_lanes),
            _mm512_shuffle_f64x2(odd_low, odd_high, odd_lanes)}};
 }
+
+#else
+
+/// Two neighbouring numbers of a table at two offsets, side by side.
+NIPREF_INLINE __m256d two_pairs(const double* table, uint64_t first, uint64_t second) {
+  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_load_pd(table + first)), _mm_load_pd(table + second),
+                              1);
+}
+
+NIPREF_INLINE Columns columns(const double* table, const uint64_t* offset) {
+  const __m256d pairs02 = two_pairs(table, offset[0], offset[2]);
+  const __m256d pairs13 = two_pairs(table, offset[1], offset[3]);
+  const __m256d later02 = two_pairs(table + 2, offset[0], offset[2]);
+  const __m256d later13 = two_pairs(table + 2, offset[1], offset[3]);
+  return {{_mm256_unpacklo_pd(pairs02, pairs13), _mm256_unpackhi_pd(pairs02, pairs13),
+           _mm256_unpacklo_pd(later02, later13), _mm256_unpackhi_pd(later02, later13)}};
+}
+
+#endif
 
 }  // namespace nipref::fast::internal::NIPREF_ISA
 

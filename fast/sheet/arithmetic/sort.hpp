@@ -2,17 +2,10 @@
 
 #include <nipref/fast/sheet/arithmetic/component.hpp>
 
-#ifdef __AVX512F__
-#include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
-#endif
-
 namespace nipref::fast::internal::NIPREF_ISA {
 
 /// Points handled at a time: the working arrays of a block stay in the first-level cache.
 inline constexpr int block_size = 512;
-
-/// Loops over sorted points run in whole vectors of this many.
-inline constexpr int lanes = 8;
 
 /// Room for one regime's points, and for one vector more that sorting may write beyond them.
 inline constexpr int regime_capacity = block_size + lanes;
@@ -24,9 +17,9 @@ inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_ca
 /// vector of a range is filled up with points that are harmless in any regime.
 struct SortedPoints {
   int32_t count[3];
-#ifdef __AVX512F__
-  __mmask8 is_near[block_size / lanes];  ///< which of eight arguments are near zero
-  __mmask8 is_tail[block_size / lanes];  ///< which of eight others are in the residue tail
+#ifdef NIPREF_WIDE
+  LaneBits is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
+  LaneBits is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
   int32_t far_count;                     ///< others
 #else
   int32_t place[block_size];
@@ -34,26 +27,22 @@ struct SortedPoints {
   alignas(64) double x[3 * regime_capacity];
 };
 
-#ifdef __AVX512F__
+#ifdef NIPREF_WIDE
 
 /// Fills up the last vector of a range that ends here: what stood there before could be beyond every table.
-NIPREF_INLINE void fill_up(double* end) { _mm512_storeu_pd(end, _mm512_set1_pd(1)); }
+NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
 
 /// Separates the points near zero from the others.
 template <Component component>
 NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedPoints& points) {
   int32_t near_count = 0;
   for (int32_t i = 0; i < n; i += lanes) {
-    const __m512d x = _mm512_abs_pd(_mm512_loadu_pd(argument + i));
-    const unsigned near = shape_of<component> == Shape::logarithmic
-                              ? _mm512_cmp_pd_mask(x, _mm512_set1_pd(near_end), _CMP_LT_OQ)
-                              : 0u;
-    const auto is_near = static_cast<__mmask8>(near);
-    const auto is_far = static_cast<__mmask8>(~near);
+    const Wide x = magnitude(load(argument + i));
+    const LaneBits is_near =
+        shape_of<component> == Shape::logarithmic ? where_less(x, all(near_end)) : LaneBits{0};
     points.is_near[i / lanes] = is_near;
-    if constexpr (shape_of<component> == Shape::logarithmic)
-      _mm512_storeu_pd(points.x + near_count, _mm512_maskz_compress_pd(is_near, x));
-    _mm512_storeu_pd(points.x + first_of_regime[1] + (i - near_count), _mm512_maskz_compress_pd(is_far, x));
+    if constexpr (shape_of<component> == Shape::logarithmic) compress(points.x + near_count, is_near, x);
+    compress(points.x + first_of_regime[1] + (i - near_count), other_lanes(is_near), x);
     near_count += __builtin_popcount(is_near);
   }
   points.count[0] = near_count;
@@ -67,10 +56,10 @@ NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedP
 NIPREF_INLINE void copy_tail(SortedPoints& points) {
   int32_t count = 0;
   for (int32_t i = 0; i < points.far_count; i += lanes) {
-    const __m512d x = _mm512_load_pd(points.x + first_of_regime[1] + i);
-    const __mmask8 is_tail = _mm512_cmp_pd_mask(x, _mm512_set1_pd(piece_end), _CMP_GE_OQ);
+    const Wide x = load(points.x + first_of_regime[1] + i);
+    const LaneBits is_tail = other_lanes(where_less(x, all(piece_end)));
     points.is_tail[i / lanes] = is_tail;
-    _mm512_storeu_pd(points.x + first_of_regime[2] + count, _mm512_maskz_compress_pd(is_tail, x));
+    compress(points.x + first_of_regime[2] + count, is_tail, x);
     count += __builtin_popcount(is_tail);
   }
   fill_up(points.x + first_of_regime[2] + count);
@@ -86,25 +75,16 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
 }
 
 /// Odd components are positive on the right.
-NIPREF_INLINE __m512d with_signs(__m512d magnitude, __m512d argument) {
-  return _mm512_or_pd(magnitude, _mm512_and_pd(argument, _mm512_set1_pd(-0.0)));
-}
-
-/// Takes from sorted[0], sorted[1], ... for the lanes wanted, keeps the others. The load is kept apart: where
-/// a regime has no points, expansions straight from its unwritten range with an empty mask doubled the time
-/// of a batch.
-NIPREF_INLINE __m512d expand(__m512d others, __mmask8 wanted, const double* sorted) {
-  __m512d from = _mm512_loadu_pd(sorted);
-  asm("" : "+v"(from));
-  return _mm512_mask_expand_pd(others, wanted, from);
+NIPREF_INLINE Wide with_signs(Wide magnitude, Wide argument) {
+  return from_bits(bits_of(magnitude) | (bits_of(argument) & bits_of(-0.0)));
 }
 
 NIPREF_INLINE void return_tail(const SortedPoints& points, double* sorted) {
   const double* tail = sorted + first_of_regime[2];
   for (int32_t i = 0; i < points.far_count; i += lanes) {
     double* const far = sorted + first_of_regime[1] + i;
-    const __mmask8 is_tail = points.is_tail[i / lanes];
-    _mm512_store_pd(far, expand(_mm512_load_pd(far), is_tail, tail));
+    const LaneBits is_tail = points.is_tail[i / lanes];
+    store(far, expand(load(far), is_tail, tail));
     tail += __builtin_popcount(is_tail);
   }
 }
@@ -116,17 +96,15 @@ NIPREF_INLINE void restore_order(const double* argument, int32_t n, const Sorted
   return_tail(points, sorted);
   int32_t near_count = 0;
   for (int32_t i = 0; i < n; i += lanes) {
-    const __mmask8 is_near = points.is_near[i / lanes];
+    const LaneBits is_near = points.is_near[i / lanes];
     const double* const far = sorted + first_of_regime[1] + (i - near_count);
-    __m512d result = _mm512_loadu_pd(far);
+    Wide result = load(far);
     if constexpr (shape_of<component> == Shape::logarithmic) {
-      result = expand(expand(result, static_cast<__mmask8>(~is_near), far), is_near, sorted + near_count);
+      result = expand(expand(result, other_lanes(is_near), far), is_near, sorted + near_count);
       near_count += __builtin_popcount(is_near);
     }
-    if constexpr (shape_of<component> == Shape::odd) {
-      result = with_signs(result, _mm512_loadu_pd(argument + i));
-    }
-    _mm512_storeu_pd(value + i, result);
+    if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
+    store(value + i, result);
   }
 }
 

@@ -1,0 +1,200 @@
+#pragma once
+
+// Vectors of doubles, eight with AVX-512 and four with AVX2: what the wide forms of the regimes are written in.
+// Arithmetic, comparisons and selections are GCC's own for vectors; here is what those do not have.
+
+#include <nipref/fast/sheet/arithmetic/floating.hpp>
+
+#ifdef __AVX2__
+#define NIPREF_WIDE
+
+#include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+#ifdef __AVX512F__
+using Wide = __m512d;
+#else
+using Wide = __m256d;
+#endif
+
+/// Loops over points run in whole vectors of this many.
+inline constexpr int lanes = sizeof(Wide) / sizeof(double);
+
+using WideBits [[gnu::vector_size(sizeof(Wide))]] = uint64_t;
+
+/// One bit for each lane.
+using LaneBits = uint8_t;
+
+/// Unevaluated sums; see Pair.
+struct WidePair {
+  Wide high;
+  Wide low;
+};
+
+NIPREF_INLINE WideBits bits_of(Wide x) { return __builtin_bit_cast(WideBits, x); }
+NIPREF_INLINE Wide from_bits(WideBits bits) { return __builtin_bit_cast(Wide, bits); }
+
+NIPREF_INLINE Wide all(double x) { return x - Wide{}; }
+NIPREF_INLINE WideBits all(uint64_t x) { return x - WideBits{}; }
+
+/// x >= 0 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for 0.
+struct WideDecomposed {
+  Wide exponent;
+  Wide mantissa;
+};
+
+#ifdef __AVX512F__
+
+NIPREF_INLINE Wide load(const double* from) { return _mm512_loadu_pd(from); }
+NIPREF_INLINE void store(double* to, Wide x) { _mm512_storeu_pd(to, x); }
+NIPREF_INLINE void store(uint64_t* to, WideBits x) {
+  _mm512_storeu_si512(to, __builtin_bit_cast(__m512i, x));
+}
+
+/// a b + c, c - a b and -a b - c with one rounding.
+NIPREF_INLINE Wide mul_add(Wide a, Wide b, Wide c) { return _mm512_fmadd_pd(a, b, c); }
+NIPREF_INLINE Wide minus_mul_add(Wide a, Wide b, Wide c) { return _mm512_fnmadd_pd(a, b, c); }
+NIPREF_INLINE Wide minus_mul_subtract(Wide a, Wide b, Wide c) { return _mm512_fnmsub_pd(a, b, c); }
+
+NIPREF_INLINE Wide magnitude(Wide x) { return _mm512_abs_pd(x); }
+NIPREF_INLINE Wide smaller(Wide a, Wide b) { return _mm512_min_pd(a, b); }
+NIPREF_INLINE LaneBits where_less(Wide a, Wide b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+
+NIPREF_INLINE WideDecomposed decompose(Wide x) {
+  return {_mm512_getexp_pd(x), _mm512_getmant_pd(x, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero)};
+}
+
+/// table[index], lane by lane.
+NIPREF_INLINE Wide gather(const double* table, WideBits index) {
+  return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index), table, 8);
+}
+
+/// table[index mod 16], from registers.
+NIPREF_INLINE Wide look_up(const double (&table)[16], WideBits index) {
+  return _mm512_permutex2var_pd(_mm512_load_pd(table), __builtin_bit_cast(__m512i, index),
+                                _mm512_load_pd(table + 8));
+}
+
+/// Writes the wanted lanes one after the other, then anything up to a whole vector.
+NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(wanted, x));
+}
+
+/// Takes from sorted[0], sorted[1], ... for the lanes wanted, keeps the others. The load is kept apart: where
+/// a regime has no points, expansions straight from its unwritten range with an empty mask doubled the time
+/// of a batch.
+NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
+  Wide from = load(sorted);
+  asm("" : "+v"(from));
+  return _mm512_mask_expand_pd(others, wanted, from);
+}
+
+#else
+
+NIPREF_INLINE Wide load(const double* from) { return _mm256_loadu_pd(from); }
+NIPREF_INLINE void store(double* to, Wide x) { _mm256_storeu_pd(to, x); }
+NIPREF_INLINE void store(uint64_t* to, WideBits x) { __builtin_memcpy(to, &x, sizeof x); }
+
+/// a b + c, c - a b and -a b - c with one rounding.
+NIPREF_INLINE Wide mul_add(Wide a, Wide b, Wide c) { return _mm256_fmadd_pd(a, b, c); }
+NIPREF_INLINE Wide minus_mul_add(Wide a, Wide b, Wide c) { return _mm256_fnmadd_pd(a, b, c); }
+NIPREF_INLINE Wide minus_mul_subtract(Wide a, Wide b, Wide c) { return _mm256_fnmsub_pd(a, b, c); }
+
+NIPREF_INLINE Wide magnitude(Wide x) { return _mm256_andnot_pd(all(-0.0), x); }
+NIPREF_INLINE Wide smaller(Wide a, Wide b) { return _mm256_min_pd(a, b); }
+NIPREF_INLINE LaneBits where_less(Wide a, Wide b) {
+  return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
+}
+
+NIPREF_INLINE WideDecomposed decompose(Wide x) {
+  const auto denormal = x < all(0x1p-1022);
+  const WideBits bits = bits_of(denormal ? x * 0x1p54 : x);
+  // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer.
+  const Wide biased = from_bits((bits >> 52) | 0x4330000000000000);
+  return {biased - (denormal ? all(0x1p52 + 1023 + 54) : all(0x1p52 + 1023)),
+          from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
+}
+
+/// table[index], lane by lane; AVX2's own gather takes longer than four loads on many processors.
+NIPREF_INLINE Wide gather(const double* table, WideBits index) {
+  alignas(32) uint64_t at[lanes];
+  store(at, index);
+  return Wide{table[at[0]], table[at[1]], table[at[2]], table[at[3]]};
+}
+
+/// table[index mod 16]
+NIPREF_INLINE Wide look_up(const double (&table)[16], WideBits index) { return gather(table, index & 15); }
+
+/// For each set of lanes the permutation of a vector's halves of doubles that brings them to the front, and
+/// the one back; in the latter a lane that belongs to the set has its sign bit set.
+struct LanePermutations {
+  alignas(32) uint32_t front[16][8];
+  alignas(32) uint32_t back[16][8];
+};
+
+constexpr LanePermutations lane_permutations() {
+  LanePermutations made{};
+  for (uint32_t set = 0; set < 16; ++set) {
+    uint32_t count = 0;
+    for (uint32_t lane = 0; lane < 4; ++lane) {
+      if ((set >> lane & 1) == 0) continue;
+      for (uint32_t half = 0; half < 2; ++half) {
+        made.front[set][2 * count + half] = 2 * lane + half;
+        made.back[set][2 * lane + half] = (2 * count + half) | 0x80000000;
+      }
+      ++count;
+    }
+  }
+  return made;
+}
+
+inline constexpr LanePermutations permutations = lane_permutations();
+
+NIPREF_INLINE Wide permute(Wide x, __m256i order) {
+  return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(x), order));
+}
+
+NIPREF_INLINE __m256i load_order(const uint32_t (&order)[8]) {
+  __m256i loaded;
+  __builtin_memcpy(&loaded, order, sizeof loaded);
+  return loaded;
+}
+
+/// Writes the wanted lanes one after the other, then anything up to a whole vector.
+NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
+  store(to, permute(x, load_order(permutations.front[wanted])));
+}
+
+/// Takes from sorted[0], sorted[1], ... for the lanes wanted, keeps the others.
+NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
+  const __m256i order = load_order(permutations.back[wanted]);
+  return _mm256_blendv_pd(others, permute(load(sorted), order), _mm256_castsi256_pd(order));
+}
+
+#endif
+
+/// The lanes that are not in a set.
+NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return static_cast<LaneBits>(set ^ ((1 << lanes) - 1)); }
+
+/// c[0] + c[1] x + ... + c[degree] x^degree.
+template <int degree>
+NIPREF_INLINE Wide horner(const double* c, Wide x) {
+  Wide sum = all(c[degree]);
+#pragma GCC unroll 16
+  for (int k = degree - 1; k >= 0; --k) sum = mul_add(sum, x, all(c[k]));
+  return sum;
+}
+
+}  // namespace nipref::fast::internal::NIPREF_ISA
+
+#else
+
+namespace nipref::fast::internal::NIPREF_ISA {
+
+/// Loops over points run in whole vectors of this many.
+inline constexpr int lanes = 8;
+
+}  // namespace nipref::fast::internal::NIPREF_ISA
+
+#endif
