@@ -12,7 +12,7 @@ struct CoarseBlock {
   alignas(64) double tail_argument[regime_capacity];
   alignas(64) double tail_value[regime_capacity];
 #ifdef NIPREF_WIDE
-  LaneBits is_tail[block_size / lanes];  ///< which of a vector's arguments belong to the tail
+  uint8_t is_tail[block_size / lanes];  ///< which of a vector's arguments belong to the tail
   alignas(64) uint64_t offset[block_size];
   alignas(64) double t[block_size];
   alignas(64) double rest[block_size];
@@ -27,20 +27,20 @@ struct CoarseBlock {
 /// scalar loads soon after a vector's store wait for it, and extractions from its register are slow.
 template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
-  int32_t tail_count = 0;
-  for (int32_t i = 0; i < n; i += lanes) {
+  size_t tail_count = 0;
+  for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     const Wide x = load(argument + i);
     const LaneBits is_tail = other_lanes(where_less(magnitude(x), all(piece_end)));
-    block.is_tail[i / lanes] = is_tail;
+    block.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(block.tail_argument + tail_count, is_tail, x);
-    tail_count += __builtin_popcount(is_tail);
+    tail_count += count_lanes(is_tail);
     const WideCoarsePoint at = locate_coarsely<component, tier>(magnitude(x));
     store(block.offset + i, at.offset);
     store(block.t + i, at.t);
     if constexpr (shape_of<component> == Shape::logarithmic) store(block.rest + i, at.rest);
   }
   fill_up(block.tail_argument + tail_count);
-  block.tail_count = tail_count;
+  block.tail_count = static_cast<int32_t>(tail_count);
 }
 
 template <Component component, int tier>
@@ -48,13 +48,13 @@ NIPREF_INLINE void evaluate_around_tail(const CoarseBlock& block, const double* 
                                         double* value) {
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const double* tail = block.tail_value;
-  for (int32_t i = 0; i < n; i += lanes) {
+  for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     Wide result = cubics<tier_works[tier].piece>(table.coarse[0], block.offset + i, load(block.t + i));
     if constexpr (shape_of<component> == Shape::logarithmic) result += load(block.rest + i);
     if constexpr (shape_of<component> == Shape::odd) result *= load(argument + i);
     const LaneBits is_tail = block.is_tail[i / lanes];
     store(value + i, expand(result, is_tail, tail));
-    tail += __builtin_popcount(is_tail);
+    tail += count_lanes(is_tail);
   }
 }
 

@@ -19,7 +19,7 @@ NIPREF_INLINE WidePair minus_logarithm(Wide x) {
   constexpr int cell_shift = 48;
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const WideDecomposed part = decompose(x);
-  const WideBits cell = bits_of(part.mantissa) >> cell_shift;
+  const TableIndex cell = table_index((bits_of(part.mantissa) >> cell_shift) & (wide_log_cells - 1));
   const Wide r = mul_add(part.mantissa, look_up(common_table.wide_log_reciprocal, cell), all(-1.0));
   Wide low = minus_mul_subtract(r * r, horner<tier_works[tier].wide_log1p - 2>(log1p_curvature, r), r);
   if constexpr (tier_works[tier].compensated)

@@ -30,16 +30,15 @@ NIPREF_INLINE WidePair piece(Wide x) {
   static_assert(degree >= 4 && piece_degree == 7);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const WideLocated at = locate(smaller(x, all(piece_end)));  // tail: any row will do
-  alignas(64) uint64_t offset[lanes];
-  store(offset, at.row << 3);
-  const Columns first = columns(table.power[0], offset);
-  const Columns second = columns(table.power[0] + 4, offset);
+  const TableIndex offset = table_index(at.row << 3);
+  const Columns first = columns(table.power[0], offset.lane);
+  const Columns second = columns(table.power[0] + 4, offset.lane);
   Wide sum = second.number[degree - 4];
 #pragma GCC unroll 8
   for (int k = degree - 1; k >= 1; --k)
     sum = mul_add(sum, at.t, k >= 4 ? second.number[k - 4] : first.number[k]);
   Wide low = at.t * sum;
-  if constexpr (tier_works[tier].compensated) low += gather(table.constant_low, at.row);
+  if constexpr (tier_works[tier].compensated) low += gather_eighths(table.constant_low, offset);
   if constexpr (shape_of<component> == Shape::odd) return {mul_add(x, first.number[0], x * low), Wide{}};
   return {first.number[0], low};
 }

@@ -18,9 +18,9 @@ inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_ca
 struct SortedPoints {
   int32_t count[3];
 #ifdef NIPREF_WIDE
-  LaneBits is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
-  LaneBits is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
-  int32_t far_count;                     ///< others
+  uint8_t is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
+  uint8_t is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
+  int32_t far_count;                    ///< others
 #else
   int32_t place[block_size];
 #endif
@@ -33,44 +33,54 @@ struct SortedPoints {
 NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
 
 /// Separates the points near zero from the others.
-template <Component component>
 NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedPoints& points) {
-  int32_t near_count = 0;
-  for (int32_t i = 0; i < n; i += lanes) {
+  size_t near_count = 0;
+  for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     const Wide x = magnitude(load(argument + i));
-    const LaneBits is_near =
-        shape_of<component> == Shape::logarithmic ? where_less(x, all(near_end)) : LaneBits{0};
-    points.is_near[i / lanes] = is_near;
-    if constexpr (shape_of<component> == Shape::logarithmic) compress(points.x + near_count, is_near, x);
-    compress(points.x + first_of_regime[1] + (i - near_count), other_lanes(is_near), x);
-    near_count += __builtin_popcount(is_near);
+    const LaneBits is_near = where_less(x, all(near_end));
+    points.is_near[i / lanes] = static_cast<uint8_t>(is_near);
+    compress(points.x + near_count, is_near, x);
+    compress_others(points.x + first_of_regime[1] + (i - near_count), is_near, x);
+    near_count += count_lanes(is_near);
   }
-  points.count[0] = near_count;
-  points.far_count = n - near_count;
+  points.count[0] = static_cast<int32_t>(near_count);
+  points.far_count = n - points.count[0];
   fill_up(points.x + near_count);
   fill_up(points.x + first_of_regime[1] + points.far_count);
+}
+
+NIPREF_INLINE void take_all_as_far(const double* argument, int32_t n, SortedPoints& points) {
+  for (size_t i = 0; i < static_cast<size_t>(n); i += lanes)
+    store(points.x + first_of_regime[1] + i, magnitude(load(argument + i)));
+  points.count[0] = 0;
+  points.far_count = n;
 }
 
 /// Copies the points of the residue tail from the range of the pieces, where their places remain; there they
 /// are evaluated in vain, unless there is nothing else.
 NIPREF_INLINE void copy_tail(SortedPoints& points) {
-  int32_t count = 0;
-  for (int32_t i = 0; i < points.far_count; i += lanes) {
+  size_t count = 0;
+  const auto far_count = static_cast<size_t>(points.far_count);
+  for (size_t i = 0; i < far_count; i += lanes) {
     const Wide x = load(points.x + first_of_regime[1] + i);
     const LaneBits is_tail = other_lanes(where_less(x, all(piece_end)));
-    points.is_tail[i / lanes] = is_tail;
+    points.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(points.x + first_of_regime[2] + count, is_tail, x);
-    count += __builtin_popcount(is_tail);
+    count += count_lanes(is_tail);
   }
   fill_up(points.x + first_of_regime[2] + count);
-  points.count[1] = count == points.far_count ? 0 : points.far_count;
-  points.count[2] = count;
+  points.count[2] = static_cast<int32_t>(count);
+  points.count[1] = points.count[2] == points.far_count ? 0 : points.far_count;
 }
 
 /// |argument[0 .. n)| into regimes; n is a multiple of lanes.
 template <Component component>
 NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points) {
-  separate_near_zero<component>(argument, n, points);
+  if constexpr (shape_of<component> == Shape::logarithmic) {
+    separate_near_zero(argument, n, points);
+  } else {
+    take_all_as_far(argument, n, points);
+  }
   copy_tail(points);
 }
 
@@ -79,13 +89,19 @@ NIPREF_INLINE Wide with_signs(Wide magnitude, Wide argument) {
   return from_bits(bits_of(magnitude) | (bits_of(argument) & bits_of(-0.0)));
 }
 
-NIPREF_INLINE void return_tail(const SortedPoints& points, double* sorted) {
+/// Values at the points that are not near zero, in the order of those; at all of them for an odd component,
+/// which takes its signs from the arguments.
+template <Component component>
+NIPREF_INLINE void return_tail(const double* argument, const SortedPoints& points, const double* sorted,
+                               double* value) {
+  const double* const far = sorted + first_of_regime[1];
   const double* tail = sorted + first_of_regime[2];
-  for (int32_t i = 0; i < points.far_count; i += lanes) {
-    double* const far = sorted + first_of_regime[1] + i;
+  for (size_t i = 0; i < static_cast<size_t>(points.far_count); i += lanes) {
     const LaneBits is_tail = points.is_tail[i / lanes];
-    store(far, expand(load(far), is_tail, tail));
-    tail += __builtin_popcount(is_tail);
+    Wide result = expand(load(far + i), is_tail, tail);
+    if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
+    store(value + i, result);
+    tail += count_lanes(is_tail);
   }
 }
 
@@ -93,18 +109,14 @@ NIPREF_INLINE void return_tail(const SortedPoints& points, double* sorted) {
 template <Component component>
 NIPREF_INLINE void restore_order(const double* argument, int32_t n, const SortedPoints& points,
                                  double* sorted, double* value) {
-  return_tail(points, sorted);
-  int32_t near_count = 0;
-  for (int32_t i = 0; i < n; i += lanes) {
+  if (points.count[0] == 0) return return_tail<component>(argument, points, sorted, value);
+  if (points.count[2] != 0) return_tail<component>(argument, points, sorted, sorted + first_of_regime[1]);
+  size_t near_count = 0;
+  for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     const LaneBits is_near = points.is_near[i / lanes];
     const double* const far = sorted + first_of_regime[1] + (i - near_count);
-    Wide result = load(far);
-    if constexpr (shape_of<component> == Shape::logarithmic) {
-      result = expand(expand(result, other_lanes(is_near), far), is_near, sorted + near_count);
-      near_count += __builtin_popcount(is_near);
-    }
-    if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
-    store(value + i, result);
+    store(value + i, expand(expand_others(is_near, far), is_near, sorted + near_count));
+    near_count += count_lanes(is_near);
   }
 }
 

@@ -24,7 +24,7 @@ inline constexpr int lanes = sizeof(Wide) / sizeof(double);
 using WideBits [[gnu::vector_size(sizeof(Wide))]] = uint64_t;
 
 /// One bit for each lane.
-using LaneBits = uint8_t;
+using LaneBits = uint32_t;
 
 /// Unevaluated sums; see Pair.
 struct WidePair {
@@ -38,7 +38,23 @@ NIPREF_INLINE Wide from_bits(WideBits bits) { return __builtin_bit_cast(Wide, bi
 NIPREF_INLINE Wide all(double x) { return x - Wide{}; }
 NIPREF_INLINE WideBits all(uint64_t x) { return x - WideBits{}; }
 
-/// x >= 0 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for 0.
+/// Positions in a table, in a register and in memory. AVX2 reads them from there: extractions from the register
+/// would take more instructions.
+struct TableIndex {
+  WideBits all;
+  alignas(sizeof(Wide)) uint64_t lane[lanes];
+};
+NIPREF_INLINE TableIndex table_index(WideBits index) {
+  TableIndex at;
+  at.all = index;
+  __builtin_memcpy(at.lane, &index, sizeof index);
+#ifndef __AVX512F__
+  asm("" : "+m"(at.lane));  // else GCC would extract
+#endif
+  return at;
+}
+
+/// 0 < x < 2^969 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for other x.
 struct WideDecomposed {
   Wide exponent;
   Wide mantissa;
@@ -66,28 +82,45 @@ NIPREF_INLINE WideDecomposed decompose(Wide x) {
 }
 
 /// table[index], lane by lane.
-NIPREF_INLINE Wide gather(const double* table, WideBits index) {
-  return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index), table, 8);
+NIPREF_INLINE Wide gather(const double* table, const TableIndex& index) {
+  return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index.all), table, 8);
 }
 
-/// table[index mod 16], from registers.
-NIPREF_INLINE Wide look_up(const double (&table)[16], WideBits index) {
-  return _mm512_permutex2var_pd(_mm512_load_pd(table), __builtin_bit_cast(__m512i, index),
+/// table[index/8], lane by lane, where 8 divides all.
+NIPREF_INLINE Wide gather_eighths(const double* table, const TableIndex& index) {
+  return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index.all), table, 1);
+}
+
+/// The same for a table that two registers hold.
+NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
+  return _mm512_permutex2var_pd(_mm512_load_pd(table), __builtin_bit_cast(__m512i, index.all),
                                 _mm512_load_pd(table + 8));
 }
 
 /// Writes the wanted lanes one after the other, then anything up to a whole vector.
 NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
-  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(wanted, x));
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(wanted), x));
 }
 
-/// Takes from sorted[0], sorted[1], ... for the lanes wanted, keeps the others. The load is kept apart: where
-/// a regime has no points, expansions straight from its unwritten range with an empty mask doubled the time
-/// of a batch.
+/// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
+NIPREF_INLINE void compress_others(double* to, LaneBits set, Wide x) {
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(~set), x));
+}
+
+/// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it. The load is kept
+/// apart: where a regime has no points, expansions straight from its unwritten range with an empty mask doubled the
+/// time of a batch.
+NIPREF_INLINE Wide expand_others(LaneBits set, const double* sorted) {
+  Wide from = load(sorted);
+  asm("" : "+v"(from));
+  return _mm512_maskz_expand_pd(static_cast<__mmask8>(~set), from);
+}
+
+/// The same for the lanes wanted, keeping the others.
 NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
   Wide from = load(sorted);
   asm("" : "+v"(from));
-  return _mm512_mask_expand_pd(others, wanted, from);
+  return _mm512_mask_expand_pd(others, static_cast<__mmask8>(wanted), from);
 }
 
 #else
@@ -108,48 +141,64 @@ NIPREF_INLINE LaneBits where_less(Wide a, Wide b) {
 }
 
 NIPREF_INLINE WideDecomposed decompose(Wide x) {
-  const auto denormal = x < all(0x1p-1022);
-  const WideBits bits = bits_of(denormal ? x * 0x1p54 : x);
+  constexpr int scaling = 54;  // makes denormal numbers normal
+  const WideBits bits = bits_of(x * 0x1p54);
   // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer.
   const Wide biased = from_bits((bits >> 52) | 0x4330000000000000);
-  return {biased - (denormal ? all(0x1p52 + 1023 + 54) : all(0x1p52 + 1023)),
-          from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
+  return {biased - all(0x1p52 + 1023 + scaling), from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
 }
 
 /// table[index], lane by lane; AVX2's own gather takes longer than four loads on many processors.
-NIPREF_INLINE Wide gather(const double* table, WideBits index) {
-  alignas(32) uint64_t at[lanes];
-  store(at, index);
-  return Wide{table[at[0]], table[at[1]], table[at[2]], table[at[3]]};
+NIPREF_INLINE Wide gather(const double* table, const TableIndex& index) {
+  return Wide{table[index.lane[0]], table[index.lane[1]], table[index.lane[2]], table[index.lane[3]]};
 }
 
-/// table[index mod 16]
-NIPREF_INLINE Wide look_up(const double (&table)[16], WideBits index) { return gather(table, index & 15); }
+NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
+  return gather(table, index);
+}
 
-/// For each set of lanes the permutation of a vector's halves of doubles that brings them to the front, and
-/// the one back; in the latter a lane that belongs to the set has its sign bit set.
-struct LanePermutations {
-  alignas(32) uint32_t front[16][8];
-  alignas(32) uint32_t back[16][8];
+/// table[index/8], lane by lane, where 8 divides all.
+NIPREF_INLINE Wide gather_eighths(const double* table, const TableIndex& index) {
+  const auto at = [&](int lane) {
+    return *reinterpret_cast<const double*>(reinterpret_cast<const char*>(table) + index.lane[lane]);
+  };
+  return Wide{at(0), at(1), at(2), at(3)};
+}
+
+/// Permutations of a vector's halves of doubles for one set of lanes.
+struct LaneOrder {
+  alignas(32) uint32_t front[8];         ///< brings the set to the front
+  alignas(32) uint32_t others_front[8];  ///< brings all others there
+  alignas(32) uint32_t back[8];          ///< from the front back to the set, whose sign bits are set
+  alignas(32) uint32_t others_back[8];   ///< from the front back to all others
 };
 
-constexpr LanePermutations lane_permutations() {
-  LanePermutations made{};
-  for (uint32_t set = 0; set < 16; ++set) {
-    uint32_t count = 0;
-    for (uint32_t lane = 0; lane < 4; ++lane) {
-      if ((set >> lane & 1) == 0) continue;
-      for (uint32_t half = 0; half < 2; ++half) {
-        made.front[set][2 * count + half] = 2 * lane + half;
-        made.back[set][2 * lane + half] = (2 * count + half) | 0x80000000;
-      }
-      ++count;
+constexpr void fill_lane_order(uint32_t set, uint32_t (&front)[8], uint32_t (&back)[8]) {
+  uint32_t count = 0;
+  for (uint32_t lane = 0; lane < 4; ++lane) {
+    if ((set >> lane & 1) == 0) continue;
+    for (uint32_t half = 0; half < 2; ++half) {
+      front[2 * count + half] = 2 * lane + half;
+      back[2 * lane + half] = (2 * count + half) | 0x80000000;
     }
+    ++count;
   }
-  return made;
 }
 
-inline constexpr LanePermutations permutations = lane_permutations();
+struct LaneOrders {
+  LaneOrder of[16];
+};
+
+constexpr LaneOrders lane_orders() {
+  LaneOrders orders{};
+  for (uint32_t set = 0; set < 16; ++set) {
+    fill_lane_order(set, orders.of[set].front, orders.of[set].back);
+    fill_lane_order(15 - set, orders.of[set].others_front, orders.of[set].others_back);
+  }
+  return orders;
+}
+
+inline constexpr LaneOrders orders = lane_orders();
 
 NIPREF_INLINE Wide permute(Wide x, __m256i order) {
   return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(x), order));
@@ -163,19 +212,31 @@ NIPREF_INLINE __m256i load_order(const uint32_t (&order)[8]) {
 
 /// Writes the wanted lanes one after the other, then anything up to a whole vector.
 NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
-  store(to, permute(x, load_order(permutations.front[wanted])));
+  store(to, permute(x, load_order(orders.of[wanted].front)));
 }
 
-/// Takes from sorted[0], sorted[1], ... for the lanes wanted, keeps the others.
+/// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
+NIPREF_INLINE void compress_others(double* to, LaneBits set, Wide x) {
+  store(to, permute(x, load_order(orders.of[set].others_front)));
+}
+
+/// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it.
+NIPREF_INLINE Wide expand_others(LaneBits set, const double* sorted) {
+  return permute(load(sorted), load_order(orders.of[set].others_back));
+}
+
+/// The same for the lanes wanted, keeping the others.
 NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
-  const __m256i order = load_order(permutations.back[wanted]);
+  const __m256i order = load_order(orders.of[wanted].back);
   return _mm256_blendv_pd(others, permute(load(sorted), order), _mm256_castsi256_pd(order));
 }
 
 #endif
 
 /// The lanes that are not in a set.
-NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return static_cast<LaneBits>(set ^ ((1 << lanes) - 1)); }
+NIPREF_INLINE LaneBits other_lanes(LaneBits set) { return set ^ ((1u << lanes) - 1); }
+
+NIPREF_INLINE uint32_t count_lanes(LaneBits set) { return static_cast<uint32_t>(__builtin_popcount(set)); }
 
 /// c[0] + c[1] x + ... + c[degree] x^degree.
 template <int degree>
