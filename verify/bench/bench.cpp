@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string_view>
 
+#include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 
 namespace nipref::verify {
@@ -17,6 +18,7 @@ struct Promise {
   std::string_view slow;
   std::string_view quick;
   double target;
+  std::string_view instruction_set = {};  ///< that fast runs on; empty: any
 };
 
 constexpr std::string_view everyday_range = "alpha in [1e-6,20] log-uniform";
@@ -27,7 +29,8 @@ constexpr Promise promises[] = {
     {"the same where Ooura's rule converges, [1e-3,1]", "I1", "alpha in [1e-3,1]", "Boost ooura_fourier_cos",
      "fast full", 60},
     {"fast I1 against GSL's QAWF", "I1", everyday_range, "GSL QAWF", "fast full", 500},
-    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 3},
+    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 3, "v4"},
+    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 2, "v3"},
     {"scalar I1, rtol=1e-6 against full", "I1", everyday_range, "fast full", "fast rtol=1e-06", 1.5},
     {"batch I1, rtol=1e-6 against full", "I1", everyday_range, "fast batch full", "fast batch rtol=1e-06",
      1.5},
@@ -45,6 +48,7 @@ const BenchRow* find_row(const std::vector<BenchRow>& rows, const Promise& promi
 std::vector<BenchRatio> form_ratios(const std::vector<BenchRow>& rows) {
   std::vector<BenchRatio> formed;
   for (const Promise& promise : promises) {
+    if (!promise.instruction_set.empty() && promise.instruction_set != fast::instruction_set()) continue;
     const BenchRow* slow = find_row(rows, promise, promise.slow);
     const BenchRow* quick = find_row(rows, promise, promise.quick);
     if (slow == nullptr || quick == nullptr) continue;

@@ -29,7 +29,7 @@ NIPREF_INLINE WidePair piece(Wide x) {
   constexpr int degree = tier_works[tier].piece;
   static_assert(degree >= 4 && piece_degree == 7);
   const ComponentTable& table = component_tables[static_cast<int>(component)];
-  const WideLocated at = locate(smaller(x, all(piece_end)));  // tail: any row will do
+  const WideLocated at = locate(x);
   const TableIndex offset = table_index(at.row << 3);
   const Columns first = columns(table.power[0], offset.lane);
   const Columns second = columns(table.power[0] + 4, offset.lane);

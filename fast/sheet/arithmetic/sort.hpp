@@ -56,21 +56,23 @@ NIPREF_INLINE void take_all_as_far(const double* argument, int32_t n, SortedPoin
   points.far_count = n;
 }
 
-/// Copies the points of the residue tail from the range of the pieces, where their places remain; there they
-/// are evaluated in vain, unless there is nothing else.
-NIPREF_INLINE void copy_tail(SortedPoints& points) {
+/// Separates the points of the residue tail from the pieces.
+NIPREF_INLINE void separate_tail(SortedPoints& points) {
   size_t count = 0;
   const auto far_count = static_cast<size_t>(points.far_count);
+  double* const far = points.x + first_of_regime[1];
   for (size_t i = 0; i < far_count; i += lanes) {
-    const Wide x = load(points.x + first_of_regime[1] + i);
+    const Wide x = load(far + i);
     const LaneBits is_tail = other_lanes(where_less(x, all(piece_end)));
     points.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(points.x + first_of_regime[2] + count, is_tail, x);
+    compress_others(far + (i - count), is_tail, x);
     count += count_lanes(is_tail);
   }
-  fill_up(points.x + first_of_regime[2] + count);
   points.count[2] = static_cast<int32_t>(count);
-  points.count[1] = points.count[2] == points.far_count ? 0 : points.far_count;
+  points.count[1] = points.far_count - points.count[2];
+  fill_up(points.x + first_of_regime[2] + count);
+  fill_up(far + points.count[1]);
 }
 
 /// |argument[0 .. n)| into regimes; n is a multiple of lanes.
@@ -81,7 +83,7 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
   } else {
     take_all_as_far(argument, n, points);
   }
-  copy_tail(points);
+  separate_tail(points);
 }
 
 /// Odd components are positive on the right.
@@ -92,30 +94,32 @@ NIPREF_INLINE Wide with_signs(Wide magnitude, Wide argument) {
 /// Values at the points that are not near zero, in the order of those; at all of them for an odd component,
 /// which takes its signs from the arguments.
 template <Component component>
-NIPREF_INLINE void return_tail(const double* argument, const SortedPoints& points, const double* sorted,
-                               double* value) {
-  const double* const far = sorted + first_of_regime[1];
-  const double* tail = sorted + first_of_regime[2];
+NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points, const double* sorted,
+                              double* value) {
+  const double* const piece = sorted + first_of_regime[1];
+  const double* const tail = sorted + first_of_regime[2];
+  size_t count = 0;
   for (size_t i = 0; i < static_cast<size_t>(points.far_count); i += lanes) {
     const LaneBits is_tail = points.is_tail[i / lanes];
-    Wide result = expand(load(far + i), is_tail, tail);
+    Wide result = expand(expand_others(is_tail, piece + (i - count)), is_tail, tail + count);
     if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
     store(value + i, result);
-    tail += count_lanes(is_tail);
+    count += count_lanes(is_tail);
   }
 }
 
 /// Puts values at the sorted points back into the order of the arguments; odd components take their signs.
 template <Component component>
 NIPREF_INLINE void restore_order(const double* argument, int32_t n, const SortedPoints& points,
-                                 double* sorted, double* value) {
-  if (points.count[0] == 0) return return_tail<component>(argument, points, sorted, value);
-  if (points.count[2] != 0) return_tail<component>(argument, points, sorted, sorted + first_of_regime[1]);
+                                 const double* sorted, double* value) {
+  if (points.count[0] == 0) return merge_tail<component>(argument, points, sorted, value);
+  alignas(64) double merged[regime_capacity];
+  if (points.count[2] != 0) merge_tail<component>(argument, points, sorted, merged);
+  const double* const far = points.count[2] != 0 ? merged : sorted + first_of_regime[1];
   size_t near_count = 0;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
     const LaneBits is_near = points.is_near[i / lanes];
-    const double* const far = sorted + first_of_regime[1] + (i - near_count);
-    store(value + i, expand(expand_others(is_near, far), is_near, sorted + near_count));
+    store(value + i, expand(expand_others(is_near, far + (i - near_count)), is_near, sorted + near_count));
     near_count += count_lanes(is_near);
   }
 }
@@ -150,7 +154,7 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
 /// Puts values at the sorted points back into the order of the arguments; odd components take their signs.
 template <Component component>
 NIPREF_INLINE void restore_order(const double* argument, int32_t n, const SortedPoints& points,
-                                 double* sorted, double* value) {
+                                 const double* sorted, double* value) {
   for (int32_t i = 0; i < n; ++i) value[i] = with_symmetry<component>(sorted[points.place[i]], argument[i]);
 }
 

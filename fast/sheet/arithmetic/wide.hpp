@@ -81,17 +81,12 @@ NIPREF_INLINE WideDecomposed decompose(Wide x) {
   return {_mm512_getexp_pd(x), _mm512_getmant_pd(x, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero)};
 }
 
-/// table[index], lane by lane.
-NIPREF_INLINE Wide gather(const double* table, const TableIndex& index) {
-  return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index.all), table, 8);
-}
-
 /// table[index/8], lane by lane, where 8 divides all.
 NIPREF_INLINE Wide gather_eighths(const double* table, const TableIndex& index) {
   return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index.all), table, 1);
 }
 
-/// The same for a table that two registers hold.
+/// table[index mod 16], from two registers.
 NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
   return _mm512_permutex2var_pd(_mm512_load_pd(table), __builtin_bit_cast(__m512i, index.all),
                                 _mm512_load_pd(table + 8));
@@ -148,13 +143,9 @@ NIPREF_INLINE WideDecomposed decompose(Wide x) {
   return {biased - all(0x1p52 + 1023 + scaling), from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
 }
 
-/// table[index], lane by lane; AVX2's own gather takes longer than four loads on many processors.
-NIPREF_INLINE Wide gather(const double* table, const TableIndex& index) {
-  return Wide{table[index.lane[0]], table[index.lane[1]], table[index.lane[2]], table[index.lane[3]]};
-}
-
+/// table[index], 0 <= index < 16; AVX2's own gather takes longer than four loads on many processors.
 NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
-  return gather(table, index);
+  return Wide{table[index.lane[0]], table[index.lane[1]], table[index.lane[2]], table[index.lane[3]]};
 }
 
 /// table[index/8], lane by lane, where 8 divides all.

@@ -101,4 +101,34 @@ TEST_CASE("the code for every instruction set of this processor keeps the promis
   }
 }
 
+TEST_CASE("batches of every instruction set of this processor agree with its single values") {
+  namespace internal = nipref::fast::internal;
+  const std::vector<std::vector<double>> arguments = {
+      mixed_arguments(517, 16),      log_uniform(1e-320, 0.4, 515, 17), log_uniform(0.6, 11, 515, 18),
+      log_uniform(13, 1e3, 515, 19), log_uniform(0.6, 300, 515, 20),    log_uniform(1e-5, 11, 515, 21)};
+  for (int set = 0; set < internal::instruction_set_count; ++set) {
+    const internal::SheetCode* code = internal::sheet_code_for(set);
+    if (code == nullptr) continue;
+    for (std::size_t k = 0; k < kernels().size(); ++k) {
+      for (int tier = 0; tier < internal::tier_count; ++tier) {
+        for (const std::vector<double>& x : arguments) {
+          std::vector<double> value(x.size(), -1);
+          code->batch[k][tier](x.data(), value.data(), x.size());
+          double worst = 0;
+          for (std::size_t i = 0; i < x.size(); ++i) {
+            const double single = code->scalar[k][tier](x[i]);
+            const double units = std::fabs(value[i] - single) / ulp(kernels()[k].scale(x[i], single));
+            worst = units <= worst ? worst : units;
+          }
+          CAPTURE(set);
+          CAPTURE(kernels()[k].name);
+          CAPTURE(tier);
+          CAPTURE(x[0]);
+          CHECK(worst <= 1);
+        }
+      }
+    }
+  }
+}
+
 TEST_SUITE_END();
