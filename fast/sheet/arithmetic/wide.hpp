@@ -3,6 +3,8 @@
 // Vectors of doubles, eight with AVX-512 and four with AVX2: what the wide forms of the regimes are written in.
 // Arithmetic, comparisons and selections are GCC's own for vectors; here is what those do not have.
 
+#include <stddef.h>
+
 #include <nipref/fast/sheet/arithmetic/floating.hpp>
 
 #ifdef __AVX2__
@@ -36,7 +38,6 @@ NIPREF_INLINE WideBits bits_of(Wide x) { return __builtin_bit_cast(WideBits, x);
 NIPREF_INLINE Wide from_bits(WideBits bits) { return __builtin_bit_cast(Wide, bits); }
 
 NIPREF_INLINE Wide all(double x) { return x - Wide{}; }
-NIPREF_INLINE WideBits all(uint64_t x) { return x - WideBits{}; }
 
 /// Positions in a table, in a register and in memory. AVX2 reads them from there: extractions from the register
 /// would take more instructions.
