@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/grade/condition.hpp>
 #include <nipref/verify/grade/grade.hpp>
@@ -11,12 +14,26 @@ std::string exponent_text(const Decade& decade) {
   return decade.exponent ? fmt::format("1e{:+03}", *decade.exponent) : "0";
 }
 
+/// The worst few, in the order of magnitude: a domain may have six hundred.
+std::vector<Decade> worst_decades(std::vector<Decade> decades) {
+  constexpr std::size_t few = 12;
+  if (decades.size() <= few) return decades;
+  std::ranges::stable_sort(decades, std::greater<>(), &Decade::max_ulp);
+  decades.resize(few);
+  std::ranges::sort(decades, {}, &Decade::exponent);
+  return decades;
+}
+
 std::string decades_text(const Quantity& quantity, const ErrorSpread& spread) {
+  const std::vector<Decade> worst = worst_decades(spread.decades);
   std::string text = fmt::format("  |{}| from    points  above promise    max ulp  median ulp\n",
                                  quantity.arguments[spread.along].name);
-  for (const Decade& decade : spread.decades)
+  for (const Decade& decade : worst)
     text += fmt::format("  {:>12} {:>9} {:>14} {:>10.4g} {:>11.3g}\n", exponent_text(decade), decade.points,
                         decade.above, decade.max_ulp, decade.median_ulp);
+  if (worst.size() < spread.decades.size())
+    text +=
+        fmt::format("  the worst {} of {} decades; --json has all\n", worst.size(), spread.decades.size());
   return text;
 }
 
