@@ -8,6 +8,7 @@
 #include <nipref/verify/cli/bench_against.hpp>
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 
 namespace nipref::verify {
@@ -18,7 +19,7 @@ constexpr auto notes =
     "*: none of the ways to the same values was as quick and more right, or as right and quicker.\n"
     "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits:\n"
     "10^-N of the scale) and relative to the value.\n"
-    "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n\n";
+    "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n";
 
 /// What this run was asked for, to ask the same of an older program.
 std::vector<std::string> words_of(const CommandLine& line) {
@@ -71,7 +72,8 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("bench", bench_json(report), line.no_times);
   } else {
-    out << bench_text(report.rows) << notes << ratios_text(report.ratios) << interruption_text();
+    out << bench_text(report.rows) << notes << machine_text() << "\n\n"
+        << ratios_text(report.ratios) << interruption_text();
   }
   return all_met(report, line.has("strict")) ? 0 : 1;
 }

@@ -46,13 +46,16 @@ Json libraries_json() {
 
 }  // namespace
 
+std::string machine_text() {
+  return fmt::format("{}, {} cores; fast runs its code for {}",
+                     processor_name().value_or("unknown processor"),
+                     cores() ? std::to_string(*cores()) : "unknown", fast::instruction_set());
+}
+
 std::string version_text() {
-  return fmt::format(
-      "nipref {}\ncommit: {}, {}\ncompiler: {}, build type {}\nlibraries: {}\n"
-      "runs on: {}, {} cores; fast runs its code for {}\n",
-      build_info::version, build_info::commit, build_info::commit_date, build_info::compiler,
-      build_info::build_type, libraries_text(), processor_name().value_or("unknown processor"),
-      cores() ? std::to_string(*cores()) : "unknown", fast::instruction_set());
+  return fmt::format("nipref {}\ncommit: {}, {}\ncompiler: {}, build type {}\nlibraries: {}\nruns on: {}\n",
+                     build_info::version, build_info::commit, build_info::commit_date, build_info::compiler,
+                     build_info::build_type, libraries_text(), machine_text());
 }
 
 std::string compiler() { return std::string(build_info::compiler); }

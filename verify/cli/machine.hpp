@@ -15,6 +15,9 @@ std::string compiler();
 /// What golden values made now are made with.
 Provenance provenance();
 
+/// What it runs on: processor, cores, and the instruction set that fast uses.
+std::string machine_text();
+
 /// The same as "nipref" in every answer.
 Json version_json();
 
