@@ -21,6 +21,7 @@ constexpr std::size_t starts_of_search = 8;
 // Shares of the points asked for.
 constexpr double share_of_hard = 0.5;  // at most
 constexpr double share_of_zeros = 0.1;
+constexpr double share_of_round = 0.05;
 constexpr double share_of_dense = 0.15;
 constexpr double share_of_search = 0.1;
 
@@ -223,6 +224,7 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
     points.insert(points.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
   append(zero_points(quantity, ranges, share(share_of_zeros), random));
+  append(thinned(round_points(quantity, ranges, random), share(share_of_round)));
   append(dense_points(quantity, ranges, share(share_of_dense), random));
   const std::size_t planned = points.size() + (options.search ? share(share_of_search) : 0);
   if (planned < wanted) append(random_points(quantity, ranges, wanted - planned, random));

@@ -63,12 +63,12 @@ struct AuditResult {
 };
 
 /// Another number, other points for the same options.
-inline constexpr int sampler_version = 1;
+inline constexpr int sampler_version = 2;
 
 /// The points that an audit looks at before its local search.
 std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options);
 
-/// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, dense and random
+/// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, round, dense and random
 /// points, then a local search around the worst few. Deterministic, whatever the number of threads. At full
 /// accuracy the allowance is promise * ulp(scale); at a lower one rtol * scale, but not less than that. Points of
 /// ranges that the reference refuses are left out; BadInput if it refuses all of them.

@@ -94,6 +94,14 @@ TEST_CASE("the audit finds an error at a branch point's neighbour alone") {
   CHECK(found.worst[0] == branch);
 }
 
+TEST_CASE("the audit finds an error at one knot of a table alone") {
+  const Quantity wrong =
+      damaged_I3([](double alpha, double value) { return alpha == 17.25 ? 1.001 * value : value; });
+  const AuditResult found = verify::audit(wrong, {20'000, {}, {}});
+  CHECK_FALSE(found.kept());
+  CHECK(found.worst[0] == 17.25);
+}
+
 TEST_CASE("the audit does not let a value pass that is no number") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Quantity wrong =

@@ -205,6 +205,20 @@ std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, R
   return points;
 }
 
+std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, Random& random) {
+  constexpr int quarters = 200;
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
+    if (!is_position(quantity.arguments[i].kind)) continue;
+    for (int k = -quarters; k <= quarters; ++k) {
+      Point point = draw_point(quantity, ranges, random);
+      point[i] = k / 4.0;
+      if (k != 0 && contains(ranges, point)) points.push_back(std::move(point));
+    }
+  }
+  return points;
+}
+
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
                                 Random& random) {
   if (quantity.draw && ranges.empty()) return random_points(quantity, ranges, count, random);

@@ -27,6 +27,9 @@ std::vector<Point> thinned(std::vector<Point> points, std::size_t limit);
 /// the same hard value.
 std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
+/// Each position at the quarters up to 50, where codes that interpolate have their knots, the other arguments random.
+std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, Random& random);
+
 /// `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
 /// cell; each argument that has a range is spread so over that.
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
