@@ -43,7 +43,7 @@ std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantitie
     if (interrupted()) break;
     progress.next(quantity->name);
     const auto expected = static_cast<double>(options.points_of(*quantity));
-    options.more_points = golden_points(*quantity, {}, options.points_of(*quantity));
+    options.more_points = golden_points(*quantity, {}, options.points_of(*quantity) / golden_share);
     options.progress = [&](std::size_t done) { progress.at(static_cast<double>(done) / expected); };
     try {
       results.push_back(audit(*quantity, options));

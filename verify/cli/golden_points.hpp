@@ -6,6 +6,9 @@
 
 namespace nipref::verify {
 
+/// Golden points are at most one in so many of the points that are asked for.
+inline constexpr std::size_t golden_share = 10;
+
 /// The points of the quantity's golden values that lie in the ranges, at most `most` of them, evenly taken; none if it
 /// has no golden values. BadInput if their file cannot be read.
 std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges, std::size_t most);

@@ -16,8 +16,6 @@
 namespace nipref::verify {
 namespace {
 
-constexpr std::size_t largest_golden_share = 4;  // a quarter of the points
-
 const Quantity& only_quantity(const CommandLine& line) {
   if (line.words.size() > 1)
     throw data::BadInput("argument", line.words[1], "unexpected: points takes one quantity and its ranges");
@@ -40,7 +38,7 @@ int points_verb(const CommandLine& line, std::ostream& out) {
   options.search = false;
   if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
   const std::size_t wanted = options.points_of(quantity);
-  options.more_points = golden_points(quantity, options.ranges, wanted / largest_golden_share);
+  options.more_points = golden_points(quantity, options.ranges, wanted / golden_share);
   options.points = wanted - options.more_points.size();
   options.seed = line.option("seed").value_or("");
   std::vector<Point> points = audit_points(quantity, options);

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include <nipref/verify/catalogue/catalogue.hpp>
+
 #include "support/golden_folder.hpp"
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
@@ -54,25 +56,29 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   CHECK(made["files"][0]["rows"] == 6);
   CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
         0);
-  const json kept = answer("golden check", "golden_check", 0);
+  const json kept = answer("golden check root.re I2", "golden_check", 0);
   CHECK(kept["files"].size() == 2);
   CHECK(kept["files"][0]["hashed"] == true);
   CHECK(answer("golden list I2 I3", "golden_list", 0)["missing"] == json{"I3"});
+  const json of_all = answer("golden check", "golden_check", 1);
+  CHECK(of_all["failures"].size() + 2 == nipref::verify::catalogue().size());
+  CHECK(of_all["failures"][0]["fault"] == "missing");
 
   SUBCASE("a digit that is changed is found, by its checksum and by the reference") {
     edit(folder.file("I2.csv"), "1.5707963267948966192313216916", "1.5707963267948966192313216917");
     const json changed = answer("golden check I2", "golden_check", 1);
     CHECK(changed["files"][0]["failures"][0]["fault"] == "text-changed");
     CHECK(changed["files"][0]["failures"][1]["fault"] == "wrong");
-    const Outcome text = run("golden check");
+    const Outcome text = run("golden check root.re I2");
     CHECK(text.status == 1);
-    CHECK(text.out.find("12 golden values: 1 wrong, 0 useless, 1 text-changed") != std::string::npos);
+    CHECK(text.out.find("12 golden values: 1 wrong, 0 useless, 1 text-changed, 0 missing") !=
+          std::string::npos);
 
     const std::string before = text_of(folder.file("I2.csv"));
     const json updated = answer("golden update I2 --dirty", "golden_update", 0);
     REQUIRE(updated["files"][0]["changed"].size() == 1);
     CHECK(updated["files"][0]["changed"][0]["why"] == "another value");
-    CHECK(run("golden check").status == 0);
+    CHECK(run("golden check root.re I2").status == 0);
     const std::string after = text_of(folder.file("I2.csv"));
     CHECK(after != before);
     CHECK(after.find("# updated: 1 rows by ") != std::string::npos);
@@ -99,7 +105,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   SUBCASE("a file by its path, and one that cannot be read") {
     CHECK(run("golden check '" + folder.file("I2.csv").string() + "'").status == 0);
     std::ofstream(folder.file("I2.csv")) << "nothing";
-    const json changed = answer("golden check", "golden_check", 1);
+    const json changed = answer("golden check root.re I2", "golden_check", 1);
     CHECK(changed["files"][1]["quantity"].is_null());
   }
 }
