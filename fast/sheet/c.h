@@ -10,13 +10,10 @@
 extern "C" {
 #endif
 
-#ifndef NIPREF_CODES
-#define NIPREF_CODES
 enum {
   nipref_failed = 1,   /* for another reason than the arguments */
-  nipref_bad_input = 2 /* an argument is outside its domain, or value is null */
+  nipref_bad_input = 2 /* an argument is outside its domain, a name is unknown, or a pointer is null */
 };
-#endif
 
 int nipref_fast_I1(double alpha, double* value);
 int nipref_fast_I2(double alpha, double* value);

@@ -3,21 +3,18 @@
 /* Every quantity of nipref's catalogue for C and for languages that call C: in double by `fast`, and to any number of
    digits with an error by `ref`. Definitions, arguments and domains: `nipref list QUANTITY`.
 
+   Codes and nipref_last_error() are those of c.h, whose functions libnipref has as well: a program that links libnipref
+   does not link libnipref_fast, or the second of the two would not be heard by nipref_last_error().
+
    Functions that return int return 0 and write their results; or they return nipref_bad_input or nipref_failed, write
    nothing, and nipref_last_error() says why. Every function may be called from several threads at once. */
 
 #include <stddef.h>
 
+#include <nipref/fast/sheet/c.h>
+
 #ifdef __cplusplus
 extern "C" {
-#endif
-
-#ifndef NIPREF_CODES
-#define NIPREF_CODES
-enum {
-  nipref_failed = 1,   /* for another reason than the arguments */
-  nipref_bad_input = 2 /* an argument is outside its domain, a name is unknown, or a pointer is null */
-};
 #endif
 
 /* A quantity; valid as long as the library is loaded. */
@@ -25,10 +22,6 @@ typedef struct nipref_quantity nipref_quantity;
 
 /* "0.1.0" */
 const char* nipref_version(void);
-
-/* What was wrong with this thread's latest call that did not return 0, one line "ARGUMENT = VALUE: ALLOWED"; "" if there
-   was none. Valid until this thread's next call. */
-const char* nipref_last_error(void);
 
 /* All quantities, in the catalogue's order. */
 size_t nipref_quantity_count(void);
