@@ -12,7 +12,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
-#include <nipref/verify/grade/internal/child.hpp>
+#include <nipref/verify/grade/internal/answers.hpp>
 #include <nipref/verify/grade/kernel.h>
 #include <nipref/verify/grade/plugin.hpp>
 
@@ -21,7 +21,6 @@ namespace {
 
 using data::BadInput;
 using protocol::Message;
-using protocol::Noticed;
 using protocol::Request;
 
 /// A new process takes a few thousandths of a second. So many in a row are no region that is left again soon.
@@ -30,38 +29,6 @@ constexpr std::size_t most_deaths = 2000, most_deaths_in_a_row = 400;
 constexpr std::size_t most_hangs = 6;
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
-/// What went wrong in a call.
-struct Trouble {
-  FaultKind kind;
-  std::string words;
-};
-
-std::vector<Trouble> troubles_of(const Noticed& noticed) {
-  std::vector<Trouble> troubles;
-  const auto add = [&](std::uint32_t bits, std::uint32_t bit, FaultKind kind, const char* words) {
-    if ((bits & bit) == 0) return;
-    if (troubles.empty() || troubles.back().kind != kind)
-      troubles.push_back({kind, words});
-    else
-      troubles.back().words += std::string(" and ") + words;
-  };
-  add(noticed.offences, protocol::output_overrun, FaultKind::overrun,
-      "touches memory before or behind its output");
-  add(noticed.offences, protocol::arguments_overrun, FaultKind::overrun,
-      "touches memory before or behind its arguments");
-  add(noticed.offences, protocol::arguments_changed, FaultKind::arguments, "writes to its arguments");
-  add(noticed.changes, protocol::rounding, FaultKind::environment, "leaves another rounding mode");
-  add(noticed.changes, protocol::flush_to_zero, FaultKind::environment,
-      "leaves small results flushed to zero (FTZ, as -ffast-math has it)");
-  add(noticed.changes, protocol::denormals_are_zero, FaultKind::environment,
-      "leaves small arguments taken for zero (DAZ, as -ffast-math has it)");
-  add(noticed.changes, protocol::traps, FaultKind::environment, "leaves floating-point exceptions unmasked");
-  add(noticed.changes, protocol::x87_precision, FaultKind::environment,
-      "leaves another precision of the x87 unit");
-  add(noticed.offences, protocol::printed, FaultKind::output, "writes to standard output");
-  return troubles;
-}
 
 HostOrders orders_of(const Plugin& plugin) {
   HostOrders orders{plugin.file, {}, 0, 0, plugin.time_limit};
@@ -79,59 +46,6 @@ void check(const Plugin& plugin) {
   if (plugin.function && (plugin.function->arity == 0 || plugin.function->arity > protocol::most_arguments))
     throw BadInput("arity", fmt::format("{}", plugin.function->arity),
                    fmt::format("must be 1 to {}", protocol::most_arguments));
-}
-
-/// What a child says first.
-struct Greeting {
-  std::vector<KernelInfo> kernels;
-  Noticed noticed;
-};
-
-Greeting read_greeting(const Plugin& plugin, Message& message) {
-  const std::string failure = message.take_text();
-  if (!failure.empty()) throw BadInput("plugin", plugin.file.string(), failure);
-  Greeting greeting;
-  greeting.noticed = message.take<Noticed>();
-  const auto count = message.take<std::size_t>();
-  for (std::size_t i = 0; i < count; ++i) {
-    KernelInfo info;
-    info.name = message.take_text();
-    info.quantity = message.take_text();
-    info.arity = message.take<std::uint32_t>();
-    info.thread_safe = (message.take<std::uint32_t>() & nipref_kernel_thread_safe) != 0;
-    greeting.kernels.push_back(std::move(info));
-  }
-  return greeting;
-}
-
-/// BadInput if the plugin does not live to say it.
-Greeting greeting_of(const Plugin& plugin, Child& child) {
-  Child::Answer answer = child.greeting();
-  if (const Death* const death = std::get_if<Death>(&answer))
-    throw BadInput("plugin", plugin.file.string(),
-                   fmt::format("must be loaded without harm: {}, {}", name_of(death->kind), death->words));
-  try {
-    return read_greeting(plugin, std::get<Message>(answer));
-  } catch (const std::length_error&) {
-    throw BadInput("plugin", plugin.file.string(), "must not write to a descriptor that is not its own");
-  }
-}
-
-/// What came of a batch.
-struct Outcome {
-  std::vector<Trouble> troubles = {};
-  bool has_values = false;
-  std::vector<double> values = {}, permuted = {}, threaded = {};
-};
-
-Message with_points(Message message, std::span<const Point> points, std::size_t arity) {
-  message.put(points.size());
-  std::vector<double> column(points.size());
-  for (std::size_t j = 0; j < arity; ++j) {
-    std::ranges::transform(points, column.begin(), [j](const Point& point) { return point[j]; });
-    message.put_column(column);
-  }
-  return message;
 }
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
@@ -285,18 +199,6 @@ class PluginKernel::Work {
     } catch (const std::length_error&) {
       return {.troubles = {count({FaultKind::protocol, "wrote to a descriptor that is not its own"})}};
     }
-  }
-
-  static Outcome read_outcome(Message& message, std::size_t count) {
-    Outcome outcome{.troubles = troubles_of(message.take<Noticed>())};
-    const int status = message.take<int>();
-    if (status != 0) outcome.troubles.push_back({FaultKind::refused, fmt::format("returns {}", status)});
-    outcome.has_values = status == 0;
-    for (std::vector<double>* const column : {&outcome.values, &outcome.permuted, &outcome.threaded}) {
-      column->resize(count);
-      message.take_column(*column);
-    }
-    return outcome;
   }
 
   void evaluate_batch(std::span<const Point> points, std::span<double> values) {
