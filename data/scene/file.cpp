@@ -8,6 +8,7 @@
 #include <nipref/data/scene/internal/half_space.hpp>
 #include <nipref/data/scene/internal/material.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
+#include <nipref/data/scene/internal/sweep.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
 
 namespace nipref::data {
@@ -124,7 +125,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
 decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
-              "friction", "method", "profile"});
+              "friction", "method", "profile", "sweep"});
   const bool is_elastic = material_model(file.table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
   return read_elastic_nip(file, origin);
@@ -146,8 +147,18 @@ std::string closest_example(const std::string& name, const std::filesystem::path
   return did_you_mean(name, {names.begin(), names.end()}, 3);
 }
 
+/// A scene with a sweep is one contact only with a value for each of its keys.
+void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const SceneOverrides& overrides) {
+  for (const auto& [key, values] : read_sweep(top).keys) {
+    if (std::ranges::find(overrides, key, &SceneOverrides::value_type::first) == overrides.end())
+      origin.refuse("sweep." + key, values,
+                    "must be solved by nipref solve, or have one value given beside the file");
+  }
+}
+
 /// `origin` is the table's.
 Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
+  refuse_what_is_swept(top, origin, overrides);
   Scene scene{.title = top.text("title"),
               .wanted = top.texts("wanted"),
               .system = read_system(top, origin),

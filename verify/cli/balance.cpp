@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <nipref/data/scene/file.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
@@ -39,7 +40,8 @@ Json balance_json(const EnergyBalance& balance, const std::string& path) {
 
 int balance_verb(const CommandLine& line, std::ostream& out) {
   const SceneRequest request = scene_request(line, "balance", 16);
-  const EnergyBalance balance = energy_balance(request.scene, request.digits);
+  const EnergyBalance balance =
+      energy_balance(data::load_scene(request.file, line.assignments), request.digits);
   out << (line.json
               ? answer_text("balance", balance_json(balance, request.digits ? "ref" : "fast"), line.no_times)
               : balance_text(balance));

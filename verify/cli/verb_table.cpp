@@ -38,6 +38,8 @@ const OptionText scenes_option{"scenes",
                                "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
 const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
 
+const OptionText sweep_points_text{"points",
+                                   "values of each range, 1 to 1e8 (default 100); combinations up to 1e7"};
 const OptionText sample_points_option{
     "points", "about so many points, 1 to 1e8 (default: the quantity's own, see list)"};
 const OptionText sample_seed_option{"seed", "any text: another one, other random points (default: none)"};
@@ -106,24 +108,28 @@ const std::array all_verbs{
              {"nipref list", "nipref list I1 vs"}},
     VerbText{
         "eval",
-        "One quantity at one argument, by both paths, with their errors. 'eval' may be left out.",
+        "One quantity at one argument, by both paths, with their errors, or a sweep over many. 'eval' may be left out.",
         "quantity",
         "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
-        "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees",
-        {path_option, digits_option, rtol_option, form_option},
-        {json_flag, no_times_flag},
-        {"nipref eval I1 alpha=0.73", "nipref eval vs alpha=0.5 eta=2 young=1.45e5 poisson=0.3 --digits 100"},
+        "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees. name=a,b,c and "
+        "name=lo..hi[:log|:linear|:bits] give all combinations, a row each, as CSV",
+        {path_option, digits_option, rtol_option, form_option, sweep_points_text},
+        {quiet_flag, json_flag, no_times_flag},
+        {"nipref eval I1 alpha=0.73", "nipref eval I6 alpha=1e-6..20:log eta=0.5,2 --points 200",
+         "nipref eval vs alpha=0.5 eta=2 young=1.45e5 poisson=0.3 --digits 100"},
         true},
     VerbText{
         "solve",
-        "What a scene wants of its contact.",
+        "What a scene wants of its contact, or of many.",
         "scene",
         "a TOML file in any consistent units, or the name of an example in data/scenes; key=value pairs stand for "
-        "what it has there",
-        {solve_path_option, solve_digits_option},
-        {json_flag, no_times_flag},
+        "what it has there. key=a,b,c and key=lo..hi[:log|:linear|:bits], here or in the scene's table [sweep], give "
+        "all combinations, a row each, as CSV",
+        {solve_path_option, solve_digits_option, sweep_points_text},
+        {quiet_flag, json_flag, no_times_flag},
         {"nipref solve thick-full-friction",
-         "nipref solve scene.toml load.per_length=200 material.poisson=0.3"},
+         "nipref solve scene.toml load.per_length=200 material.poisson=0.3",
+         "nipref solve thick-frictionless load.per_length=1..1000:log --points 50"},
         true},
     VerbText{
         "balance",

@@ -11,10 +11,6 @@
 namespace nipref::verify {
 namespace {
 
-std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
-std::string error_text(const fast::Estimate& number) { return upward_text(number.error); }
-std::string value_text(const LongEstimate& number) { return number.value; }
-std::string error_text(const LongEstimate& number) { return number.error; }
 bool is_proven(const fast::Estimate&) { return false; }
 bool is_proven(const LongEstimate& number) { return number.proven; }
 /// What is proven is called a bound, and an error what is not.
@@ -78,6 +74,11 @@ void append_profile(const typename SceneSolution<Number>::Result& result,
 }
 
 }  // namespace
+
+std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
+std::string error_text(const fast::Estimate& number) { return upward_text(number.error); }
+std::string value_text(const LongEstimate& number) { return number.value; }
+std::string error_text(const LongEstimate& number) { return number.error; }
 
 template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution) {

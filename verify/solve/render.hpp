@@ -6,6 +6,12 @@
 
 namespace nipref::verify {
 
+/// A number, and its error rounded upwards, as decimals.
+std::string value_text(const fast::Estimate& number);
+std::string error_text(const fast::Estimate& number);
+std::string value_text(const LongEstimate& number);
+std::string error_text(const LongEstimate& number);
+
 /// For people: numbers with units and error estimates, profiles as a table, the work in one line.
 /// Instantiated for fast::Estimate and LongEstimate.
 template <class Number>

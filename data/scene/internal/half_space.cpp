@@ -87,7 +87,7 @@ ContourRule read_rule(const TomlTable& method) {
 
 HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
   file.allow({"title", "wanted", "accuracy", "half_space", "die", "rolling_sphere", "sphere", "sliding",
-              "rolling", "load", "contact", "method", "profile"});
+              "rolling", "load", "contact", "method", "profile", "sweep"});
   HalfSpaceProblem problem{.body = read_body(file, origin),
                            .half_space = read_half_space(file.table("half_space")),
                            .given = {},

@@ -169,6 +169,16 @@ void TomlTable::allow(std::initializer_list<std::string_view> known) const {
 
 bool TomlTable::has(std::string_view key) const { return contents_->table->contains(key); }
 
+bool TomlTable::has_table(std::string_view key) const {
+  return has(key) && contents_->table->get(key)->is_table();
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, node] : *contents_->table) keys.emplace_back(key.str());
+  return keys;
+}
+
 TomlTable::Item TomlTable::item(std::string_view key, std::string_view allowed) const {
   const auto found = contents_->table->find(key);
   const std::string name = full_name(key);
@@ -222,6 +232,22 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
   std::vector<double> values;
   for (const Item& element : items(key, "must be a list of numbers")) values.push_back(element.as<double>());
   return values;
+}
+
+std::string TomlTable::text_or_list(std::string_view key) const {
+  constexpr auto allowed =
+      "must be a range in quotes, \"lo..hi:log\", or a list of numbers or of texts without commas";
+  const Item whole = item(key, allowed);
+  if (whole.node->is_string()) return whole.as<std::string>();
+  std::string all;
+  for (const Item& element : items(key, allowed)) {
+    const std::string one =
+        element.node->is_string() ? element.as<std::string>() : fmt::format("{}", element.as<double>());
+    if (one.empty() || one.find(',') != std::string::npos) element.refuse();
+    all += (all.empty() ? "" : ",") + one;
+  }
+  if (all.empty()) whole.refuse();
+  return all;
 }
 
 std::string TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {

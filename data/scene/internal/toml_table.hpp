@@ -27,6 +27,9 @@ class TomlTable {
   void allow(std::initializer_list<std::string_view> known) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
+  [[nodiscard]] bool has_table(std::string_view key) const;
+  /// In the order of the alphabet.
+  [[nodiscard]] std::vector<std::string> keys() const;
   // What the key holds. Refused if it is not there, or of another type.
   [[nodiscard]] TomlTable table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
@@ -34,6 +37,8 @@ class TomlTable {
   [[nodiscard]] int whole(std::string_view key) const;
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
+  /// A text as it is, or a list of numbers and texts with commas between them.
+  [[nodiscard]] std::string text_or_list(std::string_view key) const;
   /// A text that is one of `choices`.
   [[nodiscard]] std::string choice(std::string_view key,
                                    std::initializer_list<std::string_view> choices) const;

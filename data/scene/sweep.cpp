@@ -1,0 +1,32 @@
+#include <nipref/data/scene/internal/sweep.hpp>
+
+namespace nipref::data {
+namespace {
+
+/// `above`: what stands before its keys, "load." or nothing.
+void read_keys(const TomlTable& table, const std::string& above, SceneSweep& sweep) {
+  for (const std::string& key : table.keys()) {
+    if (above.empty() && key == "points") {
+      sweep.points = table.whole(key);
+    } else if (table.has_table(key)) {
+      read_keys(table.table(key), above + key + ".", sweep);
+    } else {
+      sweep.keys.emplace_back(above + key, table.text_or_list(key));
+    }
+  }
+}
+
+}  // namespace
+
+SceneSweep read_sweep(const TomlTable& file) {
+  SceneSweep sweep;
+  if (file.has("sweep")) read_keys(file.table("sweep"), "", sweep);
+  return sweep;
+}
+
+SceneSweep scene_sweep(const std::filesystem::path& file) {
+  SceneOrigin origin(file.string());
+  return read_sweep(TomlTable::read(file, origin, {}));
+}
+
+}  // namespace nipref::data

@@ -1,0 +1,24 @@
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nipref::data {
+
+/// What the table [sweep] of a scene's file says: which keys take which values, for a contact of each combination.
+///
+///     [sweep]  load.per_length = [50, 100, 200] or "1..1000:log", any other key of the scene likewise
+///              points: values of each range, optional
+struct SceneSweep {
+  /// {"load.per_length", "50,100,200" or "1..1000:log"}, in the order of the alphabet.
+  std::vector<std::pair<std::string, std::string>> keys;
+  std::optional<int> points;
+};
+
+/// Without keys if the file has no such table. BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that cannot be
+/// read or is no TOML, and for values that are neither a text nor a list of numbers or texts.
+[[nodiscard]] SceneSweep scene_sweep(const std::filesystem::path& file);
+
+}  // namespace nipref::data

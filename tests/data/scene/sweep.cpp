@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/sweep.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+
+namespace {
+
+const std::string nip_without_load = R"(title = "a nip"
+wanted = ["contact_length"]
+[roller]
+radius = 6
+[sheet]
+thickness = 1.0
+[material]
+model = "elastic"
+young = 1.45e5
+poisson = 0.3
+[load]
+[friction]
+model = "full"
+[method]
+kind = "converged"
+)";
+
+std::string sweep_refusal_of(const std::string& sweep) {
+  const ScratchFile file("[sweep]\n" + sweep + "\n");
+  try {
+    (void)data::scene_sweep(file.path());
+  } catch (const data::BadInput& error) {
+    return error.what();
+  }
+  return "(accepted)";
+}
+
+}  // namespace
+
+TEST_CASE("a sweep's keys are read with dots and in quotes, as lists or as ranges") {
+  const ScratchFile file(nip_without_load +
+                         "[sweep]\npoints = 7\nload.per_length = [50, 1e2, 0.1]\n"
+                         "\"material.poisson\" = \"0..0.5:linear\"\nfriction.model = [\"none\", \"full\"]\n");
+  const data::SceneSweep sweep = data::scene_sweep(file.path());
+  CHECK(sweep.points == 7);
+  CHECK(sweep.keys ==
+        std::vector<std::pair<std::string, std::string>>{{"friction.model", "none,full"},
+                                                         {"load.per_length", "50,100,0.1"},
+                                                         {"material.poisson", "0..0.5:linear"}});
+  CHECK(data::scene_sweep(ScratchFile(nip_without_load).path()).keys.empty());
+}
+
+TEST_CASE("a scene with a sweep is one contact only with a value for each swept key") {
+  const ScratchFile file(nip_without_load + "[sweep]\nload.per_length = [50, 100]\n");
+  CHECK_THROWS_WITH_AS(
+      (void)data::load_scene(file.path()),
+      (file.path() + ":17: sweep.load.per_length = 50,100: must be solved by nipref solve, or "
+                     "have one value given beside the file")
+          .c_str(),
+      data::BadInput);
+  CHECK(data::load_scene(file.path(), {{"load.per_length", "75"}}).wanted.size() == 1);
+}
+
+TEST_CASE("what is no list of numbers or texts is refused with its line") {
+  for (const char* wrong : {"a = 1", "a = []", "a = [[1]]", "a = [\"x,y\"]", "a = [\"\"]", "a = [true]",
+                            "a = [1, {}]", "points = 1.5", "points = \"3\""}) {
+    CAPTURE(wrong);
+    CHECK(sweep_refusal_of(wrong).find(":2: sweep.") != std::string::npos);
+  }
+}

@@ -1,0 +1,67 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/run_nipref.hpp"
+
+using nlohmann::json;
+
+namespace {
+
+std::vector<std::string> csv_lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
+
+TEST_CASE("a sweep's row is what eval says at its arguments, and rows come in the order of their arguments") {
+  const Outcome swept = run("eval I6 alpha=0x1p-3,7.5 eta=0.1..10:log --points 40 --digits 20 --json");
+  REQUIRE(swept.status == 0);
+  const json columns = json::parse(swept.out).at("columns");
+  REQUIRE(columns.at("alpha").size() == 80);
+  for (const std::size_t row : {0U, 17U, 39U, 40U, 79U}) {
+    CAPTURE(row);
+    CHECK(columns["alpha"][row] == (row < 40 ? "0x1p-3" : "7.5"));
+    const auto eta = columns["eta"][row].get<std::string>();
+    const Outcome single = run("eval I6 alpha=" + columns["alpha"][row].get<std::string>() + " eta=" + eta +
+                               " --path fast --json");
+    const json answer = json::parse(single.out).at("results").at("fast");
+    CHECK(columns["fast"][row] == answer.at("value"));
+    CHECK(columns["fast_error"][row] == answer.at("error"));
+    const double ref = std::stod(columns["ref"][row].get<std::string>());
+    CHECK(std::fabs(ref - columns["fast"][row].get<double>()) <= columns["fast_error"][row].get<double>());
+  }
+  CHECK(std::stod(columns["eta"][0].get<std::string>()) == 0.1);
+  CHECK(std::stod(columns["eta"][39].get<std::string>()) == 10);
+}
+
+TEST_CASE("a sweep's refused rows say why and make the status 1, and it is refused if all are") {
+  const Outcome some = run("eval I1 alpha=-1..1:linear --points 3 --path fast");
+  CHECK(some.status == 1);
+  const std::vector<std::string> lines = csv_lines_of(some.out);
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[0] == "alpha,fast,fast_error,refused");
+  CHECK(lines[1].ends_with(","));
+  CHECK(lines[2] == "0,,,alpha = 0: must be nonzero: the kernel is infinite there");
+  const Outcome all = run("eval I1 alpha=0,0");
+  CHECK(all.status == 2);
+  CHECK(all.out.empty());
+  CHECK(run("eval I1 alpha=1 --points 3").status == 2);
+  CHECK(run("eval I1 alpha=1,2 eta=3").status == 2);
+}
+
+TEST_CASE("choices can be swept, and a seed's form") {
+  const Outcome choices =
+      run("eval ti.compliance axis=normal,in-plane theta_deg=30 psi_deg=0 speed=0.2 --path fast");
+  CHECK(choices.status == 0);
+  CHECK(csv_lines_of(choices.out).size() == 3);
+  const Outcome printed = run("eval rolling.span_ratio poisson=0.3 speed=0.1,0.6 form=printed");
+  CHECK(printed.status == 0);
+  CHECK(csv_lines_of(printed.out).front() == "poisson,speed,printed,refused");
+}

@@ -1,0 +1,77 @@
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
+
+using nlohmann::json;
+
+namespace {
+
+const std::string swept_nip = R"(title = "a nip"
+wanted = ["contact_length", "peak_pressure"]
+[roller]
+radius = 6
+[sheet]
+thickness = 1.0
+[material]
+model = "elastic"
+young = 1.45e5
+poisson = 0.3
+[load]
+per_length = 50
+[friction]
+[method]
+kind = "converged"
+[sweep]
+points = 3
+friction.model = ["none", "full"]
+load.per_length = "25..100:log"
+)";
+
+}  // namespace
+
+TEST_CASE("a scene's sweep solves each combination as solve does") {
+  const ScratchFile file(swept_nip);
+  const Outcome swept = run("solve --json " + file.path() + " material.poisson=0.3,0.6");
+  CHECK(swept.status == 1);
+  const json answer = json::parse(swept.out), columns = answer.at("columns");
+  REQUIRE(answer.at("refused").size() == 12);
+  for (std::size_t row = 0; row < 12; ++row) {
+    CAPTURE(row);
+    CHECK(answer["refused"][row].is_null() == (row % 2 == 0));
+    CHECK(columns.at("peak_pressure")[row].is_null() == (row % 2 == 1));
+    CHECK(columns.at("friction.model")[row] == (row < 6 ? "none" : "full"));
+  }
+  CHECK(std::stod(columns.at("load.per_length")[4].get<std::string>()) == 100);
+  const Outcome one =
+      run("solve --json " + file.path() + " friction.model=full load.per_length=25 material.poisson=0.3");
+  CHECK(one.status == 0);
+  const json length = json::parse(one.out).at("results").at("contact_length");
+  CHECK(columns.at("contact_length")[6].get<double>() ==
+        doctest::Approx(length.at("value").get<double>()).epsilon(1e-14));
+}
+
+TEST_CASE("a sweep by ref has its digits, and names what missed the accuracy") {
+  const Outcome by_ref = run(
+      "solve thick-frictionless load.per_length=50,100 'wanted=[\"contact_length\"]' --path ref --digits 30 --json");
+  REQUIRE(by_ref.status == 0);
+  CHECK(json::parse(by_ref.out).at("columns").at("contact_length")[0].get<std::string>().size() > 30);
+  const Outcome missed = run(
+      "solve thin-full-friction load.per_length=50,100 accuracy=1e-13 'wanted=[\"contact_length\",\"creep_ratio\"]' "
+      "--json");
+  CHECK(missed.status == 1);
+  CHECK(json::parse(missed.out).at("columns").at("missed")[1].get<std::string>().find("creep_ratio") !=
+        std::string::npos);
+}
+
+TEST_CASE("profiles, and sweeps where one contact is asked for, are refused") {
+  CHECK(run("solve thick-full-friction load.per_length=50,100 'wanted=[\"pressure\"]' profile.points=3")
+            .status == 2);
+  CHECK(run("solve thick-full-friction --points 3").status == 2);
+  const ScratchFile file(swept_nip);
+  CHECK(run("balance " + file.path()).status == 2);
+}

@@ -1,0 +1,13 @@
+#pragma once
+#include <ostream>
+
+#include <nipref/verify/cli/evaluation.hpp>
+
+namespace nipref::verify {
+
+/// eval with ranges or lists among its arguments: a row for each combination, in their order whatever the threads, as
+/// CSV or JSON. Combinations outside the domain have no values but what was refused. 1 if there are such rows;
+/// BadInput, the first row's, if all are.
+int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream& out);
+
+}  // namespace nipref::verify

@@ -1,0 +1,46 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nipref/fast/number/accuracy.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/support/json.hpp>
+
+namespace nipref::verify {
+
+/// What the errors of fast are not about.
+inline constexpr auto of_the_nearest_doubles =
+    "fast takes each argument rounded to the nearest double; its error is for that argument.";
+
+/// One path's answer, as it is printed.
+struct EvalAnswer {
+  std::string path;  ///< or the name of the seed's form
+  std::string value;
+  std::optional<std::string> error;  ///< none of the seed's forms
+  bool proven;                       ///< that error, as a bound
+  int digits;                        ///< ref: as asked for; fast: as promised
+  double seconds;
+};
+
+/// What eval was asked for, checked as far as it can be without evaluating anything.
+struct EvalRequest {
+  const Quantity* quantity;
+  const SeedForm* form;  ///< null: the right one
+  bool by_ref;
+  bool by_fast;
+  int digits;
+  fast::Accuracy accuracy;
+};
+
+/// BadInput for options that do not go together, and for what is no quantity.
+EvalRequest request_of(const CommandLine& line);
+
+/// What was asked for at these arguments: of ref before fast. BadInput outside their domain.
+std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments);
+
+/// Text is what may not fit a double.
+Json number_json(const std::string& path, const std::string& text);
+
+}  // namespace nipref::verify

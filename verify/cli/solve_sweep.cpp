@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/sweep.hpp>
+#include <nipref/verify/cli/solve_sweep.hpp>
+#include <nipref/verify/cli/sweep_rows.hpp>
+#include <nipref/verify/solve/render.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+/// A list as TOML writes it is one value, and so is a title.
+Axis axis_of_assignment(const std::string& key, const std::string& text, std::size_t points) {
+  const bool swept = key != "title" && !text.starts_with('[') && is_swept(text);
+  return swept ? axis_of(key, text, points) : Axis{key, {{text, text}}};
+}
+
+/// The first scene that is none to be refused; BadInput, the first one's, if all are.
+data::Scene first_scene(const std::filesystem::path& file, const AxesProduct& scenes) {
+  std::optional<BadInput> refused;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    try {
+      return data::load_scene(file, scenes.assignments(i, &AxisValue::shown));
+    } catch (const BadInput& error) {
+      if (!refused) refused = error;
+    }
+  }
+  throw BadInput(*refused);
+}
+
+std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
+  std::vector<SweepColumn> columns;
+  for (const std::string& name : scene.wanted) {
+    if (data::find_scene_result(name)->is_profile)
+      scene.origin.refuse("wanted", name, "must be left out with a sweep: it is a profile");
+    columns.push_back({name, by_ref});
+    columns.push_back({name + "_error", by_ref});
+  }
+  columns.push_back({"missed", true});
+  return columns;
+}
+
+template <class Number>
+SweepRow row_of(const SceneSolution<Number>& solution) {
+  SweepRow row;
+  for (const auto& result : solution.results) {
+    row.cells.push_back(value_text(result.numbers.front()));
+    row.cells.push_back(error_text(result.numbers.front()));
+  }
+  const auto missed = solution.missed();
+  row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
+  row.fell_short = !missed.empty();
+  return row;
+}
+
+}  // namespace
+
+AxesProduct swept_scenes(const std::filesystem::path& file, const CommandLine& line) {
+  const data::SceneSweep sweep = data::scene_sweep(file);
+  const bool points_are_in_file = sweep.points && !line.option("points");
+  const std::size_t points =
+      points_are_in_file ? static_cast<std::size_t>(*sweep.points) : sweep_points_option(line);
+  std::vector<Axis> axes;
+  for (const auto& [key, text] : sweep.keys) {
+    if (std::ranges::find(line.assignments, key, &Assignments::value_type::first) == line.assignments.end())
+      axes.push_back(axis_of(key, text, points));
+  }
+  for (const auto& [key, text] : line.assignments) axes.push_back(axis_of_assignment(key, text, points));
+  return AxesProduct(std::move(axes));
+}
+
+int solve_sweep(const std::filesystem::path& file, const AxesProduct& scenes, std::optional<int> digits,
+                const CommandLine& line, std::ostream& out) {
+  const data::Scene first = first_scene(file, scenes);
+  const Sweep sweep{"solve_sweep",
+                    scenes,
+                    columns_of(first, digits.has_value()),
+                    {{"path", digits ? "ref" : "fast"}},
+                    [&](std::size_t i) {
+                      // A decimal, which is what TOML takes, means the same double.
+                      const data::Scene scene =
+                          data::load_scene(file, scenes.assignments(i, &AxisValue::shown));
+                      return digits ? row_of(solve_by_ref(scene, *digits)) : row_of(solve(scene));
+                    }};
+  return write_sweep(sweep, line, out);
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/sweep_rows.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::BadInput;
+
+constexpr std::size_t usual_points = 100;
+
+/// A row that was computed or refused; neither where the process was interrupted before.
+struct FinishedRow {
+  std::optional<SweepRow> row;
+  std::optional<BadInput> refused;
+};
+
+FinishedRow finished(const Sweep& sweep, std::size_t number) try {
+  return {sweep.row_at(number), {}};
+} catch (const BadInput& error) {
+  return {{}, error};
+}
+
+std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
+  std::vector<FinishedRow> rows(sweep.product.size());
+  Progress progress(standard_error(quiet));
+  progress.begin("sweep", 1);
+  progress.next(fmt::format("{} rows", rows.size()));
+  stop_gently_on_interrupt();
+  try {
+    parallel_for(
+        rows.size(), [&](std::size_t i) { rows[i] = finished(sweep, i); },
+        [&](std::size_t done) { progress.at(static_cast<double>(done) / static_cast<double>(rows.size())); });
+  } catch (const Interrupted&) {
+    // What was finished by then is told.
+  }
+  return rows;
+}
+
+/// In quotes where a comma or a quote would be misread.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
+std::string refusal_text(const FinishedRow& row) {
+  if (row.refused) return row.refused->what();
+  return row.row ? "" : "not computed: interrupted";
+}
+
+std::string sweep_csv(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+  std::string text;
+  for (const Axis& axis : sweep.product.axes()) text += csv_field(axis.name) + ",";
+  for (const SweepColumn& column : sweep.columns) text += csv_field(column.name) + ",";
+  text += "refused\n";
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const AxisValue* const value : sweep.product.at(i)) text += csv_field(value->shown) + ",";
+    for (std::size_t j = 0; j < sweep.columns.size(); ++j)
+      text += (rows[i].row ? csv_field(rows[i].row->cells[j]) : "") + ",";
+    text += csv_field(refusal_text(rows[i])) + "\n";
+  }
+  return text;
+}
+
+Json cell_json(const FinishedRow& row, std::size_t column, bool is_text) {
+  if (!row.row || row.row->cells[column].empty()) return {};
+  const std::string& cell = row.row->cells[column];
+  return is_text ? Json(cell) : Json::number(cell);
+}
+
+Json columns_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+  Json columns = Json::object();
+  const auto& axes = sweep.product.axes();
+  for (std::size_t a = 0; a < axes.size(); ++a) {
+    std::vector<Json> values;
+    for (std::size_t i = 0; i < rows.size(); ++i) values.emplace_back(sweep.product.at(i)[a]->shown);
+    columns.set(axes[a].name, values);
+  }
+  for (std::size_t j = 0; j < sweep.columns.size(); ++j)
+    columns.set(sweep.columns[j].name, json_list(rows, [&](const FinishedRow& row) {
+                  return cell_json(row, j, sweep.columns[j].is_text);
+                }));
+  return columns;
+}
+
+Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
+  Json members = sweep.members;
+  members.set("columns", columns_json(sweep, rows));
+  members.set("refused",
+              json_list(rows, [](const FinishedRow& row) { return Json::unless_empty(refusal_text(row)); }));
+  return members;
+}
+
+}  // namespace
+
+std::size_t sweep_points_option(const CommandLine& line) {
+  return line.option("points") ? points_option(line) : usual_points;
+}
+
+int write_sweep(const Sweep& sweep, const CommandLine& line, std::ostream& out) {
+  const std::vector<FinishedRow> rows = finished_rows(sweep, line.has("quiet"));
+  if (std::ranges::all_of(rows, [](const FinishedRow& row) { return row.refused.has_value(); }))
+    throw BadInput(*rows.front().refused);
+  out << (line.json ? answer_text(sweep.verb, sweep_json(sweep, rows), line.no_times)
+                    : sweep_csv(sweep, rows));
+  return std::ranges::all_of(rows, [](const FinishedRow& row) { return row.row && !row.row->fell_short; })
+             ? 0
+             : 1;
+}
+
+}  // namespace nipref::verify
