@@ -149,6 +149,13 @@ const std::array all_verbs{
              {},
              {list_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref tables --list", "nipref tables VII brock2013-1"}},
+    VerbText{"limits",
+             "How the contacts' solvers approach limits that are known in closed form, and with which power.",
+             "limit",
+             "names of limits, limit.hertz.load and so on (default: all)",
+             {},
+             {json_flag, no_times_flag},
+             {"nipref limits", "nipref limits limit.hertz.load --json"}},
     VerbText{
         "audit",
         "Largest error of fast against ref, by a search for the worst argument.",

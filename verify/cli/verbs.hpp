@@ -16,6 +16,7 @@ int audit_verb(const CommandLine& line, std::ostream& out);
 int points_verb(const CommandLine& line, std::ostream& out);
 int grade_verb(const CommandLine& line, std::ostream& out);
 int golden_verb(const CommandLine& line, std::ostream& out);
+int limits_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
 

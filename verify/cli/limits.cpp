@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+Json sample_json(const LimitSample& sample) {
+  return {{"size", sample.size},
+          {"found", sample.found.value},
+          {"found_error", sample.found.error},
+          {"limit", sample.limit},
+          {"distance", sample.distance()}};
+}
+
+Json row_json(const LimitRow& row) {
+  return {{"name", row.name},
+          {"statement", row.statement},
+          {"source", row.source},
+          {"size", row.size},
+          {"order", row.order == 0 ? Json() : Json(row.order)},
+          {"measured_order", row.measured_order()},
+          {"approached", row.approached()},
+          {"samples", json_list(row.samples, sample_json)}};
+}
+
+std::string order_text(const LimitRow& row) {
+  return row.order == 0 ? "faster than any power" : fmt::format("with its power {:g}", row.order);
+}
+
+std::string row_text(const LimitRow& row) {
+  std::string text = fmt::format("{}: {}\n  {}\n", row.name, row.statement, row.source);
+  for (const LimitSample& sample : row.samples)
+    text += fmt::format("  {} = {:<9g} {:<18.12g} limit {:<18.12g} distance {:.1e}\n", row.size, sample.size,
+                        sample.found.value, sample.limit, sample.distance());
+  const double measured = row.measured_order();
+  return text + fmt::format("  {}: the distance must fall {}, and {}\n",
+                            row.approached() ? "approached" : "MISSED", order_text(row),
+                            std::isinf(measured) ? "is below the solver's error at last"
+                                                 : fmt::format("falls with {:.3f}", measured));
+}
+
+/// Those that are named, all if none is.
+std::vector<LimitRow> selected_limits(const CommandLine& line) {
+  std::vector<LimitRow> rows = limits();
+  std::vector<std::string_view> names;
+  for (const LimitRow& row : rows) names.push_back(row.name);
+  for (const std::string& word : line.words) {
+    if (std::ranges::find(names, word) == names.end())
+      throw data::BadInput("limit", word, data::did_you_mean(word, names) + "must be one that limits lists");
+  }
+  if (!line.words.empty())
+    std::erase_if(rows, [&](const LimitRow& row) {
+      return std::ranges::find(line.words, row.name) == line.words.end();
+    });
+  return rows;
+}
+
+}  // namespace
+
+int limits_verb(const CommandLine& line, std::ostream& out) {
+  const std::vector<LimitRow> rows = selected_limits(line);
+  const auto missed = std::ranges::count_if(rows, [](const LimitRow& row) { return !row.approached(); });
+  if (line.json) {
+    out << answer_text("limits", {{"rows", json_list(rows, row_json)}}, line.no_times);
+  } else {
+    for (const LimitRow& row : rows) out << row_text(row) << "\n";
+    out << fmt::format("{} limits, {} missed\n", rows.size(), missed);
+  }
+  return missed == 0 ? 0 : 1;
+}
+
+}  // namespace nipref::verify

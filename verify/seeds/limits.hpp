@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::verify {
+
+/// The converged contact at one place on the way to a limit.
+struct LimitSample {
+  double size;           ///< what goes to 0
+  fast::Estimate found;  ///< by the solver
+  double limit;          ///< by the closed form, which knows nothing of the solver
+
+  /// |found - limit|/|limit|
+  [[nodiscard]] double distance() const;
+  /// The solver's error on that scale.
+  [[nodiscard]] double error() const;
+};
+
+/// How the solver's contact approaches one of the known limits.
+struct LimitRow {
+  std::string_view name;       ///< "limit.hertz.load"
+  std::string_view statement;  ///< the closed form
+  std::string_view source;     ///< where it comes from
+  std::string_view size;       ///< what goes to 0, dimensionless
+  /// The exponent with which the distance must fall, by the first term that the limit leaves out; 0: faster than any
+  /// power.
+  double order;
+  std::vector<LimitSample> samples;  ///< sizes falling by halves
+
+  /// The exponent between the last two samples; infinite where the last distance is no more than the error.
+  [[nodiscard]] double measured_order() const;
+  /// Whether distances fall with that exponent, to 0.1, or faster than with exponent 4 where it is 0; and errors are so
+  /// small that this can be told.
+  [[nodiscard]] bool approached() const;
+};
+
+/// All limits, computed now: of the elastic nip thick and thin with and without friction, and of the rolling one with
+/// short memory, with long memory and thin.
+[[nodiscard]] std::vector<LimitRow> limits();
+
+}  // namespace nipref::verify
