@@ -20,4 +20,7 @@ namespace nipref::data {
 /// The example scenes.
 [[nodiscard]] std::filesystem::path scenes_directory();
 
+/// What the seeds say in words.
+[[nodiscard]] std::filesystem::path seeds_directory();
+
 }  // namespace nipref::data

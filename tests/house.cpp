@@ -59,7 +59,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"bench", {"support", "catalogue", "replay", "audit", "grade"}},
       {"grade", {"support", "catalogue", "audit"}},
       {"witness", {"support", "solve"}},
-      {"seeds", {"support"}},
+      {"seeds", {"support", "catalogue"}},
       {"c_interface", {"support", "catalogue"}},
       {"golden", {"support", "catalogue", "audit"}},
       {"cli", {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds"}}}},

@@ -156,6 +156,13 @@ const std::array all_verbs{
              {},
              {json_flag, no_times_flag},
              {"nipref limits", "nipref limits limit.hertz.load --json"}},
+    VerbText{"claims",
+             "What the seeds say in words: whether it is so, with the numbers that decide.",
+             "claim",
+             "ids of claims (default: all)",
+             {},
+             {json_flag, no_times_flag},
+             {"nipref claims", "nipref claims thesis-one-reversal --json"}},
     VerbText{
         "audit",
         "Largest error of fast against ref, by a search for the worst argument.",

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/seeds/claims.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/internal/upward_text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using CheckedClaim = std::pair<Claim, ClaimOutcome>;
+
+Json number_json(const ClaimNumber& number) {
+  return {{"what", number.what}, {"value", number.value}, {"error", number.error}};
+}
+
+Json claim_json(const CheckedClaim& checked) {
+  const auto& [claim, outcome] = checked;
+  return {{"id", claim.id},
+          {"seed", claim.seed},
+          {"place", claim.place},
+          {"statement", claim.statement},
+          {"verdict", name_of(outcome.verdict)},
+          {"why", Json::unless_empty(outcome.why)},
+          {"numbers", json_list(outcome.numbers, number_json)}};
+}
+
+std::string claim_text(const CheckedClaim& checked) {
+  const auto& [claim, outcome] = checked;
+  std::string text =
+      fmt::format("{}, {} {}: {}\n  {}{}{}\n", claim.id, claim.seed, claim.place, claim.statement,
+                  name_of(outcome.verdict), outcome.why.empty() ? "" : ": ", outcome.why);
+  for (const ClaimNumber& number : outcome.numbers)
+    text += fmt::format("    {:<72} {:.9g}{}\n", number.what, number.value,
+                        number.error ? " +- " + upward_text(*number.error) : "");
+  return text;
+}
+
+std::vector<Claim> selected_claims(const CommandLine& line) {
+  std::vector<Claim> all = claims();
+  std::vector<std::string_view> ids;
+  for (const Claim& claim : all) ids.push_back(claim.id);
+  for (const std::string& word : line.words) {
+    if (std::ranges::find(ids, word) == ids.end())
+      throw data::BadInput("claim", word,
+                           data::did_you_mean(word, ids) + "must be the id of one that claims lists");
+  }
+  const auto is_left_out = [&](const Claim& claim) {
+    return std::ranges::find(line.words, claim.id) == line.words.end();
+  };
+  if (!line.words.empty()) std::erase_if(all, is_left_out);
+  return all;
+}
+
+}  // namespace
+
+int claims_verb(const CommandLine& line, std::ostream& out) {
+  std::vector<CheckedClaim> checked;
+  for (Claim& claim : selected_claims(line)) checked.emplace_back(std::move(claim), ClaimOutcome{});
+  parallel_for(checked.size(), [&](std::size_t i) { checked[i].second = check(checked[i].first); }, {});
+  if (line.json) {
+    out << answer_text("claims", {{"claims", json_list(checked, claim_json)}}, line.no_times);
+    return 0;
+  }
+  for (const CheckedClaim& one : checked) out << claim_text(one) << "\n";
+  for (const ClaimVerdict verdict :
+       {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails})
+    out << fmt::format("{}: {}\n", name_of(verdict), std::ranges::count_if(checked, [&](const auto& one) {
+                         return one.second.verdict == verdict;
+                       }));
+  return 0;
+}
+
+}  // namespace nipref::verify

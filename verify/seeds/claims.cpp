@@ -1,0 +1,52 @@
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/directory.hpp>
+#include <nipref/data/table/csv.hpp>
+#include <nipref/verify/seeds/claims.hpp>
+#include <nipref/verify/seeds/internal/claim_checks.hpp>
+
+namespace nipref::verify {
+namespace {
+
+const ClaimChecks& checks() {
+  static const ClaimChecks all = [] {
+    ClaimChecks joined;
+    for (auto* const part : {&friction_claims, &shear_claims, &rolling_claims, &half_space_claims})
+      joined.merge(part());
+    return joined;
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::string_view name_of(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::holds:
+      return "holds";
+    case ClaimVerdict::fails:
+      return "false";
+    case ClaimVerdict::holds_in_a_range:
+      break;
+  }
+  return "holds in a range";
+}
+
+std::vector<Claim> claims() {
+  const data::CsvFile file = data::read_csv(data::seeds_directory() / "claims.csv");
+  std::vector<Claim> all;
+  for (std::size_t i = 1; i < file.records.size(); ++i) {
+    const auto& record = file.records[i];
+    if (record.size() != 4)
+      data::refuse(file.path, record.front().position, "must have id, seed, place, statement");
+    if (!checks().contains(record[0].text))
+      data::refuse(file.path, record[0].position, "must be the id of a claim that is checked");
+    all.push_back({record[0].text, record[1].text, record[2].text, record[3].text});
+  }
+  return all;
+}
+
+ClaimOutcome check(const Claim& claim) { return checks().at(claim.id)(); }
+
+}  // namespace nipref::verify

@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nipref::verify {
+
+/// A number computed for a claim.
+struct ClaimNumber {
+  std::string what;
+  double value;
+  /// The solver's estimate; none of what the seed printed, and of what is exact to rounding.
+  std::optional<double> error = {};
+};
+
+enum class ClaimVerdict { holds, fails, holds_in_a_range };
+
+/// "holds", "false", "holds in a range"
+std::string_view name_of(ClaimVerdict verdict);
+
+/// What came of checking a claim: the verdict follows from the numbers.
+struct ClaimOutcome {
+  ClaimVerdict verdict;
+  std::string why;  ///< one sentence with the numbers that decide, or the range in which it holds
+  std::vector<ClaimNumber> numbers;
+};
+
+/// Something that a seed says in words, of data/seeds/claims.csv.
+struct Claim {
+  std::string id;         ///< "thesis-creep-with-friction"
+  std::string seed;       ///< thesis, brock2012 or brock2013
+  std::string place;      ///< "(5.14)"
+  std::string statement;  ///< what it says, in our words
+};
+
+/// All of data/seeds/claims.csv. BadInput that names its line if it cannot be read or names a claim that nothing checks.
+std::vector<Claim> claims();
+
+/// Checks it, now. The claim is one of claims().
+ClaimOutcome check(const Claim& claim);
+
+}  // namespace nipref::verify

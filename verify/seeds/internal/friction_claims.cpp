@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/thesis_nip.hpp>
+
+// What full friction changes in an elastic nip, by the converged contacts.
+
+namespace nipref::verify {
+namespace {
+
+using data::Friction;
+using fast::ConvergedElasticNip;
+
+constexpr double third = 1.0 / 3;
+
+/// |chi_0| - |chi_inf| over the first's size.
+double creep_excess(double length_over_thickness, double poisson) {
+  const double without =
+      std::fabs(nip_of_length(length_over_thickness, Friction::none, poisson).creep_ratio().value);
+  const double with =
+      std::fabs(nip_of_length(length_over_thickness, Friction::full, poisson).creep_ratio().value);
+  return (without - with) / (without + with);
+}
+
+ClaimOutcome creep_with_friction() {
+  const auto excess = [](double length) { return creep_excess(length, third); };
+  // Thin, thick and in between, where the two creeps vanish one after the other.
+  const double from = sign_change(excess, 0.3, 0.55), to = sign_change(excess, 0.8, 3);
+  ClaimOutcome outcome{
+      ClaimVerdict::fails,
+      fmt::format("at nu = 1/3 |chi_inf| is the larger one for L/B between {:.4f} and {:.4f}", from, to),
+      {}};
+  for (const double load : {100.0, 200.0}) {
+    for (const Friction friction : {Friction::none, Friction::full})
+      outcome.numbers.push_back(number_of(
+          fmt::format("chi_{}, B = 0.25 in, W = {} lbf/in", friction == Friction::none ? "0" : "inf", load),
+          thesis_nip(0.25, load, friction).creep_ratio()));
+  }
+  const bool fails = std::fabs(outcome.numbers[2].value) < std::fabs(outcome.numbers[3].value);
+  if (!fails) outcome.verdict = ClaimVerdict::holds;
+  return outcome;
+}
+
+/// A result without friction, with it, and by how much friction changes it.
+struct Change {
+  fast::Estimate without, with;
+  [[nodiscard]] double share() const { return with.value / without.value - 1; }
+};
+
+using Result = fast::Estimate (ConvergedElasticNip::*)() const;
+
+Change change_of(Result result, double thickness, double load,
+                 double poisson = data::seed::sheet_of_the_tables.poisson) {
+  return {(thesis_nip(thickness, load, Friction::none, poisson).*result)(),
+          (thesis_nip(thickness, load, Friction::full, poisson).*result)()};
+}
+
+/// Friction changes the results of a thin sheet by less than `most`, at the thesis's ratio of Poisson and of an
+/// incompressible one.
+ClaimOutcome changes_less(const std::vector<std::pair<std::string, Result>>& results, double most) {
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  bool holds_there = true, holds_everywhere = true;
+  for (const auto& [name, result] : results) {
+    for (const double poisson : {data::seed::sheet_of_the_tables.poisson, 0.5}) {
+      const double share = change_of(result, 0.005, 100, poisson).share();
+      outcome.numbers.push_back(
+          {fmt::format("change of the {}, B = 0.005 in, W = 100 lbf/in, nu = {:.3g}", name, poisson), share});
+      (poisson < 0.5 ? holds_there : holds_everywhere) &= std::fabs(share) < most;
+    }
+  }
+  if (!holds_there) {
+    outcome.verdict = ClaimVerdict::fails;
+    outcome.why = "false at the thesis's own ratio of Poisson";
+  } else if (!holds_everywhere) {
+    outcome.verdict = ClaimVerdict::holds_in_a_range;
+    outcome.why = "holds at nu = 1/3, false where the sheet is incompressible";
+  } else {
+    outcome.why = "at nu = 1/3 and 1/2";
+  }
+  return outcome;
+}
+
+ClaimOutcome friction_on_length() {
+  return changes_less({{"peak pressure", &ConvergedElasticNip::peak_pressure},
+                       {"contact length", &ConvergedElasticNip::contact_length}},
+                      0.1);
+}
+
+ClaimOutcome friction_on_indentation() {
+  return changes_less({{"indentation", &ConvergedElasticNip::indentation}}, 0.2);
+}
+
+/// Friction changes a result with this sign on all sheets of the tables.
+ClaimOutcome changes_with_sign(const std::string& name, Result result, double sign) {
+  ClaimOutcome outcome{ClaimVerdict::holds, "on every sheet of the thesis's tables", {}};
+  std::string against;
+  int agreeing = 0;
+  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
+    const Change change = change_of(result, thickness, 100);
+    outcome.numbers.push_back(
+        {fmt::format("change of the {} by full friction, B = {} in, W = 100 lbf/in", name, thickness),
+         change.share()});
+    const bool told_apart =
+        change.with.error + change.without.error < std::fabs(change.with.value - change.without.value);
+    if (told_apart && change.share() * sign > 0)
+      ++agreeing;
+    else
+      against += fmt::format(" B = {} in", thickness);
+  }
+  if (against.empty()) return outcome;
+  outcome.verdict = agreeing > 0 ? ClaimVerdict::holds_in_a_range : ClaimVerdict::fails;
+  outcome.why = "false at" + against;
+  return outcome;
+}
+
+ClaimOutcome length_without_friction() {
+  return changes_with_sign("contact length", &ConvergedElasticNip::contact_length, -1);
+}
+
+ClaimOutcome peak_without_friction() {
+  return changes_with_sign("peak pressure", &ConvergedElasticNip::peak_pressure, 1);
+}
+
+ClaimOutcome sign_of_creep() {
+  ClaimOutcome outcome{ClaimVerdict::holds_in_a_range, "", {}};
+  for (const double poisson : {0.25, third, 0.45, 0.49}) {
+    for (const Friction friction : {Friction::none, Friction::full}) {
+      const double zero = sign_change(
+          [&](double length) { return nip_of_length(length, friction, poisson).creep_ratio().value; }, 0.005,
+          3);
+      outcome.numbers.push_back({fmt::format("L/B at which the creep vanishes, nu = {:.4g}, {} friction",
+                                             poisson, friction == Friction::none ? "no" : "full"),
+                                 zero});
+    }
+  }
+  const double incompressible = nip_of_length(1e-3, Friction::none, 0.5).creep_ratio().value;
+  outcome.numbers.push_back({"creep over its size B/(2R), nu = 1/2, L/B = 1e-3, no friction",
+                             100 * (1 + 1e-3) * 2 * incompressible});
+  const double auxetic = nip_of_length(100, Friction::none, -0.5).creep_ratio().value;
+  outcome.numbers.push_back(
+      {"sign of the creep, nu = -1/2, L/B = 100, no friction", std::copysign(1, auxetic)});
+  outcome.why = "with one change of sign for nu between 0.25 and 0.49";
+  if (incompressible > 0) outcome.why += "; an incompressible thick sheet creeps forward";
+  if (auxetic < 0) outcome.why += "; a thin sheet with nu < 0 creeps backward";
+  return outcome;
+}
+
+}  // namespace
+
+ClaimChecks friction_claims() {
+  return {{"thesis-creep-with-friction", creep_with_friction},
+          {"thesis-friction-on-length", friction_on_length},
+          {"thesis-friction-on-indentation", friction_on_indentation},
+          {"thesis-length-without-friction", length_without_friction},
+          {"thesis-peak-without-friction", peak_without_friction},
+          {"thesis-sign-of-creep", sign_of_creep}};
+}
+
+}  // namespace nipref::verify

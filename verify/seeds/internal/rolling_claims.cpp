@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/thesis_nip.hpp>
+
+// The thesis's viscoelastic nips, with the solid as it is defined.
+
+namespace nipref::verify {
+namespace {
+
+/// memory: F0 tau, in.
+fast::ConvergedViscoelasticNip thesis_rolling(double thickness, double load, double memory) {
+  const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
+  const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, memory);
+  return fast::converged_for_load({thesis_radius, thickness, solid, 1}, load, claims_accuracy);
+}
+
+ClaimOutcome largest_resistance() {
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  double least = 1, most = 0;
+  for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
+    for (const double load : {50.0, 200.0}) {
+      const auto negative = [&](double log_memory) {
+        return -thesis_rolling(thickness, load, std::exp(log_memory)).rolling_resistance().value;
+      };
+      constexpr int binary_digits = 16;
+      const double memory = std::exp(
+          boost::math::tools::brent_find_minima(negative, std::log(1e-3), std::log(1.0), binary_digits)
+              .first);
+      const double length = thesis_rolling(thickness, load, memory).contact_length().value;
+      const std::string where = fmt::format("of the largest mu_R, B = {} in, W = {} lbf/in", thickness, load);
+      outcome.numbers.push_back({"F0 tau " + where + ", in", memory});
+      outcome.numbers.push_back({"F0 tau/L " + where, memory / length});
+      least = std::min(least, memory);
+      most = std::max(most, memory);
+    }
+  }
+  outcome.why = fmt::format("it is largest at F0 tau between {:.4f} and {:.4f} in", least, most);
+  if (least < 1e-2 || most > 1e-1) outcome.verdict = ClaimVerdict::holds_in_a_range;
+  return outcome;
+}
+
+ClaimOutcome resistance_of_short_memory() {
+  constexpr double memory = 1e-4;
+  const double limit = memory / (2 * thesis_radius);
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {{"F0 tau/(2R), the limit of a short memory", limit}}};
+  double farthest = 0;
+  struct Case {
+    const char* table;
+    double load;
+  };
+  for (const Case& one :
+       {Case{"thesis-XXIII", 50}, {"thesis-XXIV", 100}, {"thesis-XXV", 150}, {"thesis-XXVI", 200}}) {
+    const data::Table table = data::load_table_by_id(one.table);
+    const fast::Estimate found = thesis_rolling(0.005, one.load, memory).rolling_resistance();
+    outcome.numbers.push_back(number_of(fmt::format("mu_R, B = 0.005 in, W = {} lbf/in", one.load), found));
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+      const auto& key = table.cell(row, "F0_tau").number;
+      const auto& printed = table.cell(row, "muR").number;
+      if (!key || !printed || std::fabs(key->value / memory - 1) > 1e-6) continue;
+      outcome.numbers.push_back({fmt::format("printed in {}", one.table), printed->value});
+      farthest = std::max(farthest, std::fabs(printed->value / found.value - 1));
+    }
+  }
+  outcome.why = fmt::format("the tables are off by up to {:.0f} %", 100 * farthest);
+  if (farthest > 0.01) outcome.verdict = ClaimVerdict::fails;
+  return outcome;
+}
+
+ClaimOutcome elastic_extremes() {
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  double farthest = 0;
+  for (const double thickness : {1.0, 0.005}) {
+    for (const double memory : {1e3, 1e-6}) {
+      const auto nip = thesis_rolling(thickness, 100, memory);
+      const double share = nip.leading_length().value / nip.contact_length().value;
+      outcome.numbers.push_back(
+          {fmt::format("L1/L, B = {} in, W = 100 lbf/in, F0 tau = {} in", thickness, memory), share});
+      farthest = std::max(farthest, std::fabs(share - 0.5));
+    }
+  }
+  constexpr double printed_digits = 1e-3;
+  outcome.why = fmt::format("L1/L differs from 1/2 by at most {:.1g}", farthest);
+  if (farthest > printed_digits) outcome.verdict = ClaimVerdict::fails;
+  return outcome;
+}
+
+}  // namespace
+
+ClaimChecks rolling_claims() {
+  return {{"thesis-largest-resistance", largest_resistance},
+          {"thesis-resistance-of-short-memory", resistance_of_short_memory},
+          {"thesis-elastic-extremes", elastic_extremes}};
+}
+
+}  // namespace nipref::verify
