@@ -65,6 +65,6 @@ std::filesystem::path golden_directory() { return data_directory() / "golden"; }
 
 std::filesystem::path scenes_directory() { return data_directory() / "scenes"; }
 
-std::filesystem::path seeds_directory() { return data_directory() / "seeds"; }
+std::filesystem::path statements_directory() { return data_directory() / "statements"; }
 
 }  // namespace nipref::data

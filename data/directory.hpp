@@ -21,6 +21,6 @@ namespace nipref::data {
 [[nodiscard]] std::filesystem::path scenes_directory();
 
 /// What the seeds say in words.
-[[nodiscard]] std::filesystem::path seeds_directory();
+[[nodiscard]] std::filesystem::path statements_directory();
 
 }  // namespace nipref::data

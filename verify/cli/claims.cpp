@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <nipref/data/bad_input.hpp>
-#include <nipref/data/closest_name.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -42,27 +41,13 @@ std::string claim_text(const CheckedClaim& checked) {
   return text;
 }
 
-std::vector<Claim> selected_claims(const CommandLine& line) {
-  std::vector<Claim> all = claims();
-  std::vector<std::string_view> ids;
-  for (const Claim& claim : all) ids.push_back(claim.id);
-  for (const std::string& word : line.words) {
-    if (std::ranges::find(ids, word) == ids.end())
-      throw data::BadInput("claim", word,
-                           data::did_you_mean(word, ids) + "must be the id of one that claims lists");
-  }
-  const auto is_left_out = [&](const Claim& claim) {
-    return std::ranges::find(line.words, claim.id) == line.words.end();
-  };
-  if (!line.words.empty()) std::erase_if(all, is_left_out);
-  return all;
-}
-
 }  // namespace
 
 int claims_verb(const CommandLine& line, std::ostream& out) {
   std::vector<CheckedClaim> checked;
-  for (Claim& claim : selected_claims(line)) checked.emplace_back(std::move(claim), ClaimOutcome{});
+  std::vector<Claim> selected = claims();
+  select_by_id(selected, line.words, "claim", &Claim::id);
+  for (Claim& claim : selected) checked.emplace_back(std::move(claim), ClaimOutcome{});
   parallel_for(checked.size(), [&](std::size_t i) { checked[i].second = check(checked[i].first); }, {});
   if (line.json) {
     out << answer_text("claims", {{"claims", json_list(checked, claim_json)}}, line.no_times);

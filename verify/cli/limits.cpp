@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/data/bad_input.hpp>
-#include <nipref/data/closest_name.hpp>
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/limits.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
@@ -48,26 +47,11 @@ std::string row_text(const LimitRow& row) {
                                                  : fmt::format("falls with {:.3f}", measured));
 }
 
-/// Those that are named, all if none is.
-std::vector<LimitRow> selected_limits(const CommandLine& line) {
-  std::vector<LimitRow> rows = limits();
-  std::vector<std::string_view> names;
-  for (const LimitRow& row : rows) names.push_back(row.name);
-  for (const std::string& word : line.words) {
-    if (std::ranges::find(names, word) == names.end())
-      throw data::BadInput("limit", word, data::did_you_mean(word, names) + "must be one that limits lists");
-  }
-  if (!line.words.empty())
-    std::erase_if(rows, [&](const LimitRow& row) {
-      return std::ranges::find(line.words, row.name) == line.words.end();
-    });
-  return rows;
-}
-
 }  // namespace
 
 int limits_verb(const CommandLine& line, std::ostream& out) {
-  const std::vector<LimitRow> rows = selected_limits(line);
+  std::vector<LimitRow> rows = limits();
+  select_by_id(rows, line.words, "limit", &LimitRow::name);
   const auto missed = std::ranges::count_if(rows, [](const LimitRow& row) { return !row.approached(); });
   if (line.json) {
     out << answer_text("limits", {{"rows", json_list(rows, row_json)}}, line.no_times);

@@ -163,6 +163,13 @@ const std::array all_verbs{
              {},
              {json_flag, no_times_flag},
              {"nipref claims", "nipref claims thesis-one-reversal --json"}},
+    VerbText{"errata",
+             "Formulas that the seeds print wrong: printed, right, and against what, each with numbers.",
+             "erratum",
+             "ids of errata (default: all)",
+             {},
+             {json_flag, no_times_flag},
+             {"nipref errata", "nipref errata thesis-4.8 --json"}},
     VerbText{
         "audit",
         "Largest error of fast against ref, by a search for the worst argument.",

@@ -18,6 +18,7 @@ int grade_verb(const CommandLine& line, std::ostream& out);
 int golden_verb(const CommandLine& line, std::ostream& out);
 int limits_verb(const CommandLine& line, std::ostream& out);
 int claims_verb(const CommandLine& line, std::ostream& out);
+int errata_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
 

@@ -34,7 +34,7 @@ std::string_view name_of(ClaimVerdict verdict) {
 }
 
 std::vector<Claim> claims() {
-  const data::CsvFile file = data::read_csv(data::seeds_directory() / "claims.csv");
+  const data::CsvFile file = data::read_csv(data::statements_directory() / "claims.csv");
   std::vector<Claim> all;
   for (std::size_t i = 1; i < file.records.size(); ++i) {
     const auto& record = file.records[i];

@@ -25,7 +25,7 @@ struct ClaimOutcome {
   std::vector<ClaimNumber> numbers;
 };
 
-/// Something that a seed says in words, of data/seeds/claims.csv.
+/// Something that a seed says in words, of data/statements/claims.csv.
 struct Claim {
   std::string id;         ///< "thesis-creep-with-friction"
   std::string seed;       ///< thesis, brock2012 or brock2013
@@ -33,7 +33,7 @@ struct Claim {
   std::string statement;  ///< what it says, in our words
 };
 
-/// All of data/seeds/claims.csv. BadInput that names its line if it cannot be read or names a claim that nothing checks.
+/// All of data/statements/claims.csv. BadInput that names its line if it cannot be read or names a claim that nothing checks.
 std::vector<Claim> claims();
 
 /// Checks it, now. The claim is one of claims().

@@ -68,6 +68,7 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
       {"golden list I2", "golden_list"},
       {"limits limit.hertz.load", "limits"},
       {"claims brock2013-no-root", "claims"},
+      {"errata", "errata"},
       {"bench I7", "bench"},
       {"bench root.re --against '" + program() + "'", "bench_against"},
       {"tables thesis-VII thesis-XI brock2013-1", "tables"},

@@ -1,0 +1,44 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
+#include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/internal/settlements.hpp>
+
+using namespace nipref;
+using verify::FormulaErratum;
+using verify::Settlement;
+
+TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
+  std::set<std::string_view> settled, listed;
+  for (auto* const part : {&verify::thesis_settlements, &verify::half_space_settlements}) {
+    for (const auto& [id, settle] : part()) settled.insert(id);
+  }
+  const std::vector<FormulaErratum> errata = verify::formula_errata();
+  for (const FormulaErratum& erratum : errata) {
+    CAPTURE(erratum.id);
+    CHECK(listed.insert(erratum.id).second);
+    for (const std::string& text : {erratum.equation, erratum.printed, erratum.right, erratum.proof})
+      CHECK_FALSE(text.empty());
+    const Settlement settlement = verify::settle(erratum);
+    CAPTURE(settlement.printed);
+    CAPTURE(settlement.right);
+    CAPTURE(settlement.truth);
+    CHECK(settlement.settled());
+    // Not by a hair, or the truth would have to be known better.
+    CHECK_FALSE(std::fabs(settlement.printed - settlement.truth) <= 100 * settlement.allowed);
+  }
+  CHECK(settled == listed);
+}
+
+TEST_CASE("an erratum is open if the right formula is not the truth or the printed one is") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(Settlement{"", 2, 1, 1, 0.1}.settled());
+  CHECK(Settlement{"", nan, 1, 1, 0.1}.settled());
+  CHECK_FALSE(Settlement{"", 2, 1.5, 1, 0.1}.settled());
+  CHECK_FALSE(Settlement{"", 1, 1, 1, 0.1}.settled());
+  CHECK_FALSE(Settlement{"", 2, nan, 1, 0.1}.settled());
+}
