@@ -63,6 +63,18 @@ TEST_CASE("the reference solves contacts with a half-space 1e-9 below its critic
   check_both_paths(scene);
 }
 
+TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too") {
+  const auto of_sphere = [](const char* speed) {
+    auto scene =
+        example("half-space-sphere-normal-axis", {{"sphere.shear", "7.72e9"}, {"sliding.speed", speed}});
+    scene.wanted = {"critical_speed"};
+    return number(verify::solve_by_ref(scene, 16).results[0].numbers[0].value);
+  };
+  const double shear_waves = std::sqrt(7.72e9 / 7860);
+  CHECK(of_sphere("0.0") == of_sphere("500.0"));
+  CHECK(of_sphere("0.0") < shear_waves);
+}
+
 TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
   // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
   auto scene = example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});

@@ -39,8 +39,10 @@ RefSurface::RefSurface(const data::HalfSpaceProblem& problem)
     : rolls_(std::holds_alternative<data::RigidRollingSphere>(problem.body)),
       direction_(problem.direction),
       half_space_(std::visit(SurfaceOf{problem.speed}, problem.half_space)) {
-  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body))
+  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
     body_ = SurfaceOf{sphere->moving_patch ? problem.speed : 0}(sphere->solid);
+    body_->moves = sphere->moving_patch;
+  }
 }
 
 void RefSurface::check_subcritical(const data::SceneOrigin& origin) const {
@@ -108,7 +110,7 @@ LongEstimate RefSurface::critical_speed(int digits) const {
   bool proven = true;
   ref::Estimated slowest = critical(half_space_, digits, proven);
   // A patch that does not move in the body is never critical there.
-  if (body_ && body_->speed > 0) {
+  if (body_ && body_->moves) {
     ref::Estimated of_body = critical(*body_, digits, proven);
     if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
   }

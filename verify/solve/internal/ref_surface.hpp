@@ -36,7 +36,8 @@ class RefSurface {
   struct Surface {
     ref::ExactStiffness solid;
     double speed;
-    bool is_alike;  ///< in all directions
+    bool is_alike;      ///< in all directions
+    bool moves = true;  ///< the contact, over it, be its speed 0
   };
   struct SurfaceOf;
   [[nodiscard]] ref::LineResponse along(const Surface& surface, const ref::Exact& degrees, int digits) const;
