@@ -147,8 +147,9 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
   const auto displacement = [&](const HalfContact& contact) {
     return fast::normal_displacement(contact, position, surface, kernels);
   };
+  const double half_length = implementation_->half_length(), parabola = half_length * half_length;
   return times(units.displacement,
-               ladder.estimate_of_integral(displacement, std::pow(implementation_->half_length(), 2)));
+               ladder.estimate_of_fading(displacement, parabola, parabola * faded(position - half_length)));
 }
 
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {

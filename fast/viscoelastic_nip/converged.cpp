@@ -60,6 +60,14 @@ struct ConvergedViscoelasticNip::Implementation {
                     half_length())
         .error;
   }
+  /// How large a normal displacement can be at `place`, outside the contact.
+  [[nodiscard]] double displacement_size(const ContactPlace& place) const {
+    double slowest = 2;
+    if (place.half == Half::trailing) {
+      for (const MemoryTerm& term : sheet.material.normal) slowest = std::min(slowest, term.rate.real());
+    }
+    return std::pow(half_length(), 2) * faded(-place.e, slowest);
+  }
   /// Dimensionless Y.
   [[nodiscard]] double position(double y) const {
     check_position(y);
@@ -181,8 +189,10 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const auto displacement = [&](const ViscoelasticPressure& contact) {
     return contact.normal_displacement(contact.place(position), ladder.tolerance(), kernels);
   };
-  return times(units.displacement, implementation_->estimate_of_integral(
-                                       displacement, std::pow(implementation_->half_length(), 2)));
+  const double parabola = std::pow(implementation_->half_length(), 2);
+  const double size = implementation_->displacement_size(ladder.last().place(position));
+  return times(units.displacement, implementation_->with_neglected(
+                                       ladder.estimate_of_fading(displacement, parabola, size), size));
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {

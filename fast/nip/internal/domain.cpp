@@ -35,6 +35,10 @@ ContactUnits::ContactUnits(const NipShape& shape, double compliance)
       load(pressure * length),
       creep(length / (2 * shape.roller_radius)) {}
 
+double faded(double distance, double rate) {
+  return std::exp(-std::min(rate, 2.0) * std::max(distance, 0.0));
+}
+
 Estimate times(double unit, const Estimate& estimate) {
   return {unit * estimate.value + 0.0, std::fabs(unit) * estimate.error};
 }

@@ -27,7 +27,12 @@ struct ContactUnits {
 
 /// Of a tangential displacement, relative to what its parts are over the contact: they may cancel, and near the place
 /// that it is counted from it is a small difference of integrals of that size.
-inline constexpr double difference_rounding = 0x1p-50;
+inline constexpr double difference_rounding = 0x1p-48;
+
+/// What is left at a distance (half-thicknesses) of the normal displacement that acts up to there: I1 and I3 fade by
+/// 2.1 a half-thickness (the zero of sinh 2z + 2z next to 0), what a memory leaves behind by its rate if that is less.
+/// 1 at negative distances.
+double faded(double distance, double rate = 2);
 
 /// `estimate` in a unit; never -0.
 Estimate times(double unit, const Estimate& estimate);

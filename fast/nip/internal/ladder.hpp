@@ -14,12 +14,17 @@
 
 namespace nipref::fast {
 
+/// By what the error of a number falls from level to level: by what the expansions' coefficients do, or not faster than
+/// its own differences, where what is left of it is far less than what the expansions leave out of the pressure.
+enum class Rate { of_expansions, own };
+
 /// A number computed from a solved contact.
 template <class Contact>
 struct Judged {
   std::function<double(const Contact&)> number;
   double scale = 0;  ///< the least size that the accuracy is asked relative to
   double size = 0;   ///< the least size by which it tells what the whole solution lacks
+  Rate rate = Rate::of_expansions;
 };
 
 /// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
@@ -68,18 +73,25 @@ class Ladder {
   /// Value on the last solution and an estimate of its error; not less than a share of what the whole solution is
   /// estimated to lack, nor than what the load's last residual makes, all relative to `scale` (the value itself if
   /// that is larger).
-  [[nodiscard]] Estimate estimate(const Functional& functional, double scale = 0) const {
+  [[nodiscard]] Estimate estimate(const Functional& functional, double scale = 0,
+                                  Rate rate = Rate::of_expansions) const {
     const double value = functional(last()), rounded = rounding_error(functional, value);
-    return estimate(value, {expansion_error(functional, rounded), rounded}, 0.1, scale);
+    return estimate(value, {expansion_error(functional, rounded, rate), rounded}, 0.1, scale);
   }
   /// The same for a functional that costs kernel values and rounds no worse than the solution: its twins are spared.
   [[nodiscard]] Estimate estimate_of_integral(const Functional& functional, double scale) const {
-    return estimate(functional(last()), {expansion_error(functional, 0), 0}, 1, scale);
+    return estimate(functional(last()), {expansion_error(functional, 0, Rate::of_expansions), 0}, 1, scale);
+  }
+  /// The same for one that fades outside the contact from `scale` to `faded`, with all that the solution lacks, but
+  /// not below what rounds where it has not faded.
+  [[nodiscard]] Estimate estimate_of_fading(const Functional& functional, double scale, double faded) const {
+    const Estimate fading = estimate_of_integral(functional, faded);
+    return {fading.value, std::max(fading.error, rounding * scale)};
   }
   /// The same for a functional whose value may be far smaller than A though its rounding is not: the accuracy
   /// is asked of the value itself, and rounding is relative to A.
   [[nodiscard]] Estimate estimate_down_to_rounding(const Functional& functional) const {
-    const Estimate relative = estimate(functional);
+    const Estimate relative = estimate(functional, 0, Rate::own);
     return {relative.value, std::max(relative.error, rounding * half_length(last()))};
   }
 
@@ -166,15 +178,19 @@ class Ladder {
   }
   /// Each solution lacks about what it differs by from the next; of that the last one has kept a part. A difference is
   /// told by what it is larger than `rounded`, what rounding may make.
-  [[nodiscard]] double expansion_error(const Functional& functional, double rounded) const {
+  [[nodiscard]] double expansion_error(const Functional& functional, double rounded, Rate rate) const {
     constexpr double safety = 8;
     std::vector<double> values;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
     const std::size_t last = values.size() - 1;
+    const auto step = [&](std::size_t i) { return std::fabs(values[i] - values[i - 1]); };
     double left = 0, kept = 1;
     for (std::size_t i = last; i > 0 && i + 3 > last; --i) {
-      kept *= kept_since(i - 1);
-      left = std::max(left, (std::fabs(values[i] - values[i - 1]) - rounded) * kept);
+      double of_one = kept_since(i - 1);
+      if (rate == Rate::own && i > 1)
+        of_one = std::max(of_one, step(i) < step(i - 1) ? step(i) / step(i - 1) : 1);
+      kept *= of_one;
+      left = std::max(left, (step(i) - rounded) * kept);
     }
     return safety * left;
   }
@@ -203,7 +219,7 @@ class Ladder {
     settled_ = true;
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
       const double value = judged.number(last()), rounded = rounding_error(judged.number, value);
-      const Error own{expansion_error(judged.number, rounded), rounded};
+      const Error own{expansion_error(judged.number, rounded, judged.rate), rounded};
       const double size = std::max(judged.scale, std::fabs(value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       // By three times, for what the expansion leaves out is the safer estimate.

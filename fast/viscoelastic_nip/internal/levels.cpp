@@ -24,7 +24,8 @@ double compliance_over(double half_length, const ViscoelasticCompliances& materi
 /// short to matter. On each the nearest singularity is one panel length away.
 ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near, int level) const {
   double longest = widest_felt;
-  for (const MemoryTerm& term : material_.normal) longest = std::min(longest, 2 / (std::abs(term.rate) + std::abs(term.amplitude)));
+  for (const MemoryTerm& term : material_.normal)
+    longest = std::min(longest, 2 / (std::abs(term.rate) + std::abs(term.amplitude)));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
   return {panels, terms, std::pow(fastest_on_panels(near), -terms)};
@@ -51,7 +52,7 @@ std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const Vi
           {&ViscoelasticPressure::edge_displacement, half_length * half_length},
           {&ViscoelasticPressure::offset, 0.1 * half_length},
           // Relative to its own size, however small that is, as far as rounding lets.
-          {eccentricity, half_length * std::min(1.0, 1e-14 / accuracy), half_length},
+          {eccentricity, half_length * std::min(1.0, 1e-14 / accuracy), half_length, Rate::own},
           {pressure(Half::leading, 0.25), peak},
           {pressure(Half::trailing, 0.25), peak},
           {pressure(Half::leading, 1)}};

@@ -18,3 +18,17 @@ TEST_CASE(
     CHECK(middle.error <= 1e-8 * contact.peak_shear().value);
   }
 }
+
+TEST_CASE("outside the contact the displacement is as sure as it is small, but for rounding") {
+  const data::ElasticNip nip{100, 1, {1, 0.3}};
+  for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
+    const auto asked = fast::converged_for_length(nip, friction, 2, 1e-8);
+    const auto truth = fast::converged_for_length(nip, friction, 2, 1e-13);
+    for (const double y : {3.0, 4.5, 6.0, 9.0, 20.0}) {
+      const fast::Estimate found = asked.normal_displacement(y), other = truth.normal_displacement(y);
+      CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+      CHECK(found.error <= 1e-4 * std::fabs(found.value) + 1e-14 * asked.indentation().value);
+    }
+    CHECK(asked.normal_displacement(200).error > 0);
+  }
+}

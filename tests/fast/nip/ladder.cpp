@@ -134,6 +134,16 @@ TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
 }
 
 TEST_CASE(
+    "ladder: a small number that converges more slowly than the expansions is told by its own differences") {
+  std::vector<int> solves;
+  const auto ladder = Ladder<ToyLevels>::at_half_length(
+      {.factor = 6, .solves = &solves, .fastest = 1e3, .tail_factor = 1e3}, 3, 1e-4);
+  const Estimate small =
+      ladder.estimate_down_to_rounding([](const ToyContact& contact) { return contact.load - 9; });
+  CHECK(std::fabs(small.value) <= small.error);
+}
+
+TEST_CASE(
     "ladder: a solution has kept of its error what its tail has kept, but not less than an expansion can") {
   // A fastest rate that is too fast does not matter where the tails tell the rate, nor tails that fall too fast where
   // the rate cannot be such.

@@ -26,3 +26,35 @@ TEST_CASE("thin sheet with a short memory, little asked: the quadrature is not w
   check(asked.peak_pressure(), truth.peak_pressure());
   for (const double y : {0.0, 0.13, -0.13, 0.233, -0.233}) check(asked.pressure(y), truth.pressure(y));
 }
+
+TEST_CASE(
+    "outside the rolling contact the displacement is as sure as it is small, behind it like its memory") {
+  const data::ViscoelasticNip nip{100, 1, data::single_relaxation_time_solid(2, 1, 0.25), 1};
+  const auto asked = fast::converged_for_length(nip, 2, 1e-8);
+  const auto truth = fast::converged_for_length(nip, 2, 1e-13);
+  for (const double y : {-20.0, -9.0, -6.0, -3.0, 3.0, 4.5, 6.0, 9.0, 20.0}) {
+    const fast::Estimate found = asked.normal_displacement(y), other = truth.normal_displacement(y);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+    CHECK(found.error <= 1e-4 * std::fabs(found.value) + 1e-14 * asked.indentation().value);
+  }
+}
+
+TEST_CASE(
+    "beside the place that a tangential displacement is counted from it rounds like those at the ends") {
+  // The same nip in two systems of units.
+  const auto displacement = [](double length, double time) {
+    const auto material =
+        data::operator_solid({.p = {6.107641151942289e-05, time},
+                              .q = {6.3351298447145155e-06 * 9, 3.7029537225607783 * 9 * time},
+                              .p_dilatation = {0.0004970805209723039, time},
+                              .q_dilatation = {0.002133002308937648 * 9, 153.19015558063984 * 9 * time}});
+    const data::ViscoelasticNip nip{9235.406129837036 * length, 1.4095254747662693 * length, material,
+                                    0.015152343060435669 * length / time};
+    const fast::Estimate found =
+        fast::converged_for_length(nip, 8.492915808223188 * length, 1.5959999385562398e-12)
+            .tangential_displacement(-0.0028757984787262103 * length);
+    return fast::Estimate{found.value / length, found.error / length};
+  };
+  const fast::Estimate one = displacement(1, 1), other = displacement(35, 7);
+  CHECK(std::fabs(one.value - other.value) <= one.error + other.error);
+}
