@@ -116,8 +116,8 @@ void draw_prony(Random& random, const Size& size, DrawnScene& drawn) {
   drawn.set("material.theta2_rates", rates);
 }
 
-/// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates, whose damping
-/// is larger than its frequency, at a constant Poisson's ratio.
+/// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates, which fades faster than it
+/// swings or swings faster than it fades, at a constant Poisson's ratio.
 void draw_operators(Random& random, const Size& size, DrawnScene& drawn) {
   const double speed = drawn.number("rolling.speed");
   const double shear = draw_modulus(random), bulk = bulk_of(shear, draw_poisson(random));
@@ -135,16 +135,20 @@ void draw_operators(Random& random, const Size& size, DrawnScene& drawn) {
     set("Q_dilatation", variant == 0 ? std::vector<double>{bulk} : std::vector<double>{bulk * own, bulk});
     return;
   }
-  const double frequency = damping * random.uniform(0.05, 0.95);
+  const double frequency = damping * random.log_uniform(0.05, 30);
   const double square = damping * damping + frequency * frequency;
-  const double amplitude = softer * damping;
+  // The compliance's numerator beside q: it gains no energy while at_rate * square <= 2 damping * at_rest, and is
+  // positive at every frequency while at_rest is not many times damping * sqrt(square).
+  const bool swings = frequency > damping;
+  const double at_rest = damping * (swings ? std::min(softer, 3.0) * std::sqrt(square) : softer * damping);
+  const double at_rate = swings ? 1.8 * random.uniform() * damping * at_rest / square : softer * damping;
   const std::vector<double> q{square, 2 * damping, 1};
   const auto times = [&](double factor) {
     std::vector<double> product = q;
     for (double& coefficient : product) coefficient *= factor;
     return product;
   };
-  const std::vector<double> p{square + amplitude * damping, 2 * damping + amplitude, 1};
+  const std::vector<double> p{square + at_rest, 2 * damping + at_rate, 1};
   set("P", p);
   set("Q", times(shear));
   set("P_dilatation", p);
