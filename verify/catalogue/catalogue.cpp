@@ -20,7 +20,7 @@ std::vector<Quantity> gather() {
       std::ranges::move(group, std::back_inserter(all));
     }
   };
-  add("sheet", {root_entries(), kernel_entries(), displacement_entries()});
+  add("sheet", {root_entries(), kernel_entries(), displacement_entries(), field_entries()});
   add("memory", {memory_entries(), moving_load_entries()});
   add("half_space", {half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
                      elliptic_contact_entries(), seed_sphere_entries()});

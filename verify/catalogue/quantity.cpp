@@ -17,6 +17,8 @@ std::string_view domain_of_number(ArgumentKind kind) {
     case ArgumentKind::young:
     case ArgumentKind::positive:
       return "a finite number > 0";
+    case ArgumentKind::depth:
+      return "a number from -1 to 1";
     case ArgumentKind::poisson:
       return "a number > -1 and <= 0.5";
     case ArgumentKind::index:

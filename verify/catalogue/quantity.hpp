@@ -22,6 +22,7 @@ using Point = std::vector<double>;
 enum class ArgumentKind {
   nonzero_position,  ///< distance/half-thickness at which the kernel is infinite at 0
   position,          ///< distance/half-thickness
+  depth,             ///< distance from the middle plane/half-thickness
   young,             ///< Young's modulus, unit of stress
   poisson,           ///< Poisson's ratio
   index,             ///< number of a root

@@ -20,12 +20,6 @@ long terms_needed(double x, double nats) {
   return std::max(0L, static_cast<long>(std::ceil(needed)));
 }
 
-/// A root and 1/cosh of it.
-struct Pole {
-  ComplexInterval z;
-  ComplexInterval sech;
-};
-
 struct PoleKey {
   long n;
   mpfr_prec_t precision;
@@ -33,21 +27,13 @@ struct PoleKey {
   auto operator<=>(const PoleKey&) const = default;
 };
 
-Pole make_pole(const PoleKey& key) {
+SheetPole make_pole(const PoleKey& key) {
   const ComplexInterval z = sheet_root_interval(key.n, key.precision);
   return {z, inverse({cosh(z.real) * cos(z.imag), sinh(z.real) * sin(z.imag)})};
 }
 
-std::size_t size_of_pole(const Pole& pole) {
+std::size_t size_of_pole(const SheetPole& pole) {
   return static_cast<std::size_t>(8 * pole.z.real.precision()) / CHAR_BIT;
-}
-
-/// Kept, with up to a quarter more bits than were asked for, so that many arguments share them.
-std::shared_ptr<const Pole> pole(long n, mpfr_prec_t precision) {
-  static Memo<PoleKey, Pole> kept(make_pole, size_of_pole);
-  const auto bits = static_cast<unsigned long>(precision);
-  const unsigned long grain = std::bit_floor(bits) / 4;
-  return kept.at({n, static_cast<mpfr_prec_t>((bits + grain - 1) / grain * grain)});
 }
 
 /// c = sign z^p/(2 cosh^q z), see residue_series().
@@ -60,7 +46,7 @@ constexpr std::array<Coefficient, 7> coefficients{
     {{1, 1, 4}, {1, 0, 2}, {-1, 0, 3}, {1, 0, 1}, {-1, 1, 3}, {1, -1, 2}, {1, -1, 1}}};
 
 /// 2 c_n e^{i x z_n}, without the sign of c_n.
-ComplexInterval term(const Coefficient& c, const Pole& pole, const Exact& magnitude) {
+ComplexInterval term(const Coefficient& c, const SheetPole& pole, const Exact& magnitude) {
   const Interval x(magnitude, pole.z.real.precision());
   const Interval size = exp(-(x * pole.z.imag));
   const Interval angle = x * pole.z.real;
@@ -69,12 +55,6 @@ ComplexInterval term(const Coefficient& c, const Pole& pole, const Exact& magnit
   if (c.p > 0) result = result * pole.z;
   if (c.p < 0) result = result * inverse(pole.z);
   return result;
-}
-
-/// Bits for the n-th term, of size about e^{-x Im z_n}, where the relative error of z_n counts x |z_n| times.
-mpfr_prec_t term_precision(long n, double x, double nats) {
-  const double imaginary = slowest_decay + static_cast<double>(n - 1) * std::numbers::pi;
-  return working_precision(std::max(nats - x * imaginary, 1.0), x * (imaginary + 3));
 }
 
 /// The factor that memory gives a wave e^{i x z}: 1/(rate - i z) where it is to come, 1/(rate + i z) where it has
@@ -94,7 +74,7 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
   const long terms = terms_needed(x, nats);
   Interval sum(mpfr_prec_t{64});
   for (long n = terms; n >= 1; --n) {
-    const auto root = pole(n, term_precision(n, x, nats));
+    const auto root = sheet_pole(n, term_precision(n, x, nats));
     const ComplexInterval next = with_factor(term(c, *root, exact_x), root->z);
     sum = sum + (odd ? next.real : next.imag);
   }
@@ -104,6 +84,18 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
 }
 
 }  // namespace
+
+std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
+  static Memo<PoleKey, SheetPole> kept(make_pole, size_of_pole);
+  const auto bits = static_cast<unsigned long>(precision);
+  const unsigned long grain = std::bit_floor(bits) / 4;
+  return kept.at({n, static_cast<mpfr_prec_t>((bits + grain - 1) / grain * grain)});
+}
+
+mpfr_prec_t term_precision(long n, double x, double nats) {
+  const double imaginary = slowest_decay + static_cast<double>(n - 1) * std::numbers::pi;
+  return working_precision(std::max(nats - x * imaginary, 1.0), x * (imaginary + 3));
+}
 
 // Measured: the rule takes about as long as nats^2/10^4 terms do, whatever x.
 bool residues_are_cheaper(double x, double nats) {

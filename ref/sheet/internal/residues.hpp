@@ -1,6 +1,8 @@
 #pragma once
 #include <mpfr.h>
 
+#include <memory>
+
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
 #include <nipref/ref/sheet/internal/symbols.hpp>
@@ -41,6 +43,18 @@ Interval residue_series(Symbol symbol, const Exact& x, double nats);
 /// + 1, so that the series is exact, but for the poles at 0 and i rate (memory/internal/fading.hpp), and what
 /// is left out has the same bound.
 Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats);
+
+/// A root and 1/cosh of it.
+struct SheetPole {
+  ComplexInterval z;
+  ComplexInterval sech;
+};
+
+/// Of z_n, kept, with up to a quarter more bits than were asked for, so that many arguments share them.
+std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision);
+
+/// Bits for the n-th term at x, of size about e^{-x Im z_n}, where the relative error of z_n counts x |z_n| times.
+mpfr_prec_t term_precision(long n, double x, double nats);
 
 /// z_n to about `precision` bits: proven as sheet_root() says.
 ComplexInterval sheet_root_interval(long n, mpfr_prec_t precision);

@@ -91,6 +91,8 @@ double into_domain(ArgumentKind kind, double value) {
       return std::clamp(value, -largest_position, largest_position);
     case ArgumentKind::young:
       return std::clamp(value, softest_young, stiffest_young);
+    case ArgumentKind::depth:
+      return std::clamp(value, -1.0, 1.0);
     case ArgumentKind::poisson:
       return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
     case ArgumentKind::index:
@@ -196,10 +198,11 @@ std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, R
     for (const double value : values) {
       Point point = draw_point(quantity, ranges, random);
       point[i] = value;
-      points.push_back(point);
+      points.push_back(kept_off(quantity, ranges, point));
       if (!is_position(argument.kind)) continue;
       tie_positions(quantity, point, i);
-      if (point != points.back() && contains(ranges, point)) points.push_back(point);
+      if (point != points.back() && contains(ranges, point))
+        points.push_back(kept_off(quantity, ranges, point));
     }
   }
   return points;

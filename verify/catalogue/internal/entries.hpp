@@ -20,6 +20,7 @@ half_space_contact_entries();  ///< dies and spheres by the papers' rule, brock2
 std::vector<Quantity> elliptic_contact_entries();  ///< the exact frictionless contact, isotropic half-space
 std::vector<Quantity> seed_sphere_entries();   ///< the seed's sphere, brock2013 (34), and its exact contact
 std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
+std::vector<Quantity> field_entries();         ///< inside the sheet, thesis (3.19), (3.20)
 
 // Arguments that several entries share, with their hard values.
 

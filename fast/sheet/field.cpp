@@ -1,0 +1,163 @@
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/elastic.hpp>
+#include <nipref/fast/sheet/displacements.hpp>
+#include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/internal/argument_checks.hpp>
+#include <nipref/fast/sheet/internal/dispatch.hpp>
+#include <nipref/fast/sheet/internal/field_functions.hpp>
+#include <nipref/fast/sheet/internal/half_planes.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+
+// With s the depth, N = theta1 + theta2, functions of w = alpha + i s as in field_functions.hpp:
+//
+//     normal load                                  shear load
+//     pi sigma_x  -(Re I7 + Re I5' + s Im I7')     Re I7' - s Im I5'
+//     pi sigma_y  Re I5' - Re I7 + s Im I7'        -Re I7' - 2 Re I5 + s Im I5'
+//     pi tau      s Re I7' - Im I5'                Im I7' + Im I5 + s Re I5'
+//     N pi u      -N Im I4 - theta1 (Im I5 - s Re I7)            -theta2 Im K5 + theta1 (Im I7 + s Re I5)
+//     N pi v      -theta2 Re I4 + theta1 (Re I5 + s Im I7) + ..  -N Re K5 - theta1 (Re I7 - s Im I5) + ..
+
+namespace nipref::fast {
+namespace {
+
+using data::SheetLoad;
+using enum internal::FieldFunction;
+using internal::FieldFunctions;
+using internal::HalfPlaneParts;
+using internal::SeenFromLoads;
+
+constexpr double inverse_pi = std::numbers::inv_pi;
+constexpr double quarter_pi = std::numbers::pi / 4;
+constexpr double nearest_on_the_face = 1e-300;
+
+void check(double alpha, double depth) {
+  internal::check_argument("alpha", alpha, internal::Domain::finite);
+  if (!(std::fabs(depth) <= 1)) throw data::BadInput("depth", depth, "must satisfy -1 <= depth <= 1");
+  if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) {
+    throw data::BadInput("alpha", alpha,
+                         "must be at least 1e-300 in magnitude on the faces: the load is at 0");
+  }
+}
+
+double theta1_share(double poisson) { return 1 / (2 * (1 - poisson)); }
+double theta2_share(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
+
+bool is_near(double alpha) { return alpha < internal::near_load_end; }
+
+SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
+  if (load == SheetLoad::normal) {
+    return {-(f[I7].re + f[I5_slope].re + s * f[I7_slope].im) * inverse_pi,
+            (f[I5_slope].re - f[I7].re + s * f[I7_slope].im) * inverse_pi,
+            (s * f[I7_slope].re - f[I5_slope].im) * inverse_pi};
+  }
+  return {(f[I7_slope].re - s * f[I5_slope].im) * inverse_pi,
+          (s * f[I5_slope].im - f[I7_slope].re - 2 * f[I5].re) * inverse_pi,
+          (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inverse_pi};
+}
+
+/// At alpha >= 0, 0 <= s <= 1.
+SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
+  if (!is_near(alpha)) {
+    SheetStresses result = stresses_of(internal::decaying(alpha, s), s, load);
+    if (load == SheetLoad::shear) result.along -= 0.5;
+    return result;
+  }
+  const SheetStresses rest = stresses_of(internal::near_rest(alpha, s), s, load);
+  const SheetStresses planes = internal::half_plane_stresses({alpha, s}, load);
+  return {planes.across + rest.across, planes.along + rest.along, planes.shear + rest.shear};
+}
+
+/// -1, 0, 1.
+double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
+
+/// The factors of theta2/N (or 1) and theta1/N in pi u and in what pi v is relative to infinity, without constants.
+HalfPlaneParts parts_of_u(const FieldFunctions& f, double s, SheetLoad load) {
+  if (load == SheetLoad::normal) return {f[I4].im, f[I5].im - s * f[I7].re};
+  return {f[K5].im, f[I7].im + s * f[I5].re};
+}
+HalfPlaneParts parts_of_v(const FieldFunctions& f, double s, SheetLoad load) {
+  if (load == SheetLoad::normal) return {f[I4].re, f[I5].re + s * f[I7].im};
+  return {f[K5].re, f[I7].re - s * f[I5].im};
+}
+
+HalfPlaneParts operator+(const HalfPlaneParts& a, const HalfPlaneParts& b) {
+  return {a.first + b.first, a.second + b.second};
+}
+
+double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
+  const bool normal = load == SheetLoad::normal;
+  HalfPlaneParts parts{};
+  if (is_near(alpha)) {
+    parts = internal::half_plane_u({alpha, s}, load) + parts_of_u(internal::near_rest(alpha, s), s, load);
+  } else {
+    parts = parts_of_u(internal::decaying(alpha, s), s, load);
+    if (!normal) parts = parts + HalfPlaneParts{quarter_pi * s, quarter_pi * s};
+  }
+  const double t1 = theta1_share(poisson);
+  return (normal ? -parts.first - t1 * parts.second
+                 : t1 * parts.second - theta2_share(poisson) * parts.first) *
+         inverse_pi;
+}
+
+/// v without the part of eta, which is odd for a normal load.
+double normal_v_in_quarter(double alpha, double s, double poisson) {
+  const SheetLoad load = SheetLoad::normal;
+  const HalfPlaneParts parts =
+      is_near(alpha)
+          ? internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s), s, load)
+          : parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{quarter_pi, quarter_pi};
+  return (theta1_share(poisson) * parts.second - theta2_share(poisson) * parts.first) * inverse_pi;
+}
+
+/// Both parts grow with their distances, which are subtracted first.
+double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
+  const SheetLoad load = SheetLoad::shear;
+  const double t1 = theta1_share(poisson);
+  const int part = static_cast<int>(internal::Component::eta_part_of_I6);
+  const double held = t1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
+  if (is_near(alpha)) {
+    const HalfPlaneParts parts =
+        internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s), s, load);
+    return eta / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
+  }
+  const HalfPlaneParts parts = parts_of_v(internal::decaying(alpha, s), s, load);
+  return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
+}
+
+}  // namespace
+
+SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
+  check(alpha, depth);
+  const double side = sign(alpha), face = sign(depth);
+  SheetStresses result = stresses_in_quarter(std::fabs(alpha), std::fabs(depth), load);
+  if (std::fabs(depth) == 1) result.across = result.shear = 0;  // exactly, as there is no load
+  if (load == SheetLoad::shear) {
+    result.across *= side;
+    result.along *= side;
+    result.shear *= face;
+  } else {
+    result.shear *= side * face;
+  }
+  return result;
+}
+
+double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
+  check(alpha, depth);
+  data::ElasticMaterial{1, poisson}.check();
+  const double signs = sign(depth) * (load == SheetLoad::shear ? sign(alpha) : 1);
+  return signs * u_in_quarter(std::fabs(alpha), std::fabs(depth), load, poisson);
+}
+
+double sheet_v(double alpha, double eta, double depth, SheetLoad load, double poisson) {
+  check(alpha, depth);
+  internal::check_argument("eta", eta, internal::Domain::finite);
+  data::ElasticMaterial{1, poisson}.check();
+  const double s = std::fabs(depth);
+  if (load == SheetLoad::shear) return shear_v_in_quarter(std::fabs(alpha), std::fabs(eta), s, poisson);
+  return sign(alpha) * normal_v_in_quarter(std::fabs(alpha), s, poisson) + F1(eta, poisson);
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,38 @@
+#pragma once
+#include <nipref/data/problem/sheet_load.hpp>
+
+// Inside an elastic sheet of half-thickness b = 1 under a line load of unit intensity on each face: plane strain. x
+// runs through the thickness, y along the sheet; the loads act at y = 0 on x = +-1, a normal load presses, a shear load
+// acts along +y on both faces.
+//
+//   alpha    y, in half-thicknesses: any finite double
+//   depth    x, in half-thicknesses: -1 <= depth <= 1, 0 is the middle plane. 1 - |depth| is the distance from the
+//            surface: as it is exact in double, values are good at any distance from the load
+//   eta      where on the middle plane v is 0, in half-thicknesses: any finite double
+//   poisson  -1 < poisson <= 1/2
+//   error    at most 8 units in the last place of the sum of the magnitudes of the parts: each half-plane's field, the
+//            slowest residue terms; where the value is 0 by symmetry the parts are too. See verify's catalogue.
+//   bad input  nan, infinities, what is outside those domains, and |alpha| < 1e-300 at depth +-1, where the load is:
+//            data::BadInput
+
+namespace nipref::fast {
+
+/// Stresses, in 1/half-thickness for a unit load; tension is positive. They do not depend on the material.
+struct SheetStresses {
+  double across;  ///< sigma_x
+  double along;   ///< sigma_y
+  double shear;   ///< tau_xy
+};
+
+/// Thesis (3.19), (3.20), (4.3), (4.14).
+SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
+
+/// Displacement along +x over theta1 + theta2, dimensionless; 0 on the middle plane. At depth -1 it is un or us (thesis
+/// 4.8, 4.19a), at depth 1 their opposite: these are counted towards the middle.
+double sheet_u(double alpha, double depth, data::SheetLoad load, double poisson);
+
+/// Displacement along +y over theta1 + theta2, dimensionless, relative to the point eta of the middle plane. At depth
+/// +-1 it is vn or vs (thesis 4.8, 4.19b).
+double sheet_v(double alpha, double eta, double depth, data::SheetLoad load, double poisson);
+
+}  // namespace nipref::fast

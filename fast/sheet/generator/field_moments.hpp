@@ -1,0 +1,14 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <nipref/fast/sheet/generator/number.hpp>
+#include <nipref/fast/sheet/internal/field_table.hpp>
+
+namespace nipref::fast::generator {
+
+/// The numbers of the field inside the sheet, each rounded once from 100 digits. The rest's coefficients are moments of
+/// what is left of 2 sinh z/S and 2 cosh z/S, S = sinh 2z + 2z, without 2 e^{-z}.
+std::unique_ptr<internal::FieldTable> tabulate_field(const std::vector<Complex>& roots);
+
+}  // namespace nipref::fast::generator

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include <nipref/fast/sheet/internal/field_functions.hpp>
+
+namespace nipref::fast::internal {
+namespace {
+
+constexpr std::array is_odd{true, false, true, false, false, true};
+
+/// alpha m to two words.
+struct Product {
+  double high, low;
+
+  Product(double alpha, const double (&m)[2])
+      : high(alpha * m[0]), low(std::fma(alpha, m[0], -high) + alpha * m[1]) {}
+};
+
+/// e^{i alpha z}; the low words count where alpha is large.
+std::complex<double> wave(double alpha, const double (&root)[2][2]) {
+  const Product angle(alpha, root[0]), decay(alpha, root[1]);
+  const double size = std::exp(-decay.high), cosine = std::cos(angle.high), sine = std::sin(angle.high);
+  const double trimmed = size - size * decay.low;
+  return {trimmed * (cosine - sine * angle.low), trimmed * (sine + cosine * angle.low)};
+}
+
+constexpr double underflown = 400;  ///< e^{-2.1 alpha} < 2^-1215
+
+/// Terms that are not below 1e-18 of the first.
+int terms_at(double alpha) {
+  constexpr double nats = 38;
+  return std::min(field_roots, static_cast<int>(nats / (3.141 * alpha)) + 1);
+}
+
+}  // namespace
+
+FieldFunctions near_rest(double alpha, double depth) {
+  // With W = w^2 = x + i y a polynomial in W is p + i y q: no part loses digits as y -> 0.
+  const double x = (alpha - depth) * (alpha + depth), y = 2 * alpha * depth, y_squared = y * y;
+  std::array<double, field_functions> p{}, q{};
+  for (int k = near_load_terms - 1; k >= 0; --k) {
+    for (std::size_t f = 0; f < p.size(); ++f) {
+      const double before = p[f];
+      p[f] = x * before - y_squared * q[f] + field_table.rest[f][k];
+      q[f] = x * q[f] + before;
+    }
+  }
+  FieldFunctions result{};
+  for (std::size_t f = 0; f < p.size(); ++f) {
+    result.of[f] = is_odd[f] ? ComplexValue{alpha * (p[f] - 2 * depth * depth * q[f]),
+                                            depth * (p[f] + 2 * alpha * alpha * q[f])}
+                             : ComplexValue{p[f], y * q[f]};
+  }
+  return result;
+}
+
+FieldFunctions decaying(double alpha, double depth) {
+  FieldFunctions sum{};
+  if (alpha > underflown) return sum;
+  for (int n = terms_at(alpha) - 1; n >= 0; --n) {
+    const auto& root = field_table.root[n];
+    const std::complex<double> along = wave(alpha, root);
+    const double a = depth * root[0][0], b = depth * root[1][0];
+    const double cosine = std::cos(b), sine = std::sin(b), grows = std::cosh(a), rises = std::sinh(a);
+    // The pole at z and its mirror image give Re and Im of Re(a e^{i w z}) continued to complex w.
+    const std::complex<double> even = along * std::complex(grows * cosine, rises * sine);
+    const std::complex<double> odd = along * std::complex(rises * cosine, grows * sine);
+    for (std::size_t f = 0; f < sum.of.size(); ++f) {
+      const auto& a_f = field_table.amplitude[n][f];
+      sum.of[f].re += a_f[0] * even.real() - a_f[1] * even.imag();
+      sum.of[f].im -= a_f[0] * odd.imag() + a_f[1] * odd.real();
+    }
+  }
+  return sum;
+}
+
+}  // namespace nipref::fast::internal

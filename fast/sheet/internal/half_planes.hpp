@@ -1,0 +1,28 @@
+#pragma once
+#include <nipref/data/problem/sheet_load.hpp>
+#include <nipref/fast/sheet/field.hpp>
+
+namespace nipref::fast::internal {
+
+/// A point as both loads see it, alpha >= 0, 0 <= depth <= 1: distance from each load and from its face.
+struct SeenFromLoads {
+  SeenFromLoads(double along, double across);
+
+  double alpha, depth;
+  double near_face, far_face;    ///< 1 - depth, 1 + depth
+  double near, far;              ///< distances from the loads
+  double near_share, far_share;  ///< distance from the face over the square of that from the load
+  double shares_apart;           ///< near_share - far_share, relatively accurate
+};
+
+/// The stresses of two half-planes, each under the load on its own face (Flamant).
+SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
+
+/// What belongs to them of the parts of u and v, in the kernels' terms; see field_functions.hpp.
+struct HalfPlaneParts {
+  double first, second;  ///< the factors of theta2/N (or 1) and of theta1/N
+};
+HalfPlaneParts half_plane_u(const SeenFromLoads& at, data::SheetLoad load);
+HalfPlaneParts half_plane_v(const SeenFromLoads& at, data::SheetLoad load);
+
+}  // namespace nipref::fast::internal

@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/sheet/field.hpp>
+#include <nipref/ref/sheet/internal/field_integral.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::SheetLoad;
+using enum FieldSymbol;
+
+void check_place(const Exact& alpha, const Exact& depth) {
+  check_argument(alpha, "alpha");
+  if (abs(depth.value()) > 1) {
+    throw data::BadInput("depth", depth.approximate(), "must satisfy -1 <= depth <= 1");
+  }
+  if (alpha.sign() == 0 && abs(depth.value()) == 1) {
+    throw data::BadInput("alpha", "0", "must be nonzero on the faces: the load is there");
+  }
+}
+
+void check_ratio(const Exact& poisson) {
+  if (poisson.value() <= -1 || 2 * poisson.value() > 1) {
+    throw data::BadInput("poisson", poisson.approximate(), "must satisfy -1 < poisson <= 0.5");
+  }
+}
+
+bool on_a_face(const Exact& depth) { return abs(depth.value()) == 1; }
+
+/// theta1/N and theta2/N.
+struct Shares {
+  mpq_class theta1, theta2;
+
+  explicit Shares(const Exact& poisson) : theta1(1 / (2 * (1 - poisson.value()))), theta2(1 - theta1) {}
+};
+
+FieldIntegrand across(SheetLoad load, const mpq_class& s) {
+  if (load == SheetLoad::normal) {
+    return {
+        false, false, {{-1, 0, sinh_over_S, false}, {-1, 1, cosh_over_S, false}, {s, 1, sinh_over_S, true}}};
+  }
+  return {true, false, {{-1, 1, sinh_over_S, false}, {s, 1, cosh_over_S, true}}};
+}
+
+FieldIntegrand along(SheetLoad load, const mpq_class& s) {
+  if (load == SheetLoad::normal) {
+    return {false,
+            false,
+            {{1, 1, cosh_over_S, false}, {-1, 0, sinh_over_S, false}, {mpq_class(-s), 1, sinh_over_S, true}}};
+  }
+  return {true,
+          false,
+          {{1, 1, sinh_over_S, false}, {-2, 0, cosh_over_S, false}, {mpq_class(-s), 1, cosh_over_S, true}}};
+}
+
+FieldIntegrand shear(SheetLoad load, const mpq_class& s) {
+  if (load == SheetLoad::normal) {
+    return {true, true, {{1, 1, cosh_over_S, true}, {mpq_class(-s), 1, sinh_over_S, false}}};
+  }
+  return {false, true, {{-1, 1, sinh_over_S, true}, {1, 0, cosh_over_S, true}, {s, 1, cosh_over_S, false}}};
+}
+
+FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const Shares& shares) {
+  const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
+  if (load == SheetLoad::normal) {
+    return {false,
+            true,
+            {{-1, -1, sinh_over_S, true},
+             {mpq_class(-t1), 0, cosh_over_S, true},
+             {mpq_class(t1 * s), 0, sinh_over_S, false}}};
+  }
+  return {true,
+          true,
+          {{mpq_class(-t2), -1, cosh_over_S, true},
+           {mpq_class(-t1), 0, sinh_over_S, true},
+           {mpq_class(t1 * s), 0, cosh_over_S, false}}};
+}
+
+/// Without the part of eta.
+FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const Shares& shares) {
+  const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
+  if (load == SheetLoad::normal) {
+    return {true,
+            false,
+            {{mpq_class(-t2), -1, sinh_over_S, false},
+             {t1, 0, cosh_over_S, false},
+             {mpq_class(-t1 * s), 0, sinh_over_S, true}}};
+  }
+  return {false,
+          false,
+          {{1, -1, cosh_over_S, false},
+           {mpq_class(-t1), 0, sinh_over_S, false},
+           {mpq_class(t1 * s), 0, cosh_over_S, true}}};
+}
+
+/// -ln of the size of the field far from the load.
+double decay_nats(const Exact& alpha) { return slowest_decay * std::abs(alpha.approximate()); }
+
+/// The quantity at (|alpha|, |depth|) with the sign that its parities give.
+Enclosure by_parity(const FieldIntegrand& integrand, const Exact& alpha, const Exact& depth, int digits,
+                    double first_nats) {
+  const bool odd_in_alpha = integrand.sine;
+  const int sign = (odd_in_alpha ? alpha.sign() : 1) * (integrand.odd_in_depth ? depth.sign() : 1);
+  if (sign == 0) return exact_zero(digits);
+  const FieldPoint at{alpha.magnitude(), depth.magnitude()};
+  return enclose(digits, first_nats, [&](double nats) {
+    const Interval value = field_integral(integrand, at, nats);
+    return sign < 0 ? -value : value;
+  });
+}
+
+/// As much as v holds of eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a shear load.
+Interval held_part(SheetLoad load, const Exact& eta, const Shares& shares, double nats) {
+  const mpfr_prec_t precision = working_precision(nats, 1000);
+  const Interval pi = Interval::pi(precision);
+  const Interval t1(Exact(shares.theta1), precision), t2(Exact(shares.theta2), precision);
+  if (load == SheetLoad::normal) return (t2 * I4_interval(eta, nats) - t1 * I5_interval(eta, nats)) / pi;
+  return (t1 * I7_interval(eta, nats) - I6_eta_interval(eta, nats)) / pi +
+         Interval(eta.magnitude(), precision) / 4;
+}
+
+}  // namespace
+
+Enclosure sheet_across(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
+  check_place(alpha, depth);
+  if (on_a_face(depth)) return exact_zero(digits);
+  return by_parity(across(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
+}
+
+Enclosure sheet_along(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
+  check_place(alpha, depth);
+  const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
+  return by_parity(along(load, depth.magnitude().value()), alpha, depth, digits, first_nats);
+}
+
+Enclosure sheet_shear(const Exact& alpha, const Exact& depth, SheetLoad load, int digits) {
+  check_place(alpha, depth);
+  if (on_a_face(depth)) return exact_zero(digits);
+  return by_parity(shear(load, depth.magnitude().value()), alpha, depth, digits, decay_nats(alpha));
+}
+
+Enclosure sheet_u(const Exact& alpha, const Exact& depth, SheetLoad load, const Exact& poisson, int digits) {
+  check_place(alpha, depth);
+  check_ratio(poisson);
+  const double first_nats = load == SheetLoad::normal ? decay_nats(alpha) : 0;
+  return by_parity(displacement_across(load, depth.magnitude().value(), Shares(poisson)), alpha, depth,
+                   digits, first_nats);
+}
+
+Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, SheetLoad load,
+                  const Exact& poisson, int digits) {
+  check_place(alpha, depth);
+  check_argument(eta, "eta");
+  check_ratio(poisson);
+  const bool odd = load == SheetLoad::normal;
+  if (odd && alpha.sign() == 0 && eta.sign() == 0) return exact_zero(digits);
+  if (depth.sign() == 0 &&
+      (alpha.value() == eta.value() || (!odd && abs(alpha.value()) == abs(eta.value())))) {
+    return exact_zero(digits);
+  }
+  const Shares shares(poisson);
+  const FieldIntegrand integrand = displacement_along(load, depth.magnitude().value(), shares);
+  const FieldPoint at{alpha.magnitude(), depth.magnitude()};
+  // What does not decay cancels far from the load on the side of the point held.
+  const bool same_side = !odd || alpha.sign() * eta.sign() > 0;
+  const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
+  return enclose(digits, same_side ? slowest_decay * nearer : 0, [&](double nats) {
+    const Interval held = held_part(load, eta, shares, nats);
+    if (odd && alpha.sign() == 0) return held;
+    const Interval value = field_integral(integrand, at, nats);
+    return odd && alpha.sign() < 0 ? held - value : held + value;
+  });
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/ref/sheet/internal/field_integral.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// N that brings what is left out below about e^{-nats}.
+long field_terms_needed(double alpha, double nats) {
+  double terms = 1;
+  for (int pass = 0; pass < 3; ++pass) {
+    terms = (nats + std::log(1300.0) + 2 * std::log(terms + 1)) / (std::numbers::pi * alpha) - 0.5;
+    terms = std::max(terms, 1.0);
+  }
+  return static_cast<long>(std::ceil(terms));
+}
+
+Interval exactly(const mpq_class& x, mpfr_prec_t precision) { return Interval(Exact(x), precision); }
+
+/// sum of factor c e^{i alpha z} over the terms, c without its 1/2.
+ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at, const SheetPole& pole) {
+  const mpfr_prec_t precision = pole.z.real.precision();
+  const Interval alpha(at.alpha, precision), s(at.depth, precision);
+  const Interval size = exp(-(alpha * pole.z.imag)), angle = alpha * pole.z.real;
+  const Interval a = s * pole.z.real, b = s * pole.z.imag;
+  const ComplexInterval grows{cosh(a) * cos(b), sinh(a) * sin(b)}, rises{sinh(a) * cos(b), cosh(a) * sin(b)};
+  const ComplexInterval cubed = pole.sech * pole.sech * pole.sech;
+  const ComplexInterval of_sinh{-(pole.z.real * cubed.real - pole.z.imag * cubed.imag),
+                                -(pole.z.real * cubed.imag + pole.z.imag * cubed.real)};
+  ComplexInterval sum{Interval(precision), Interval(precision)};
+  for (const FieldTerm& term : integrand.terms) {
+    ComplexInterval next =
+        (term.symbol == FieldSymbol::sinh_over_S ? of_sinh : pole.sech) * (term.sinh ? rises : grows);
+    if (term.power > 0) next = next * pole.z;
+    if (term.power < 0) next = next * inverse(pole.z);
+    const Interval factor = exactly(term.factor, precision);
+    sum = sum + ComplexInterval{factor * next.real, factor * next.imag};
+  }
+  return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
+}
+
+/// Of the pole at 0, over pi/4: what does not decay.
+mpq_class at_origin(const FieldTerm& term, const FieldPoint& at) {
+  const int order = term.power + (term.sinh ? 1 : 0) - (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
+  if (order == -1) return term.sinh ? mpq_class(term.factor * at.depth.value()) : term.factor;
+  return order == -2 ? mpq_class(-term.factor * at.alpha.value()) : mpq_class(0);
+}
+
+}  // namespace
+
+Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats) {
+  const double alpha = at.alpha.approximate();
+  const long terms = field_terms_needed(alpha, nats);
+  Interval sum(mpfr_prec_t{64});
+  for (long n = terms; n >= 1; --n) {
+    const auto pole = sheet_pole(n, term_precision(n, alpha, nats));
+    const ComplexInterval next = pole_term(integrand, at, *pole);
+    sum = integrand.sine ? sum + next.real : sum - next.imag;
+  }
+  mpq_class quarters = 0;
+  for (const FieldTerm& term : integrand.terms) quarters += at_origin(term, at);
+  Interval value = sum;
+  if (quarters != 0) {
+    const mpfr_prec_t precision = std::max(sum.precision(), working_precision(nats, alpha));
+    value = exactly(mpq_class(quarters / 4), precision) + sum;
+  }
+  const long count = terms + 1;
+  Interval tail =
+      1300 * (count * (count * exp(-((2 * terms + 1) * (Interval::pi(64) * Interval(at.alpha, 64)) / 2))));
+  if (integrand.odd_in_depth) tail = Interval(at.depth, 64) * tail;
+  return value.widened(tail);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,252 @@
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/sheet/internal/field_integral.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// Nodes that differ by so much share a base in the addition theorems.
+constexpr long stride = 16;
+
+struct FieldNodeKey {
+  double step;  ///< with few bits, so that multiples are exact
+  long count;
+  mpfr_prec_t precision;
+
+  auto operator<=>(const FieldNodeKey&) const = default;
+};
+
+/// -2z/(S cosh z) and -2z/(S sinh z) at z = j step, j = 1 .. count.
+struct FieldNode {
+  Interval z, of_sinh, of_cosh;
+};
+using FieldNodes = std::vector<FieldNode>;
+
+FieldNodes make_field_nodes(const FieldNodeKey& key) {
+  FieldNodes nodes;
+  for (long j = 1; j <= key.count; ++j) {
+    const Interval z(static_cast<double>(j) * key.step, key.precision);
+    const Interval e1 = exp(-z), e2 = square(e1), fall = -expm1(-(2 * z));  // 1 - e2
+    const Interval common = -(8 * z * (e1 * e2)) / (fall * (e2 + 1) + 4 * z * e2);
+    nodes.push_back({z, common / (e2 + 1), common / fall});
+  }
+  return nodes;
+}
+
+std::size_t size_of_nodes(const FieldNodes& nodes) {
+  return nodes.empty() ? 0
+                       : nodes.size() * 6 * static_cast<std::size_t>(nodes.front().z.precision()) / CHAR_BIT;
+}
+
+std::shared_ptr<const FieldNodes> field_nodes(const FieldNodeKey& key) {
+  static Memo<FieldNodeKey, FieldNodes> kept(make_field_nodes, size_of_nodes);
+  return kept.at(key);
+}
+
+/// The key that keeps aliasing and truncation below about e^{-nats}; few different ones.
+FieldNodeKey key_for(double depth, double nats) {
+  const double frequency = nats + std::log(4 * field_line_integral) + field_line;
+  int exponent = 0;
+  const double fraction = std::frexp(2 * std::numbers::pi * field_line / frequency, &exponent);
+  const double step = std::ldexp(std::floor(fraction * 16), exponent - 4);
+  double end = 8;
+  for (int pass = 0; pass < 4; ++pass)
+    end = std::max(8.0, (nats + std::log(25.0) + 4 * std::log(end)) / (3 - depth));
+  const long blocks = static_cast<long>(std::ceil(end / step / (4 * stride)));
+  const mpfr_prec_t grain = 32;
+  return {step, blocks * 4 * stride, (working_precision(nats, 1e3) + 31) / grain * grain};
+}
+
+/// cos, sin of alpha z and cosh, sinh of s z.
+struct Waves {
+  Interval cosine, sine, grows, rises;
+
+  Waves(const Interval& angle, const Interval& hyperbolic)
+      : cosine(cos(angle)), sine(sin(angle)), grows(cosh(hyperbolic)), rises(sinh(hyperbolic)) {}
+
+  /// At the sum of the arguments. Without loss where both are small, as all terms are then positive.
+  Waves(const Waves& a, const Waves& b)
+      : cosine(a.cosine * b.cosine - a.sine * b.sine),
+        sine(a.sine * b.cosine + a.cosine * b.sine),
+        grows(a.grows * b.grows + a.rises * b.rises),
+        rises(a.rises * b.grows + a.grows * b.rises) {}
+};
+
+bool has_twofold_pole(const FieldTerm& term) {
+  return term.power < 0 && term.symbol == FieldSymbol::cosh_over_S && !term.sinh;
+}
+
+class Summation {
+ public:
+  Summation(const FieldIntegrand& integrand, const FieldPoint& at, const FieldNodeKey& key)
+      : integrand_(integrand), key_(key), alpha_(at.alpha, key.precision), depth_(at.depth, key.precision) {
+    for (const FieldTerm& term : integrand.terms) factors_.emplace_back(Exact(term.factor), key.precision);
+  }
+
+  /// step times the sum over all nodes, half the one at 0.
+  [[nodiscard]] Interval value() const {
+    const auto nodes = field_nodes(key_);
+    std::vector<Waves> offsets;
+    for (long k = 0; k < stride; ++k) offsets.push_back(waves(k));
+    Interval sum = at_zero() / 2;
+    for (long base = 0; base < key_.count; base += stride) {
+      const Waves start = waves(base);
+      for (long k = base == 0 ? 1 : 0; k < stride; ++k) {
+        sum = sum + integrand_at((*nodes)[static_cast<std::size_t>(base + k - 1)],
+                                 Waves(start, offsets[static_cast<std::size_t>(k)]));
+      }
+    }
+    return Interval(key_.step, key_.precision) * sum;
+  }
+
+ private:
+  [[nodiscard]] Waves waves(long j) const {
+    const Interval z(static_cast<double>(j) * key_.step, key_.precision);
+    return {alpha_ * z, depth_ * z};
+  }
+
+  [[nodiscard]] Interval integrand_at(const FieldNode& node, const Waves& at) const {
+    Interval sum(key_.precision);
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+      const FieldTerm& term = integrand_.terms[i];
+      Interval wave = (term.sinh ? at.rises : at.grows) * (integrand_.sine ? at.sine : at.cosine);
+      if (has_twofold_pole(term)) wave = wave - 1;
+      Interval next =
+          factors_[i] * (term.symbol == FieldSymbol::sinh_over_S ? node.of_sinh : node.of_cosh) * wave;
+      if (term.power > 0) next = next * node.z;
+      if (term.power < 0) next = next / node.z;
+      sum = sum + next;
+    }
+    return sum;
+  }
+
+  /// Both symbols are -1/2 z^k there, k = 0 and -1.
+  [[nodiscard]] Interval at_zero() const {
+    Interval sum(key_.precision);
+    for (std::size_t i = 0; i < factors_.size(); ++i) {
+      const FieldTerm& term = integrand_.terms[i];
+      if (has_twofold_pole(term)) {
+        sum = sum + factors_[i] * (square(alpha_) - square(depth_)) / 4;
+        continue;
+      }
+      const int order = term.power + (term.sinh ? 1 : 0) + (integrand_.sine ? 1 : 0) -
+                        (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
+      if (order > 0) continue;
+      Interval next = factors_[i] / 2;
+      if (term.sinh) next = next * depth_;
+      if (integrand_.sine) next = next * alpha_;
+      sum = sum - next;
+    }
+    return sum;
+  }
+
+  const FieldIntegrand& integrand_;
+  const FieldNodeKey& key_;
+  Interval alpha_, depth_;
+  std::vector<Interval> factors_;
+};
+
+/// The parts of 1/cosh z and 1/sinh z at w = alpha + i depth.
+struct ClosedForms {
+  ComplexInterval I4, K5, I5, I7, I5_slope, I7_slope;
+
+  ClosedForms(const FieldPoint& at, mpfr_prec_t precision)
+      : I4(zero(precision)), K5(I4), I5(I4), I7(I4), I5_slope(I4), I7_slope(I4) {
+    const Interval pi = Interval::pi(precision), alpha(at.alpha, precision), depth(at.depth, precision);
+    const Interval from_face(Exact(mpq_class(1 - at.depth.value())), precision);
+    const Interval a = pi * alpha / 2;
+    const Interval ca = cosh(a), sa = sinh(a), ss = sin(pi * depth / 2), cs = sin(pi * from_face / 2);
+    const Interval size = square(ca * cs) + square(sa * ss);  // of cosh(pi w/2)
+    const ComplexInterval sech{ca * cs / size, -(sa * ss) / size}, tanh{sa * ca / size, ss * cs / size};
+    const Interval half_pi = pi / 2;
+    const ComplexInterval sech2 = sech * sech, product = sech * tanh;
+    I7 = {half_pi * sech.real, half_pi * sech.imag};
+    I5 = {half_pi * tanh.real, half_pi * tanh.imag};
+    I7_slope = {-(square(half_pi) * product.real), -(square(half_pi) * product.imag)};
+    I5_slope = {square(half_pi) * sech2.real, square(half_pi) * sech2.imag};
+    K5 = {log(size) / 2, angle(sa * ss, ca * cs)};
+    // gd(pi w/2); cosh a - sin(pi depth/2) = 2 sinh^2(a/2) + 2 sin^2(pi from_face/4)
+    const Interval below = 2 * (square(sinh(a / 2)) + square(sin(pi * from_face / 4)));
+    I4 = {angle(sa, cs), log1p(2 * ss / below) / 2};
+  }
+
+ private:
+  static ComplexInterval zero(mpfr_prec_t precision) { return {Interval(precision), Interval(precision)}; }
+  /// Of (x, y) with x, y >= 0, not both 0.
+  static Interval angle(const Interval& y, const Interval& x) {
+    const bool steep = mpfr_cmp(x.upper(), y.upper()) < 0;
+    return steep ? Interval::pi(y.precision()) / 2 - atan(x / y) : atan(y / x);
+  }
+};
+
+/// The closed form's share of a term: see FieldTerm.
+Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
+  const bool of_sinh = term.symbol == FieldSymbol::sinh_over_S;
+  const ComplexInterval& function = of_sinh ? (term.power < 0    ? f.I4
+                                               : term.power == 0 ? f.I7
+                                                                 : f.I7_slope)
+                                            : (term.power < 0    ? f.K5
+                                               : term.power == 0 ? f.I5
+                                                                 : f.I5_slope);
+  const bool negative = of_sinh ? term.power > 0 : term.power < 0;
+  const Interval part = term.sinh ? (sine ? -function.imag : function.imag) : function.real;
+  return negative ? -part : part;
+}
+
+/// What the closed forms give, within e^{-nats} of what it has to be: near the loads they cancel, and are computed with
+/// more and more bits.
+Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr_prec_t precision,
+                     double nats) {
+  constexpr mpfr_prec_t most_bits = 1 << 17;
+  double log2_width = -nats / std::numbers::ln2;
+  if (integrand.sine) log2_width += at.alpha.log2_magnitude();
+  if (integrand.odd_in_depth) log2_width += at.depth.log2_magnitude();
+  for (;; precision *= 2) {
+    const ClosedForms closed(at, precision);
+    Interval sum(precision);
+    for (const FieldTerm& term : integrand.terms) {
+      sum = sum + Interval(Exact(term.factor), precision) * closed_term(term, integrand.sine, closed);
+    }
+    Real width(64);
+    mpfi_diam_abs(width.get(), sum.get());
+    const bool narrow =
+        mpfr_zero_p(width.get()) || static_cast<double>(mpfr_get_exp(width.get())) < log2_width;
+    if (narrow || precision > most_bits) return sum;
+  }
+}
+
+}  // namespace
+
+Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats) {
+  const double depth = at.depth.approximate();
+  const FieldNodeKey key = key_for(depth, nats);
+  Interval value = Summation(integrand, at, key).value();
+  value = value + closed_part(integrand, at, key.precision, nats);
+  for (const FieldTerm& term : integrand.terms) {
+    const Interval factor(Exact(term.factor), key.precision);
+    if (has_twofold_pole(term)) value = value + factor * I6_eta_interval(Exact(0.0), nats);
+  }
+  const mpfr_prec_t precision = 64;
+  const Interval rate =
+      2 * Interval::pi(precision) * Interval(field_line, precision) / Interval(key.step, precision);
+  const Interval aliasing = Interval(4 * field_line_integral, precision) *
+                            exp(Interval(field_line, precision) * Interval(at.alpha, precision)) /
+                            expm1(rate);
+  const Interval end = Interval(static_cast<double>(key.count - 1) * key.step, precision);
+  const Interval truncation = 25 * square(square(end)) * exp(-((3 - Interval(at.depth, precision)) * end));
+  Interval error = aliasing + truncation;
+  if (integrand.sine) error = error * Interval(at.alpha, precision);
+  if (integrand.odd_in_depth) error = error * Interval(at.depth, precision);
+  return value.widened(error) / Interval::pi(key.precision);
+}
+
+}  // namespace nipref::ref
