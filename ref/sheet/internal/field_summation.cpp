@@ -17,53 +17,61 @@ namespace {
 /// Nodes that differ by so much share a base in the addition theorems.
 constexpr long stride = 16;
 
-struct FieldNodeKey {
-  double step;  ///< with few bits, so that multiples are exact
-  long count;
-  mpfr_prec_t precision;
-
-  auto operator<=>(const FieldNodeKey&) const = default;
-};
-
-/// -2z/(S cosh z) and -2z/(S sinh z) at z = j step, j = 1 .. count.
+/// -2z/(S cosh z) and -2z/(S sinh z).
 struct FieldNode {
   Interval z, of_sinh, of_cosh;
 };
-using FieldNodes = std::vector<FieldNode>;
 
-FieldNodes make_field_nodes(const FieldNodeKey& key) {
-  FieldNodes nodes;
-  for (long j = 1; j <= key.count; ++j) {
-    const Interval z(static_cast<double>(j) * key.step, key.precision);
-    const Interval e1 = exp(-z), e2 = square(e1), fall = -expm1(-(2 * z));  // 1 - e2
-    const Interval common = -(8 * z * (e1 * e2)) / (fall * (e2 + 1) + 4 * z * e2);
-    nodes.push_back({z, common / (e2 + 1), common / fall});
+/// Nodes z = j step, j = 1 .. nodes.size(), that keep aliasing and truncation below about e^{-nats} at any depth; `nats`
+/// is one of a few, so that many points share them.
+struct FieldNodes {
+  double step;  ///< with few bits, so that multiples are exact
+  mpfr_prec_t precision;
+  std::vector<FieldNode> nodes;
+};
+
+/// The last node's place.
+double field_end(double depth, double nats) {
+  double end = 8;
+  for (int pass = 0; pass < 4; ++pass) {
+    end = std::max(8.0, (nats + std::log(25.0) + 4 * std::log(end)) / (3 - depth));
   }
-  return nodes;
+  return end;
 }
 
-std::size_t size_of_nodes(const FieldNodes& nodes) {
-  return nodes.empty() ? 0
-                       : nodes.size() * 6 * static_cast<std::size_t>(nodes.front().z.precision()) / CHAR_BIT;
+/// Whole strides.
+long field_count(double end, double step) {
+  return stride * static_cast<long>(std::ceil((end / step + 1) / stride));
 }
 
-std::shared_ptr<const FieldNodes> field_nodes(const FieldNodeKey& key) {
-  static Memo<FieldNodeKey, FieldNodes> kept(make_field_nodes, size_of_nodes);
-  return kept.at(key);
-}
-
-/// The key that keeps aliasing and truncation below about e^{-nats}; few different ones.
-FieldNodeKey key_for(double depth, double nats) {
-  const double frequency = nats + std::log(4 * field_line_integral) + field_line;
+FieldNodes make_field_nodes(const long& nats) {
+  const auto wanted = static_cast<double>(nats);
+  const double frequency = wanted + std::log(4 * field_line_integral) + field_line;
   int exponent = 0;
   const double fraction = std::frexp(2 * std::numbers::pi * field_line / frequency, &exponent);
-  const double step = std::ldexp(std::floor(fraction * 16), exponent - 4);
-  double end = 8;
-  for (int pass = 0; pass < 4; ++pass)
-    end = std::max(8.0, (nats + std::log(25.0) + 4 * std::log(end)) / (3 - depth));
-  const long blocks = static_cast<long>(std::ceil(end / step / (4 * stride)));
-  const mpfr_prec_t grain = 32;
-  return {step, blocks * 4 * stride, (working_precision(nats, 1e3) + 31) / grain * grain};
+  FieldNodes made{std::ldexp(std::floor(fraction * 16), exponent - 4), working_precision(wanted, 1e4), {}};
+  const long count = field_count(field_end(1, wanted), made.step);
+  const Interval fall_in_step = exp(-Interval(made.step, made.precision));
+  Interval e1(1L, made.precision);
+  for (long j = 1; j <= count; ++j) {
+    const Interval z(static_cast<double>(j) * made.step, made.precision);
+    e1 = j % stride == 0 ? exp(-z) : e1 * fall_in_step;
+    const Interval e2 = square(e1), fall = 1 - e2;
+    const Interval common = -(8 * z * (e1 * e2)) / (fall * (e2 + 1) + 4 * z * e2);
+    made.nodes.push_back({z, common / (e2 + 1), common / fall});
+  }
+  return made;
+}
+
+std::size_t size_of_nodes(const FieldNodes& made) {
+  return made.nodes.size() * 6 * static_cast<std::size_t>(made.precision) / CHAR_BIT;
+}
+
+/// For at least so many nats.
+std::shared_ptr<const FieldNodes> field_nodes(double nats) {
+  static Memo<long, FieldNodes> kept(make_field_nodes, size_of_nodes);
+  const double grain = std::exp2(std::max(3.0, std::floor(std::log2(nats)) - 3));
+  return kept.at(static_cast<long>(std::ceil(nats / grain) * grain));
 }
 
 /// cos, sin of alpha z and cosh, sinh of s z.
@@ -87,35 +95,38 @@ bool has_twofold_pole(const FieldTerm& term) {
 
 class Summation {
  public:
-  Summation(const FieldIntegrand& integrand, const FieldPoint& at, const FieldNodeKey& key)
-      : integrand_(integrand), key_(key), alpha_(at.alpha, key.precision), depth_(at.depth, key.precision) {
-    for (const FieldTerm& term : integrand.terms) factors_.emplace_back(Exact(term.factor), key.precision);
+  Summation(const FieldIntegrand& integrand, const FieldPoint& at, const FieldNodes& nodes, long count)
+      : integrand_(integrand),
+        nodes_(nodes),
+        count_(count),
+        alpha_(at.alpha, nodes.precision),
+        depth_(at.depth, nodes.precision) {
+    for (const FieldTerm& term : integrand.terms) factors_.emplace_back(Exact(term.factor), nodes.precision);
   }
 
   /// step times the sum over all nodes, half the one at 0.
   [[nodiscard]] Interval value() const {
-    const auto nodes = field_nodes(key_);
     std::vector<Waves> offsets;
     for (long k = 0; k < stride; ++k) offsets.push_back(waves(k));
     Interval sum = at_zero() / 2;
-    for (long base = 0; base < key_.count; base += stride) {
+    for (long base = 0; base < count_; base += stride) {
       const Waves start = waves(base);
       for (long k = base == 0 ? 1 : 0; k < stride; ++k) {
-        sum = sum + integrand_at((*nodes)[static_cast<std::size_t>(base + k - 1)],
+        sum = sum + integrand_at(nodes_.nodes[static_cast<std::size_t>(base + k - 1)],
                                  Waves(start, offsets[static_cast<std::size_t>(k)]));
       }
     }
-    return Interval(key_.step, key_.precision) * sum;
+    return Interval(nodes_.step, nodes_.precision) * sum;
   }
 
  private:
   [[nodiscard]] Waves waves(long j) const {
-    const Interval z(static_cast<double>(j) * key_.step, key_.precision);
+    const Interval z(static_cast<double>(j) * nodes_.step, nodes_.precision);
     return {alpha_ * z, depth_ * z};
   }
 
   [[nodiscard]] Interval integrand_at(const FieldNode& node, const Waves& at) const {
-    Interval sum(key_.precision);
+    Interval sum(nodes_.precision);
     for (std::size_t i = 0; i < factors_.size(); ++i) {
       const FieldTerm& term = integrand_.terms[i];
       Interval wave = (term.sinh ? at.rises : at.grows) * (integrand_.sine ? at.sine : at.cosine);
@@ -131,7 +142,7 @@ class Summation {
 
   /// Both symbols are -1/2 z^k there, k = 0 and -1.
   [[nodiscard]] Interval at_zero() const {
-    Interval sum(key_.precision);
+    Interval sum(nodes_.precision);
     for (std::size_t i = 0; i < factors_.size(); ++i) {
       const FieldTerm& term = integrand_.terms[i];
       if (has_twofold_pole(term)) {
@@ -150,7 +161,8 @@ class Summation {
   }
 
   const FieldIntegrand& integrand_;
-  const FieldNodeKey& key_;
+  const FieldNodes& nodes_;
+  long count_;
   Interval alpha_, depth_;
   std::vector<Interval> factors_;
 };
@@ -228,25 +240,27 @@ Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr
 
 Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats) {
   const double depth = at.depth.approximate();
-  const FieldNodeKey key = key_for(depth, nats);
-  Interval value = Summation(integrand, at, key).value();
-  value = value + closed_part(integrand, at, key.precision, nats);
+  const auto nodes = field_nodes(nats);
+  const long count =
+      std::min(static_cast<long>(nodes->nodes.size()), field_count(field_end(depth, nats), nodes->step));
+  Interval value = Summation(integrand, at, *nodes, count).value();
+  value = value + closed_part(integrand, at, nodes->precision, nats);
   for (const FieldTerm& term : integrand.terms) {
-    const Interval factor(Exact(term.factor), key.precision);
+    const Interval factor(Exact(term.factor), nodes->precision);
     if (has_twofold_pole(term)) value = value + factor * I6_eta_interval(Exact(0.0), nats);
   }
   const mpfr_prec_t precision = 64;
   const Interval rate =
-      2 * Interval::pi(precision) * Interval(field_line, precision) / Interval(key.step, precision);
+      2 * Interval::pi(precision) * Interval(field_line, precision) / Interval(nodes->step, precision);
   const Interval aliasing = Interval(4 * field_line_integral, precision) *
                             exp(Interval(field_line, precision) * Interval(at.alpha, precision)) /
                             expm1(rate);
-  const Interval end = Interval(static_cast<double>(key.count - 1) * key.step, precision);
+  const Interval end = Interval(static_cast<double>(count - 1) * nodes->step, precision);
   const Interval truncation = 25 * square(square(end)) * exp(-((3 - Interval(at.depth, precision)) * end));
   Interval error = aliasing + truncation;
   if (integrand.sine) error = error * Interval(at.alpha, precision);
   if (integrand.odd_in_depth) error = error * Interval(at.depth, precision);
-  return value.widened(error) / Interval::pi(key.precision);
+  return value.widened(error) / Interval::pi(nodes->precision);
 }
 
 }  // namespace nipref::ref

@@ -89,7 +89,7 @@ Quantity field_entry(std::string name, std::string definition) {
       "sum of the magnitudes of its parts: half-planes' fields up to |alpha| = 1.25, slowest residue terms, "
       "what does not decay";
   entry.promise = field_promise;
-  entry.audit_points = 2000;
+  entry.audit_points = 400;
   return entry;
 }
 

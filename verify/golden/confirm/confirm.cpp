@@ -1,4 +1,5 @@
 #include <nipref/verify/golden/confirm/confirm.hpp>
+#include <nipref/verify/golden/confirm/field.hpp>
 #include <nipref/verify/golden/confirm/isotropic.hpp>
 #include <nipref/verify/golden/confirm/memory.hpp>
 #include <nipref/verify/golden/confirm/sheet.hpp>
@@ -7,8 +8,8 @@
 namespace nipref::verify {
 
 Confirm confirmer_of(std::string_view quantity) {
-  for (auto* const of_subject :
-       {confirm::of_sheet, confirm::of_memory, confirm::of_isotropic, confirm::of_transverse}) {
+  for (auto* const of_subject : {confirm::of_sheet, confirm::of_field, confirm::of_memory,
+                                 confirm::of_isotropic, confirm::of_transverse}) {
     if (Confirm found = of_subject(quantity)) return found;
   }
   return {};

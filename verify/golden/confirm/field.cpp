@@ -1,0 +1,179 @@
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <nipref/verify/golden/confirm/field.hpp>
+#include <nipref/verify/golden/confirm/kernels.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Arguments = std::span<const double>;
+
+/// alpha >= 0 and 0 <= depth <= 1.
+struct Place {
+  Float alpha, depth;
+};
+
+/// A node of the rule of the kernels' confirmation, with 2 sinh z/S - 2 e^-z and 2 cosh z/S - 2 e^-z.
+struct Rests {
+  Float z, weight, sine, cosine;
+};
+
+const std::vector<Rests>& rests() {
+  static const std::vector<Rests> all = [] {
+    std::vector<Rests> made;
+    const Float step = Float(1) / 256;
+    for (int j = -1400; j <= 1600; ++j) {
+      const Float t = j * step, z = exp(t - exp(-t)), weight = step * z * (1 + exp(-t));
+      if (z > 250) break;
+      const Float q = exp(-2 * z), whole = 1 + 4 * z * q - q * q, scale = -2 * exp(-3 * z) / whole;
+      made.push_back({z, weight, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)});
+    }
+    return made;
+  }();
+  return all;
+}
+
+enum class Part { sx, sy, txy, u, v };
+
+/// What the thesis's integrand is with `sine` for 2 sinh z/S and `cosine` for 2 cosh z/S, apart from cos or sin of
+/// alpha z; K is complex at poles.
+template <class K>
+K integrand(Part part, bool normal, const Float& s, const Float& t1, const K& z, const K& sine,
+            const K& cosine) {
+  const K ch = cosh(s * z), sh = sinh(s * z);
+  const Float t2 = 1 - t1;
+  switch (part) {
+    case Part::sx:
+      return normal ? K(-(sine + z * cosine) * ch + s * z * sine * sh)
+                    : K(-z * sine * ch + s * z * cosine * sh);
+    case Part::sy:
+      return normal ? K((z * cosine - sine) * ch - s * z * sine * sh)
+                    : K((z * sine - 2 * cosine) * ch - s * z * cosine * sh);
+    case Part::txy:
+      return normal ? K(z * cosine * sh - s * z * sine * ch)
+                    : K((cosine - z * sine) * sh + s * z * cosine * ch);
+    case Part::u:
+      return normal ? K(-sine * sh / z - t1 * (cosine * sh - s * sine * ch))
+                    : K(-t2 * cosine * sh / z + t1 * (s * cosine * ch - sine * sh));
+    case Part::v:
+      break;
+  }
+  return normal ? K(-t2 * sine * ch / z + t1 * (cosine * ch - s * sine * sh))
+                : K(cosine * ch / z - t1 * (sine * ch - s * cosine * sh));
+}
+
+bool is_sine(Part part, bool normal) {
+  const bool odd_for_normal = part == Part::txy || part == Part::v;
+  return odd_for_normal == normal;
+}
+
+/// pi times the half-planes' part, the integral over e^-z in place of sinh z/S and cosh z/S: by the complex distances
+/// from the loads.
+Float half_planes(Part part, bool normal, const Place& at, const Float& t1) {
+  const Float &a = at.alpha, &s = at.depth;
+  const Float d = 1 - s, D = 1 + s, r2 = d * d + a * a, R2 = D * D + a * a, t2 = 1 - t1;
+  const Float r4 = r2 * r2, R4 = R2 * R2;
+  switch (part) {
+    case Part::sx:
+      return normal ? Float(-2 * (d * d * d / r4 + D * D * D / R4))
+                    : Float(-2 * a * (d * d / r4 + D * D / R4));
+    case Part::sy:
+      return normal ? Float(-2 * a * a * (d / r4 + D / R4)) : Float(-2 * a * a * a * (1 / r4 + 1 / R4));
+    case Part::txy:
+      return normal ? Float(2 * a * (d * d / r4 - D * D / R4)) : Float(2 * a * a * (d / r4 - D / R4));
+    case Part::u:
+      return normal ? Float(-log(R2 / r2) / 2 - t1 * (d * d / r2 - D * D / R2))
+                    : Float(-t2 * (atan2(a, d) - atan2(a, D)) + t1 * a * (D / R2 - d / r2));
+    case Part::v:
+      break;
+  }
+  return normal ? Float(-t2 * (atan2(a, d) + atan2(a, D)) + t1 * a * (d / r2 + D / R2))
+                : Float(-log(r2 * R2) / 2 - t1 * (d * d / r2 + D * D / R2));
+}
+
+/// pi times the quantity; of v what does not depend on eta.
+Split near_sum(Part part, bool normal, const Place& at, const Float& t1) {
+  const bool sine = is_sine(part, normal), twofold = part == Part::v && !normal;
+  Float even = 0, odd = 0;
+  bool is_even = true;
+  for (const Rests& node : rests()) {
+    const Float angle = at.alpha * node.z;
+    Float value = integrand<Float>(part, normal, at.depth, t1, node.z, node.sine, node.cosine) *
+                  (sine ? sin(angle) : cos(angle));
+    if (twofold) value -= node.cosine / node.z;
+    (is_even ? even : odd) += node.weight * value;
+    is_even = !is_even;
+  }
+  Split sum{0, even + odd + half_planes(part, normal, at, t1), abs(odd - even) + abs(even) * Float("1e-90")};
+  if (twofold) sum.add(1, kernel_I6_eta(0));
+  sum.error += abs(sum.rest) * Float("1e-90");
+  return sum;
+}
+
+Split far_sum(Part part, bool normal, const Place& at, const mpq_class& alpha, const Float& t1) {
+  const bool sine = is_sine(part, normal);
+  Complex sum = 0;
+  for (std::size_t n = poles; n >= 1; --n) {
+    const Pole& pole_n = pole(n);
+    sum += integrand<Complex>(part, normal, at.depth, t1, pole_n.z, pole_n.I7, pole_n.I5) *
+           exp(Complex(-pole_n.z.imag() * at.alpha, pole_n.z.real() * at.alpha));
+  }
+  Split value{0, 2 * pi<Float>() * (sine ? sum.real() : -sum.imag()), 0};
+  if (normal && part == Part::v) value.rest += pi<Float>() / 4 * (2 * t1 - 1);
+  if (!normal && part == Part::sy) value.rest -= pi<Float>() / 2;
+  if (!normal && part == Part::u) value.rest += pi<Float>() / 4 * (2 * t1 - 1) * at.depth;
+  if (!normal && part == Part::v) value.quarters = -alpha;
+  value.error = 2000 * exp(-(2 * static_cast<int>(poles) + 1) * pi<Float>() / 2 * at.alpha) +
+                abs(value.rest) * Float("1e-90");
+  return value;
+}
+
+Split sum_of(Part part, bool normal, const mpq_class& alpha, const mpq_class& depth,
+             const mpq_class& poisson) {
+  const Place at{to_number<Float>(abs(alpha)), to_number<Float>(abs(depth))};
+  const Float t1 = 1 / to_number<Float>(2 * (1 - poisson));
+  Split value = abs(alpha) < far ? near_sum(part, normal, at, t1) : far_sum(part, normal, at, abs(alpha), t1);
+  const bool odd_in_depth = part == Part::txy || part == Part::u;
+  const int sign = (is_sine(part, normal) ? sgn(alpha) : 1) * (odd_in_depth ? sgn(depth) : 1);
+  return Split{}.add(sign, value);
+}
+
+Witness over_pi(const Split& sum) {
+  const Float value = sum.value() / pi<Float>();
+  return witness<Float>("half-planes and an integral along the real axis, or around the poles", value,
+                        sum.error / pi<Float>() + abs(value) * Float("1e-90"));
+}
+
+Witness stress(Part part, Arguments x) {
+  const bool on_face = x[1] == 1 || x[1] == -1;
+  if (on_face && part != Part::sy) return over_pi({});
+  return over_pi(sum_of(part, x[2] == 0, x[0], x[1], 0));
+}
+
+Witness v(Arguments x) {
+  const mpq_class eta(x[1]), poisson(x[4]), t1 = 1 / (2 * (1 - poisson));
+  const bool normal = x[3] == 0;
+  Split sum = sum_of(Part::v, normal, x[0], x[2], poisson);
+  if (normal) {
+    sum.add(1 - t1, kernel_I4(eta)).add(-t1, kernel_I5(eta));
+  } else {
+    sum.add(-1, kernel_I6_eta(eta)).add(t1, kernel_I7(eta));
+  }
+  return over_pi(sum);
+}
+
+}  // namespace
+
+Confirm of_field(std::string_view quantity) {
+  if (quantity == "sheet.sx") return [](Arguments x) { return stress(Part::sx, x); };
+  if (quantity == "sheet.sy") return [](Arguments x) { return stress(Part::sy, x); };
+  if (quantity == "sheet.txy") return [](Arguments x) { return stress(Part::txy, x); };
+  if (quantity == "sheet.u")
+    return [](Arguments x) { return over_pi(sum_of(Part::u, x[2] == 0, x[0], x[1], mpq_class(x[3]))); };
+  if (quantity == "sheet.v") return v;
+  return {};
+}
+
+}  // namespace nipref::verify::confirm
