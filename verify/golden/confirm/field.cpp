@@ -27,7 +27,7 @@ const std::vector<Rests>& rests() {
     for (int j = -1400; j <= 1600; ++j) {
       const Float t = j * step, z = exp(t - exp(-t)), weight = step * z * (1 + exp(-t));
       if (z > 250) break;
-      const Float q = exp(-2 * z), whole = 1 + 4 * z * q - q * q, scale = -2 * exp(-3 * z) / whole;
+      const Float q = exp(-2 * z), whole = 4 * z * q - expm1(-4 * z), scale = -2 * exp(-3 * z) / whole;
       made.push_back({z, weight, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)});
     }
     return made;
