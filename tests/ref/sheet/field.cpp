@@ -1,0 +1,145 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
+#include <nipref/ref/sheet/displacements.hpp>
+#include <nipref/ref/sheet/field.hpp>
+#include <nipref/ref/sheet/internal/field_integral.hpp>
+
+using namespace nipref;
+using namespace nipref::ref;
+using data::SheetLoad;
+
+TEST_SUITE_BEGIN("ref field inside the sheet");
+
+namespace {
+
+constexpr mpfr_prec_t bits = 64;
+
+Interval cell(double left, double right) {
+  Interval result(bits);
+  mpfi_interv_d(result.get(), left, right);
+  return result;
+}
+
+/// e^{-k z} for z = x + i field_line.
+ComplexInterval falling(double k, const Interval& x) {
+  const Interval size = exp(-(Interval(k, bits) * x)), angle(k * field_line, bits);
+  return {size * cos(angle), -(size * sin(angle))};
+}
+
+Interval magnitude(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
+
+/// Upper bound on a cell of |z|^3 (|2z/(S cosh z)| + |2z/(S sinh z)|) e^{3x}: with q = e^{-2z}, Q = 1 - q^2 + 4 z q the
+/// symbols are 8 z e^{-3z}/(Q (1 +- q)).
+double weight(double left, double right) {
+  const Interval x = cell(left, right);
+  const ComplexInterval z{x, Interval(field_line, bits)}, q = falling(2, x),
+                                                          one{Interval(1L, bits), Interval(bits)};
+  const ComplexInterval four_z{4 * z.real, 4 * z.imag};
+  const Interval whole = magnitude(one - q * q + four_z * q);
+  const Interval fourth = square(square(magnitude(z)));
+  const Interval bound = 8 * fourth / whole * (1 / magnitude(one + q) + 1 / magnitude(one - q));
+  return mpfr_get_d(bound.upper(), MPFR_RNDU);
+}
+
+bool meet(const Enclosure& x, const Enclosure& y, const mpq_class& factor = 1) {
+  const Interval first = interval_of(x), second = Interval(Exact(factor), 300) * interval_of(y);
+  Interval common(300);
+  mpfi_intersect(common.get(), first.get(), second.get());
+  return mpfi_is_empty(common.get()) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("the integral that bounds the field's aliasing holds on an interval mesh") {
+  // Times e^{-3x} e^{x}; both halves of the line. From x = 20 on |z|^4 8 (1/|Q|)(1/|1+q| + 1/|1-q|) < 17 x^4, and the rest
+  // of the integral is below 1e-11.
+  double sum = 0;
+  constexpr double width = 1.0 / 512;
+  for (double left = 0; left < 20; left += width)
+    sum += 2 * weight(left, left + width) * std::exp(-2 * left) * width * (1 + 1e-12);
+  sum += 1e-11;
+  MESSAGE("integral along the line: ", sum);
+  CHECK(sum <= field_line_integral);
+  CHECK(2 * sum >= field_line_integral);
+}
+
+TEST_CASE("summation and residues agree on the field where both converge") {
+  const mpq_class s(3, 10);
+  const FieldIntegrand across{false,
+                              false,
+                              {{-1, 0, FieldSymbol::sinh_over_S, false},
+                               {-1, 1, FieldSymbol::cosh_over_S, false},
+                               {s, 1, FieldSymbol::sinh_over_S, true}}};
+  const FieldIntegrand along{false,
+                             false,
+                             {{1, -1, FieldSymbol::cosh_over_S, false},
+                              {-1, 0, FieldSymbol::sinh_over_S, false},
+                              {s, 0, FieldSymbol::cosh_over_S, true}}};
+  const FieldIntegrand odd{
+      true, true, {{-1, -1, FieldSymbol::cosh_over_S, true}, {s, 0, FieldSymbol::cosh_over_S, false}}};
+  for (const FieldIntegrand* integrand : {&across, &along, &odd}) {
+    const FieldPoint at{Exact(1.0), Exact(s)};
+    const Interval by_sum = field_by_summation(*integrand, at, 200),
+                   by_roots = field_by_residues(*integrand, at, 200);
+    Interval common(400);
+    mpfi_intersect(common.get(), by_sum.get(), by_roots.get());
+    CHECK(mpfi_is_empty(common.get()) == 0);
+    Real width(64);
+    mpfi_diam_abs(width.get(), by_sum.get());
+    CHECK(mpfr_get_d(width.get(), MPFR_RNDU) < 1e-80);
+  }
+}
+
+TEST_CASE("the field's displacements at the faces are un, vn, us, vs of the kernels") {
+  const Exact young(1.0), poisson = Exact::parse("0.3"), eta = Exact::parse("1.7");
+  const Exact face(1.0), other(-1.0);
+  const mpq_class over_N = 1 / mpq_class(2 * (1 - poisson.value() * poisson.value()));
+  for (const char* const text : {"1e-40", "0.35", "-0.9", "1", "7"}) {
+    CAPTURE(text);
+    const Exact alpha = Exact::parse(text);
+    const auto n = SheetLoad::normal, s = SheetLoad::shear;
+    CHECK(meet(sheet_u(alpha, other, n, poisson, 40), un(alpha, young, poisson, 40), over_N));
+    CHECK(meet(sheet_u(alpha, face, n, poisson, 40), un(alpha, young, poisson, 40), -over_N));
+    CHECK(meet(sheet_u(alpha, other, s, poisson, 40), us(alpha, young, poisson, 40), over_N));
+    CHECK(meet(sheet_v(alpha, eta, face, n, poisson, 40), vn(alpha, eta, young, poisson, 40), over_N));
+    CHECK(meet(sheet_v(alpha, eta, other, s, poisson, 40), vs(alpha, eta, young, poisson, 40), over_N));
+  }
+}
+
+TEST_CASE("the field keeps its digits towards the load, and is exactly 0 where it must be") {
+  const auto n = SheetLoad::normal, s = SheetLoad::shear;
+  const Exact just_inside(1 - 0x1p-53), tiny = Exact::parse("1e-300"), zero(0.0), one(1.0);
+  for (const SheetLoad load : {n, s}) {
+    const Enclosure along = sheet_along(tiny, just_inside, load, 30);
+    CHECK(mpfr_cmp_d(along.error_bound.get(), 1e-30) <= 0);
+    CHECK(sheet_across(tiny, one, load, 30).to_double() == 0);
+    CHECK(sheet_shear(tiny, zero, load, 30).to_double() == 0);
+  }
+  CHECK(sheet_shear(zero, just_inside, n, 30).to_double() == 0);
+  CHECK(sheet_v(tiny, tiny, zero, s, Exact(0.25), 30).to_double() == 0);
+  // The load over its distance: -2/pi 2^53 and what the far face adds.
+  CHECK(sheet_across(zero, just_inside, n, 30).to_double() ==
+        doctest::Approx(-0x1p53 * 2 / 3.141592653589793).epsilon(1e-14));
+}
+
+TEST_CASE("the reference refuses bad places in the field by name") {
+  const auto refused = [](const char* alpha, const char* depth) {
+    try {
+      sheet_across(Exact::parse(alpha), Exact::parse(depth), SheetLoad::normal, 20);
+    } catch (const data::BadInput& error) {
+      return error.argument();
+    }
+    return std::string("nothing");
+  };
+  CHECK(refused("0", "1") == "alpha");
+  CHECK(refused("1001", "0") == "alpha");
+  CHECK(refused("1", "1.0000001") == "depth");
+  CHECK(refused("0", "0.9999") == "nothing");
+}
+
+TEST_SUITE_END();
