@@ -5,6 +5,7 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/scene/file.hpp>
+#include <nipref/data/scene/internal/field.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
 #include <nipref/data/scene/internal/material.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
@@ -78,6 +79,7 @@ ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& ori
   read_friction(file.table("friction"), problem);
   problem.method = read_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  if (file.has("field")) problem.field = read_field(file.table("field"));
   return problem;
 }
 
@@ -118,6 +120,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
   read_no_friction(file.table("friction"), origin);
   problem.method = read_viscoelastic_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  if (file.has("field")) problem.field = read_field(file.table("field"));
   return problem;
 }
 
@@ -125,7 +128,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
 decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
-              "friction", "method", "profile", "sweep"});
+              "friction", "method", "profile", "field", "sweep"});
   const bool is_elastic = material_model(file.table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
   return read_elastic_nip(file, origin);

@@ -31,6 +31,8 @@ using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 ///                residue_terms (optional); when rolling also approach_lengths, and trailing_elements is
 ///                optional
 ///     [profile]  points or positions = [...]: where the profiles are wanted, if any are
+///     [field]    positions = [...] along the sheet and depths = [...], -1 to 1 over half the thickness: where stresses
+///                inside the sheet are wanted, if any are
 ///     [sweep]    keys with several values, see sweep.hpp: then `overrides` must have one for each
 ///
 /// Throws BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that cannot be read or is no TOML, for an

@@ -6,6 +6,10 @@
 namespace nipref::data {
 namespace {
 
+constexpr SceneResult of_field(std::string_view name, std::string_view meaning) {
+  return {name, "stress", meaning, false, SceneKind::nip, false, true, true};
+}
+
 constexpr std::array results{
     SceneResult{"contact_length", "length", "length L of the contact", false},
     SceneResult{"leading_length", "length",
@@ -38,6 +42,18 @@ constexpr std::array results{
     SceneResult{"friction_force", "force", "friction times normal_force", false, SceneKind::half_space},
     SceneResult{"critical_speed", "speed", "smallest speed of this motion at which some line is critical",
                 false, SceneKind::half_space},
+    SceneResult{"greatest_shear", "stress", "largest maximum_shear inside the sheet", false, SceneKind::nip,
+                false, false, true},
+    SceneResult{"greatest_shear_position", "length", "Y of its place", false, SceneKind::nip, false, false,
+                true},
+    SceneResult{"greatest_shear_depth", "1", "depth of its place over half the thickness", false,
+                SceneKind::nip, false, false, true},
+    of_field("stress_across", "stress sigma_x across the sheet, tension positive"),
+    of_field("stress_along", "stress sigma_y along the sheet"),
+    of_field("stress_shear", "shear stress tau_xy inside the sheet"),
+    of_field("highest_stress", "higher principal stress in the plane of rolling"),
+    of_field("lowest_stress", "lower principal stress in the plane of rolling"),
+    of_field("maximum_shear", "half the difference of the principal stresses"),
     SceneResult{"pressure", "stress", "pressure", true},
     SceneResult{"shear", "stress", "shear on the sheet along Y", true},
     SceneResult{"normal_displacement", "length", "displacement u towards the middle plane", true},

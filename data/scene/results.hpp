@@ -15,6 +15,8 @@ struct SceneResult {
   bool is_profile;  ///< one number at each position along the sheet, or in each direction on the half-space
   SceneKind kind = SceneKind::nip;
   bool in_every_scene = false;
+  bool is_field = false;      ///< one number at each place of the scene's field, depth after depth
+  bool is_inside = is_field;  ///< of the stresses inside the sheet, which the converged method has
 
   [[nodiscard]] bool is_of(SceneKind other) const { return in_every_scene || kind == other; }
 };

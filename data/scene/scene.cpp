@@ -8,6 +8,7 @@
 
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/magnitude.hpp>
+#include <nipref/data/scene/internal/field.hpp>
 #include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>
@@ -145,6 +146,7 @@ struct SystemCheck {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     if (problem.profile) check_profile(*problem.profile, origin);
+    if (problem.field) check_field(*problem.field, origin);
     std::visit(MethodCheck{problem.given, problem.friction, problem.profile, origin}, problem.method);
     check_creep(problem, origin);
   }
@@ -152,6 +154,7 @@ struct SystemCheck {
     check_nip(problem.nip, origin);
     std::visit(GivenCheck{problem.nip.roller_radius, origin}, problem.given);
     if (problem.profile) check_profile(*problem.profile, origin);
+    if (problem.field) check_field(*problem.field, origin);
     std::visit(MethodCheck{problem.given, Friction::none, problem.profile, origin}, problem.method);
     check_viscoelastic_line_loads(problem, origin);
   }
@@ -171,6 +174,26 @@ SceneKind kind_of(const Scene& scene) {
                       fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
 }
 
+/// What the stresses inside the sheet need: a nip's converged contact, and places if they are a field.
+struct InsideCheck {
+  const SceneOrigin& origin;
+  const SceneResult& result;
+  const std::string& key;
+
+  template <class Problem>
+  void operator()(const Problem& problem) const {
+    if (!std::holds_alternative<ConvergedMethod>(problem.method)) {
+      origin.refuse(key, result.name,
+                    "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
+    }
+    if (result.is_field && !problem.field) {
+      origin.refuse("field", "(missing)",
+                    "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
+    }
+  }
+  void operator()(const HalfSpaceProblem&) const {}
+};
+
 /// True if a profile is among what is wanted.
 bool check_wanted(const Scene& scene) {
   if (scene.wanted.empty()) refuse_wanted(scene, "wanted", "[]");
@@ -183,6 +206,7 @@ bool check_wanted(const Scene& scene) {
     if (result == nullptr || !result->is_of(kind_of(scene))) refuse_wanted(scene, key, name);
     if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
       check_half_space_wanted(*on_half_space, name, key, scene.origin);
+    if (result->is_inside) std::visit(InsideCheck{scene.origin, *result, key}, scene.system);
     if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
     profile_wanted = profile_wanted || result->is_profile;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/problem/field_places.hpp>
 #include <nipref/data/problem/friction.hpp>
 #include <nipref/data/problem/half_space.hpp>
 #include <nipref/data/problem/profile.hpp>
@@ -64,6 +65,8 @@ struct ElasticNipProblem {
   std::variant<ConvergedMethod, LineLoads> method;
   /// Needed if a profile is wanted.
   std::optional<Profile> profile;
+  /// Needed if stresses inside the sheet are wanted, which the converged method has.
+  std::optional<FieldPlaces> field = {};
 };
 
 /// A viscoelastic sheet rolled between two cylinders, without friction. The converged method is its steady
@@ -74,6 +77,8 @@ struct ViscoelasticNipProblem {
   std::variant<ConvergedMethod, ViscoelasticLineLoads> method;
   /// Needed if a profile is wanted.
   std::optional<Profile> profile;
+  /// As above.
+  std::optional<FieldPlaces> field = {};
 };
 
 struct Scene {

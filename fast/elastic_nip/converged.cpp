@@ -6,6 +6,7 @@
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/internal/functionals.hpp>
 #include <nipref/fast/elastic_nip/internal/levels.hpp>
+#include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 
 namespace nipref::fast {
@@ -74,6 +75,29 @@ struct ConvergedElasticNip::Implementation {
     return times(units.pressure, {estimate.value, 2 * estimate.error});
   }
 };
+
+namespace {
+
+FieldOfContact field_of_half_contact(const HalfContact& contact) {
+  const auto traction = [&](bool right, double e) -> FaceTraction {
+    const Traction half = contact.traction(std::min(e, contact.half_length));
+    return {half.pressure, right ? half.shear : -half.shear};
+  };
+  return {TractionField(contact.half_length, traction), 0};
+}
+
+ContactField<ElasticNipLadder> field_of_nip(const ConvergedElasticNip& nip, const ElasticNipLadder& ladder,
+                                            const ContactUnits& units, bool shears) {
+  const double half_length = ladder.last().half_length;
+  const auto lacking = [&nip, units, half_length, shears](double alpha) {
+    // As far as the end is known from outside as well.
+    const double y = alpha * units.length;
+    return (nip.pressure(y).error + (shears ? 2 * nip.shear(y).error : 0)) / units.pressure;
+  };
+  return {ladder, field_of_half_contact, fast::peak_pressure(ladder.last()), half_length, lacking};
+}
+
+}  // namespace
 
 ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -173,6 +197,22 @@ Estimate ConvergedElasticNip::tangential_displacement(double y) const {
     estimate.error += difference_rounding * ladder.last().load * (0.25 + surface.beta / 2);
   }
   return dimensional(estimate);
+}
+
+std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
+  const auto& [units, surface, ladder, given_length] = *implementation_;
+  std::vector<InnerPlace> places;
+  for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
+  auto stresses = field_of_nip(*this, ladder, units, surface.friction == data::Friction::full).at(places);
+  for (InnerStresses& here : stresses) here = in_unit(units.pressure, here);
+  return stresses;
+}
+
+GreatestShear ConvergedElasticNip::greatest_shear() const {
+  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto [value, y, depth] =
+      field_of_nip(*this, ladder, units, surface.friction == data::Friction::full).greatest(true);
+  return {times(units.pressure, value), times(units.length, y), depth};
 }
 
 Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }

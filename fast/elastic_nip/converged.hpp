@@ -1,8 +1,11 @@
 #pragma once
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/data/problem/friction.hpp>
+#include <nipref/fast/nip/inner_stresses.hpp>
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
 
@@ -42,7 +45,10 @@ class ConvergedElasticNip {
   [[nodiscard]] Estimate normal_displacement(
       double y) const;  ///< u, towards the middle plane, unit of length
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
-  [[nodiscard]] Work work() const;                                 ///< spent so far
+  /// Inside the sheet: see InnerStresses.
+  [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
+  [[nodiscard]] GreatestShear greatest_shear() const;
+  [[nodiscard]] Work work() const;  ///< spent so far
 
  private:
   struct Implementation;

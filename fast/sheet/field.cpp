@@ -58,16 +58,24 @@ SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
           (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inverse_pi};
 }
 
+/// At alpha >= near_load_end, from what decays.
+SheetStresses far_stresses(const FieldFunctions& f, double s, SheetLoad load) {
+  SheetStresses result = stresses_of(f, s, load);
+  if (load == SheetLoad::shear) result.along -= 0.5;
+  return result;
+}
+
 /// At alpha >= 0, 0 <= s <= 1.
 SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
-  if (!is_near(alpha)) {
-    SheetStresses result = stresses_of(internal::decaying(alpha, s), s, load);
-    if (load == SheetLoad::shear) result.along -= 0.5;
-    return result;
-  }
-  const SheetStresses rest = stresses_of(internal::near_rest(alpha, s), s, load);
+  if (!is_near(alpha)) return far_stresses(internal::decaying(alpha, s), s, load);
+  const SheetStresses rest = stresses_of(internal::near_rest(alpha, s, I5), s, load);
   const SheetStresses planes = internal::half_plane_stresses({alpha, s}, load);
   return {planes.across + rest.across, planes.along + rest.along, planes.shear + rest.shear};
+}
+
+SheetStresses without_planes(SheetStresses stresses, double alpha, double s, SheetLoad load) {
+  const SheetStresses planes = internal::half_plane_stresses({alpha, s}, load);
+  return {stresses.across - planes.across, stresses.along - planes.along, stresses.shear - planes.shear};
 }
 
 /// -1, 0, 1.
@@ -91,7 +99,7 @@ double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
   const bool normal = load == SheetLoad::normal;
   HalfPlaneParts parts{};
   if (is_near(alpha)) {
-    parts = internal::half_plane_u({alpha, s}, load) + parts_of_u(internal::near_rest(alpha, s), s, load);
+    parts = internal::half_plane_u({alpha, s}, load) + parts_of_u(internal::near_rest(alpha, s, I4), s, load);
   } else {
     parts = parts_of_u(internal::decaying(alpha, s), s, load);
     if (!normal) parts = parts + HalfPlaneParts{quarter_pi * s, quarter_pi * s};
@@ -107,7 +115,7 @@ double normal_v_in_quarter(double alpha, double s, double poisson) {
   const SheetLoad load = SheetLoad::normal;
   const HalfPlaneParts parts =
       is_near(alpha)
-          ? internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s), s, load)
+          ? internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load)
           : parts_of_v(internal::decaying(alpha, s), s, load) + HalfPlaneParts{quarter_pi, quarter_pi};
   return (theta1_share(poisson) * parts.second - theta2_share(poisson) * parts.first) * inverse_pi;
 }
@@ -120,28 +128,54 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   const double held = t1 * fast::I7(eta) - internal::sheet_code().scalar[part][Accuracy().tier()](eta);
   if (is_near(alpha)) {
     const HalfPlaneParts parts =
-        internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s), s, load);
+        internal::half_plane_v({alpha, s}, load) + parts_of_v(internal::near_rest(alpha, s, I4), s, load);
     return eta / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
   }
   const HalfPlaneParts parts = parts_of_v(internal::decaying(alpha, s), s, load);
   return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
 }
 
+/// The signs of x and of y that the parities give.
+SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load) {
+  const double side = sign(alpha), face = sign(depth);
+  if (load == SheetLoad::shear) {
+    stresses.across *= side;
+    stresses.along *= side;
+    stresses.shear *= face;
+  } else {
+    stresses.shear *= side * face;
+  }
+  return stresses;
+}
+
 }  // namespace
+
+internal::StressesAtDepths::StressesAtDepths(std::span<const double> depths)
+    : depths_(depths.begin(), depths.end()) {
+  for (const double depth : depths) waves_.emplace_back(std::fabs(depth), field_roots);
+}
+
+void internal::StressesAtDepths::operator()(double alpha, std::span<StressesBeside> value) const {
+  const double a = std::fabs(alpha);
+  const bool near = is_near(a);
+  const AlongWaves along(near ? near_load_end : a);
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const double depth = depths_[i], s = std::fabs(depth);
+    const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(along, waves_[i]);
+    const auto beside = [&](SheetLoad load) {
+      const SheetStresses here =
+          near ? stresses_of(f, s, load) : without_planes(far_stresses(f, s, load), a, s, load);
+      return with_signs(here, alpha, depth, load);
+    };
+    value[i] = {beside(SheetLoad::normal), beside(SheetLoad::shear)};
+  }
+}
 
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   check(alpha, depth);
-  const double side = sign(alpha), face = sign(depth);
   SheetStresses result = stresses_in_quarter(std::fabs(alpha), std::fabs(depth), load);
   if (std::fabs(depth) == 1) result.across = result.shear = 0;  // exactly, as there is no load
-  if (load == SheetLoad::shear) {
-    result.across *= side;
-    result.along *= side;
-    result.shear *= face;
-  } else {
-    result.shear *= side * face;
-  }
-  return result;
+  return with_signs(result, alpha, depth, load);
 }
 
 double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {

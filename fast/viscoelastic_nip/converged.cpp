@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
@@ -74,6 +75,30 @@ struct ConvergedViscoelasticNip::Implementation {
     return y / units.length;
   }
 };
+
+namespace {
+
+FieldOfContact field_of_pressure(const ViscoelasticPressure& contact) {
+  const auto traction = [&](bool right, double e) -> FaceTraction {
+    return {contact.pressure({right ? Half::leading : Half::trailing, std::min(e, contact.half_length())}),
+            0};
+  };
+  return {TractionField(contact.half_length(), traction), contact.offset()};
+}
+
+/// `neglected`: what the sheet's short memories do to the pressure, relative.
+ContactField<ViscoelasticNipLadder> field_of_rolling(const ConvergedViscoelasticNip& nip,
+                                                     const ViscoelasticNipLadder& ladder,
+                                                     const ContactUnits& units) {
+  const ViscoelasticPressure& contact = ladder.last();
+  const double peak = fast::peak_pressure(contact);
+  const auto lacking = [&nip, units](double alpha) {
+    return nip.pressure(alpha * units.length).error / units.pressure;
+  };
+  return {ladder, field_of_pressure, peak, contact.half_length(), lacking};
+}
+
+}  // namespace
 
 ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -209,6 +234,27 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
       displacement, half_length * std::min(std::fabs(position), half_length));
   estimate.error += difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels);
   return times(units.creep * units.length, estimate);
+}
+
+std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
+    std::span<const InnerPoint> points) const {
+  const auto& [units, radius, sheet, ladder] = *implementation_;
+  std::vector<InnerPlace> places;
+  for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
+  auto stresses = field_of_rolling(*this, ladder, units).at(places);
+  const double neglected = 2 * implementation_->neglected() * fast::peak_pressure(ladder.last());
+  for (InnerStresses& here : stresses) {
+    for (Estimate* const part : {&here.across, &here.along, &here.shear}) part->error += neglected;
+    here = in_unit(units.pressure, here);
+  }
+  return stresses;
+}
+
+GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
+  const auto& [units, radius, sheet, ladder] = *implementation_;
+  auto [value, y, depth] = field_of_rolling(*this, ladder, units).greatest(false);
+  value.error += 2 * implementation_->neglected() * fast::peak_pressure(ladder.last());
+  return {times(units.pressure, value), times(units.length, y), depth};
 }
 
 Work ConvergedViscoelasticNip::work() const { return implementation_->ladder.work(); }

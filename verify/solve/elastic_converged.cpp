@@ -6,6 +6,7 @@
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 #include <nipref/verify/solve/internal/symmetry.hpp>
 
@@ -39,10 +40,15 @@ class Converged : public SolvedContact<Estimate> {
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
+    if (const auto found = inside_.number(contact_, name)) return *found;
     return std::invoke(elastic_converged_numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     return std::invoke(elastic_converged_profiles.at(name), contact_, y);
+  }
+  [[nodiscard]] std::vector<Estimate> inside(std::string_view name,
+                                             const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, name, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
@@ -50,13 +56,21 @@ class Converged : public SolvedContact<Estimate> {
   [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
     const double half = contact_.contact_length().value / 2;
     return nip_result_size(name, y, {roller_radius_, -half, half, asked_},
-                           [&] { return contact_.pressure(0).value; });
+                           [&] { return pressure_in_the_middle(); });
   }
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
+  /// Asked for with every number of a field.
+  [[nodiscard]] double pressure_in_the_middle() const {
+    if (!middle_) middle_ = contact_.pressure(0).value;
+    return *middle_;
+  }
+
   ConvergedElasticNip contact_;
   double roller_radius_, asked_;
+  mutable std::optional<double> middle_;
+  Inside<ConvergedElasticNip> inside_;
 };
 
 struct SolveElasticConverged {

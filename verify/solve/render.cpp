@@ -18,7 +18,7 @@ std::string_view error_word(const auto& number) { return is_proven(number) ? "bo
 
 template <class Number>
 Json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
-  if (!result.what->is_profile) return result.numbers.front().*member;
+  if (!result.what->is_profile && !result.what->is_field) return result.numbers.front().*member;
   return json_list(result.numbers, [&](const Number& number) { return number.*member; });
 }
 
@@ -73,6 +73,25 @@ void append_profile(const typename SceneSolution<Number>::Result& result,
   }
 }
 
+template <class Number>
+void append_field(const typename SceneSolution<Number>::Result& result, const data::FieldPlaces& field,
+                  std::string& text) {
+  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
+                 result.what->unit);
+  for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+    fmt::format_to(std::back_inserter(text), "    depth = {:<12} Y = {:<22} {:<22} {} {}\n",
+                   field.depths[i / field.positions.size()], field.positions[i % field.positions.size()],
+                   value_text(result.numbers[i]), error_word(result.numbers[i]),
+                   error_text(result.numbers[i]));
+  }
+}
+
+Json field_json(const data::FieldPlaces& field) {
+  if (field.positions.empty()) return {};
+  return {{"positions", json_list(field.positions, std::identity())},
+          {"depths", json_list(field.depths, std::identity())}};
+}
+
 }  // namespace
 
 std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
@@ -84,7 +103,9 @@ template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution) {
   std::string text = solution.title + "\n";
   for (const auto& result : solution.results) {
-    if (result.what->is_profile) {
+    if (result.what->is_field) {
+      append_field<Number>(result, solution.field, text);
+    } else if (result.what->is_profile) {
       append_profile<Number>(result, solution.positions, text);
     } else {
       append_number<Number>(result, text);
@@ -115,6 +136,7 @@ Json solution_json(const SceneSolution<Number>& solution) {
           {"path", std::is_same_v<Number, LongEstimate> ? "ref" : "fast"},
           {"results", results},
           {"positions", positions.empty() ? Json() : json_list(positions, std::identity())},
+          {"field", field_json(solution.field)},
           {"work", work_json(solution.work)},
           {"error_work", is_empty(solution.error_work) ? Json() : work_json(solution.error_work)},
           {"times", {{"seconds", solution.seconds}}}};

@@ -27,7 +27,8 @@ template <class Number>
 struct SceneSolution {
   struct Result {
     const data::SceneResult* what;
-    std::vector<Number> numbers;  ///< of a profile: one for each of `positions`, otherwise one
+    /// Of a profile one for each of `positions`, of a field one for each of its places, depth after depth; else one.
+    std::vector<Number> numbers;
     /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
     /// is of another kind: that of line loads is their distance to the continuous contact. The reference's
     /// digits are of the result, of a profile the largest of its numbers, but of no less than that size either.
@@ -40,6 +41,7 @@ struct SceneSolution {
   long double accuracy = 0;       ///< that was asked for, by the scene or in digits
   std::vector<Result> results;    ///< in the order of the scene's `wanted`
   std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
+  data::FieldPlaces field;        ///< of the fields; empty if none is wanted
   fast::Work work;                ///< that the results have cost
   fast::Work error_work;          ///< that the error estimates of line loads have cost, nothing otherwise
   double seconds = 0;             ///< wall clock, for all of it

@@ -6,6 +6,7 @@
 
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
@@ -42,11 +43,16 @@ class Rolling : public SolvedContact<Estimate> {
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (name == "peak_shear") return {0, 0};  // without friction
+    if (const auto found = inside_.number(contact_, name)) return *found;
     return std::invoke(viscoelastic_converged_numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     if (name == "shear") return {0, 0};
     return std::invoke(viscoelastic_converged_profiles.at(name), contact_, y);
+  }
+  [[nodiscard]] std::vector<Estimate> inside(std::string_view name,
+                                             const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, name, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().value, contact_.leading_length().value};
@@ -54,13 +60,21 @@ class Rolling : public SolvedContact<Estimate> {
   [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
     const auto [first, last] = profile_extent();
     return nip_result_size(name, y, {roller_radius_, first, last, asked_},
-                           [&] { return contact_.pressure(0).value; });
+                           [&] { return pressure_in_the_middle(); });
   }
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:
+  /// Asked for with every number of a field.
+  [[nodiscard]] double pressure_in_the_middle() const {
+    if (!middle_) middle_ = contact_.pressure(0).value;
+    return *middle_;
+  }
+
   ConvergedViscoelasticNip contact_;
   double roller_radius_, asked_;
+  mutable std::optional<double> middle_;
+  Inside<ConvergedViscoelasticNip> inside_;
 };
 
 struct SolveViscoelasticConverged {

@@ -35,19 +35,20 @@ int terms_at(double alpha) {
 
 }  // namespace
 
-FieldFunctions near_rest(double alpha, double depth) {
+FieldFunctions near_rest(double alpha, double depth, FieldFunction first) {
+  const auto begin = static_cast<std::size_t>(first);
   // With W = w^2 = x + i y a polynomial in W is p + i y q: no part loses digits as y -> 0.
   const double x = (alpha - depth) * (alpha + depth), y = 2 * alpha * depth, y_squared = y * y;
   std::array<double, field_functions> p{}, q{};
   for (int k = near_load_terms - 1; k >= 0; --k) {
-    for (std::size_t f = 0; f < p.size(); ++f) {
+    for (std::size_t f = begin; f < p.size(); ++f) {
       const double before = p[f];
       p[f] = x * before - y_squared * q[f] + field_table.rest[f][k];
       q[f] = x * q[f] + before;
     }
   }
   FieldFunctions result{};
-  for (std::size_t f = 0; f < p.size(); ++f) {
+  for (std::size_t f = begin; f < p.size(); ++f) {
     result.of[f] = is_odd[f] ? ComplexValue{alpha * (p[f] - 2 * depth * depth * q[f]),
                                             depth * (p[f] + 2 * alpha * alpha * q[f])}
                              : ComplexValue{p[f], y * q[f]};
@@ -55,21 +56,30 @@ FieldFunctions near_rest(double alpha, double depth) {
   return result;
 }
 
-FieldFunctions decaying(double alpha, double depth) {
-  FieldFunctions sum{};
-  if (alpha > underflown) return sum;
-  for (int n = terms_at(alpha) - 1; n >= 0; --n) {
-    const auto& root = field_table.root[n];
-    const std::complex<double> along = wave(alpha, root);
-    const double a = depth * root[0][0], b = depth * root[1][0];
+AlongWaves::AlongWaves(double alpha) : count(alpha > underflown ? 0 : terms_at(alpha)) {
+  for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) of[n] = wave(alpha, field_table.root[n]);
+}
+
+AcrossWaves::AcrossWaves(double depth, int count) {
+  for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) {
+    const double a = depth * field_table.root[n][0][0], b = depth * field_table.root[n][1][0];
     const double cosine = std::cos(b), sine = std::sin(b), grows = std::cosh(a), rises = std::sinh(a);
+    cosh[n] = {grows * cosine, rises * sine};
+    sinh[n] = {rises * cosine, grows * sine};
+  }
+}
+
+FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across) {
+  FieldFunctions sum{};
+  for (int n = along.count - 1; n >= 0; --n) {
+    const auto root = static_cast<std::size_t>(n);
     // The pole at z and its mirror image give Re and Im of Re(a e^{i w z}) continued to complex w.
-    const std::complex<double> even = along * std::complex(grows * cosine, rises * sine);
-    const std::complex<double> odd = along * std::complex(rises * cosine, grows * sine);
+    const std::complex<double> even = along.of[root] * across.cosh[root],
+                               odd = along.of[root] * across.sinh[root];
     for (std::size_t f = 0; f < sum.of.size(); ++f) {
-      const auto& a_f = field_table.amplitude[n][f];
-      sum.of[f].re += a_f[0] * even.real() - a_f[1] * even.imag();
-      sum.of[f].im -= a_f[0] * odd.imag() + a_f[1] * odd.real();
+      const auto& a = field_table.amplitude[n][f];
+      sum.of[f].re += a[0] * even.real() - a[1] * even.imag();
+      sum.of[f].im -= a[0] * odd.imag() + a[1] * odd.real();
     }
   }
   return sum;

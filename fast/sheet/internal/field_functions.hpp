@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <complex>
 
 #include <nipref/fast/sheet/internal/field_table.hpp>
 
@@ -27,9 +28,29 @@ struct FieldFunctions {
 /// What is left of them at 0 <= alpha < near_load_end, 0 <= depth <= 1 without
 ///     I5  2 w/(1 + w^2),    I7  2/(1 + w^2),    K5  ln(1 + w^2),    I4  2 arctan w.
 /// Imaginary parts, and real parts of I4, I5 and I7', are relatively accurate where they vanish.
-FieldFunctions near_rest(double alpha, double depth);
+/// Only the functions from `first` on: stresses need those from I5 on.
+FieldFunctions near_rest(double alpha, double depth, FieldFunction first);
+
+/// e^{i alpha z_n} of the roots that count at alpha >= near_load_end.
+struct AlongWaves {
+  explicit AlongWaves(double alpha);
+
+  int count;
+  std::array<std::complex<double>, field_roots> of;
+};
+
+/// cosh(s z_n) and sinh(s z_n) of the first `count` roots, s the depth.
+struct AcrossWaves {
+  AcrossWaves(double depth, int count);
+
+  std::array<std::complex<double>, field_roots> cosh, sinh;
+};
 
 /// The same functions at alpha >= near_load_end without what does not decay: pi/4 of I4 and I5, w pi/4 of K5.
-FieldFunctions decaying(double alpha, double depth);
+FieldFunctions decaying(const AlongWaves& along, const AcrossWaves& across);
+inline FieldFunctions decaying(double alpha, double depth) {
+  const AlongWaves along(alpha);
+  return decaying(along, AcrossWaves(depth, along.count));
+}
 
 }  // namespace nipref::fast::internal

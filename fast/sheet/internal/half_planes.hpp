@@ -1,6 +1,10 @@
 #pragma once
+#include <span>
+#include <vector>
+
 #include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/internal/field_functions.hpp>
 
 namespace nipref::fast::internal {
 
@@ -17,6 +21,22 @@ struct SeenFromLoads {
 
 /// The stresses of two half-planes, each under the load on its own face (Flamant).
 SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
+
+/// What the sheet's stresses are beside them under either load, analytic up to a distance of 2 from the sheet. It is
+/// minus theirs where the sheet's have faded.
+struct StressesBeside {
+  SheetStresses normal, shear;
+};
+/// At any finite alpha, for several depths from -1 to 1 at once: value[i] at depth[i].
+class StressesAtDepths {
+ public:
+  explicit StressesAtDepths(std::span<const double> depths);
+  void operator()(double alpha, std::span<StressesBeside> value) const;
+
+ private:
+  std::vector<double> depths_;
+  std::vector<AcrossWaves> waves_;
+};
 
 /// What belongs to them of the parts of u and v, in the kernels' terms; see field_functions.hpp.
 struct HalfPlaneParts {

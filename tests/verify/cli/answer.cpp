@@ -51,6 +51,7 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
       {"solve " + scene("thick-full-friction"), "solve_by_fast"},
       {"solve " + scene("thick-frictionless-line-loads"), "solve_by_fast"},
       {"solve " + scene("viscoelastic-short-memory"), "solve_by_fast"},
+      {"solve " + scene("inside-full-friction"), "solve_by_fast"},
       {"solve " + scene("half-space-rolling-sphere"), "solve_by_fast"},
       {"solve --path ref --digits 20 " + scene("thick-frictionless"), "solve_by_ref"},
       {"solve --path ref --digits 20 " + with_profile, "solve_by_ref"},

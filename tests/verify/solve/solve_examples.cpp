@@ -49,7 +49,9 @@ TEST_CASE("every scene in data/scenes is solved, and gives all that it wants wit
     REQUIRE(solution.results.size() == scene.wanted.size());
     for (const auto& result : solution.results) {
       CAPTURE(std::string(result.what->name));
-      CHECK(result.numbers.size() == (result.what->is_profile ? solution.positions.size() : 1));
+      const std::size_t places = result.what->is_field ? solution.field.size() : solution.positions.size();
+      const bool is_list = result.what->is_profile || result.what->is_field;
+      CHECK(result.numbers.size() == (is_list ? places : 1));
       for (const fast::Estimate& number : result.numbers) {
         CHECK(std::isfinite(number.value));
         CHECK(number.error >= 0);

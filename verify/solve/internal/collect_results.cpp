@@ -30,6 +30,15 @@ std::vector<double> profile_positions(const data::Scene& scene, const std::optio
   return wanted ? std::visit(PlacePoints{extent}, *profile) : std::vector<double>{};
 }
 
+const data::FieldPlaces& field_places(const data::Scene& scene) {
+  struct OfProblem {
+    const data::FieldPlaces* operator()(const data::ElasticNipProblem& nip) const { return &*nip.field; }
+    const data::FieldPlaces* operator()(const data::ViscoelasticNipProblem& nip) const { return &*nip.field; }
+    const data::FieldPlaces* operator()(const data::HalfSpaceProblem&) const { return nullptr; }
+  };
+  return *std::visit(OfProblem(), scene.system);
+}
+
 void refuse_result(const data::Scene& scene, std::size_t wanted) {
   scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", scene.wanted[wanted],
                       "must be left out: in this scene it leaves the range of doubles");
@@ -37,10 +46,12 @@ void refuse_result(const data::Scene& scene, std::size_t wanted) {
 
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
                                         const SceneSolution<fast::Estimate>::Result& result,
-                                        const std::vector<double>& positions) {
+                                        const std::vector<double>& positions,
+                                        const std::vector<double>& along_field) {
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    const double place = result.what->is_profile ? positions[i] : 0;
+    double place = result.what->is_profile ? positions[i] : 0;
+    if (result.what->is_field) place = along_field[i % along_field.size()];
     const auto size = contact.least_size(result.what->name, place);
     if (!size) return {};
     allowed.push_back(accuracy * std::max(*size, std::fabs(result.numbers[i].value)));
@@ -50,7 +61,7 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
 
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
                                         const SceneSolution<LongEstimate>::Result& result,
-                                        const std::vector<double>& positions) {
+                                        const std::vector<double>& positions, const std::vector<double>&) {
   long double largest = 0;
   for (const LongEstimate& number : result.numbers)
     largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));

@@ -26,6 +26,9 @@ inline bool is_finite(const LongEstimate&) { return true; }
 /// Throws BadInput that names the wanted result.
 [[noreturn]] void refuse_result(const data::Scene& scene, std::size_t wanted);
 
+/// Where the scene's fields are wanted; empty if none is.
+const data::FieldPlaces& field_places(const data::Scene& scene);
+
 template <class Number>
 std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
                                const std::vector<double>& positions, const data::SceneOrigin& origin) {
@@ -43,11 +46,13 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::
 /// What the scene's accuracy allows each number's error to be; empty where that is not what the error is about.
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
                                         const SceneSolution<fast::Estimate>::Result& result,
-                                        const std::vector<double>& positions);
+                                        const std::vector<double>& positions,
+                                        const std::vector<double>& along_field);
 /// The reference's digits likewise, of a profile those of its largest number.
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
                                         const SceneSolution<LongEstimate>::Result& result,
-                                        const std::vector<double>& positions);
+                                        const std::vector<double>& positions,
+                                        const std::vector<double>& along_field);
 
 /// Asks the contact for everything that the scene wants, and for nothing else. `accuracy`: what was asked for.
 template <class Number>
@@ -59,7 +64,10 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);
-    if (what->is_profile) {
+    if (what->is_field) {
+      solution.field = field_places(scene);
+      solution.results.push_back({what, contact.inside(name, solution.field)});
+    } else if (what->is_profile) {
       solution.results.push_back({what, profile_of(contact, name, solution.positions, scene.origin)});
     } else {
       solution.results.push_back({what, {contact.number(name)}});
@@ -67,7 +75,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
     auto& result = solution.results.back();
     if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
       refuse_result(scene, solution.results.size() - 1);
-    result.allowed = allowed_errors(accuracy, contact, result, solution.positions);
+    result.allowed = allowed_errors(accuracy, contact, result, solution.positions, solution.field.positions);
   }
   solution.work = contact.work();
   solution.error_work = contact.error_work();

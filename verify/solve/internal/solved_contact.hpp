@@ -1,7 +1,9 @@
 #pragma once
 #include <optional>
 #include <string_view>
+#include <vector>
 
+#include <nipref/data/problem/field_places.hpp>
 #include <nipref/fast/nip/work.hpp>
 
 namespace nipref::verify {
@@ -24,6 +26,10 @@ class SolvedContact {
   [[nodiscard]] virtual Number number(std::string_view name) const = 0;
   /// A profile's value at Y, unit of length.
   [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
+  /// Stresses inside the sheet at all places, depth after depth; those who have none are not asked.
+  [[nodiscard]] virtual std::vector<Number> inside(std::string_view, const data::FieldPlaces&) const {
+    return {};
+  }
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
   /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
   /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.

@@ -1,0 +1,33 @@
+#pragma once
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// A place inside the sheet of a nip.
+struct InnerPoint {
+  double y;      ///< along the sheet, as in the contact's profiles, any finite value, unit of length
+  double depth;  ///< across it over its half thickness, from -1 to 1; 0 is the middle plane
+};
+
+/// Stresses in plane strain there, tension positive, unit of stress. They follow from the tractions on the faces alone
+/// and do not depend on the material: compatibility of what is strained by an isotropic material, elastic or
+/// viscoelastic, says that sigma_x + sigma_y is harmonic at all times, whatever its moduli or memories, and the faces'
+/// tractions and equilibrium say the rest.
+struct InnerStresses {
+  Estimate across;  ///< sigma_x
+  Estimate along;   ///< sigma_y
+  Estimate shear;   ///< tau_xy
+
+  /// Principal stresses in the plane of rolling, the higher and the lower, and half their difference.
+  [[nodiscard]] Estimate highest() const;
+  [[nodiscard]] Estimate lowest() const;
+  [[nodiscard]] Estimate maximum_shear() const;
+};
+
+/// The largest maximum_shear in the sheet and where it is; of places that are equal by symmetry one at y, depth >= 0.
+struct GreatestShear {
+  Estimate value;
+  Estimate y, depth;
+};
+
+}  // namespace nipref::fast

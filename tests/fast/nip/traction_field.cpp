@@ -1,0 +1,129 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <nipref/fast/nip/internal/traction_field.hpp>
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
+
+using namespace nipref;
+using namespace nipref::fast;
+
+TEST_SUITE_BEGIN("fast field of tractions");
+
+namespace {
+
+/// Hertz's ellipse of pressure; with a shear that swings at the ends as that of full friction does.
+TractionField::Traction ellipse(double half_length, double friction) {
+  return [=](bool right, double e) -> FaceTraction {
+    const double pressure = std::sqrt(e * (2 * half_length - e)) / half_length, y = half_length - e;
+    const double swing = e > 0 ? std::cos(0.17 * std::log(e)) : 0;
+    return {pressure, (right ? 1 : -1) * friction * pressure * y / half_length * swing};
+  };
+}
+
+/// Of line loads, e = A x^4, for places that are not near the face.
+SheetStresses by_line_loads(double half_length, const TractionField::Traction& traction,
+                            const InnerPlace& at) {
+  const GaussRule rule = gauss_legendre(300);
+  SheetStresses sum{};
+  for (const bool right : {false, true}) {
+    for (std::size_t j = 0; j < rule.at.size(); ++j) {
+      const double x = rule.at[j], e = half_length * x * x * x * x;
+      const double weight = 4 * half_length * x * x * x * rule.weight[j];
+      const FaceTraction here = traction(right, e);
+      const double alpha = at.alpha - (right ? half_length - e : e - half_length);
+      for (const auto& [load, of] : {std::pair{data::SheetLoad::normal, here.pressure},
+                                     std::pair{data::SheetLoad::shear, here.shear}}) {
+        const SheetStresses one = sheet_stresses(alpha, at.depth, load);
+        sum.across += weight * of * one.across;
+        sum.along += weight * of * one.along;
+        sum.shear += weight * of * one.shear;
+      }
+    }
+  }
+  return sum;
+}
+
+double distance(const SheetStresses& a, const SheetStresses& b) {
+  return std::max(
+      {std::fabs(a.across - b.across), std::fabs(a.along - b.along), std::fabs(a.shear - b.shear)});
+}
+
+}  // namespace
+
+TEST_CASE("the field is the sum of those of line loads, alone and in crowds") {
+  double worst = 0, crowd = 0;
+  for (const double half_length : {1e-3, 0.3, 1.0, 4.0}) {
+    CAPTURE(half_length);
+    const auto traction = ellipse(half_length, 0.3);
+    const TractionField field(half_length, traction);
+    for (const double depth : {0.0, -0.4, 1 - std::min(0.1 * half_length, 0.5)}) {
+      for (const double share : {0.0, 0.37, -1.1}) {
+        const InnerPlace at{share * half_length, depth};
+        worst = std::max(worst, distance(field.at(at), by_line_loads(half_length, traction, at)));
+      }
+    }
+    std::vector<InnerPlace> places;
+    for (int i = 0; i < 400; ++i) places.push_back({0.9 * std::sin(i * 1.7), std::cos(i * 2.3)});
+    const auto together = field.at(places);
+    for (std::size_t i = 0; i < places.size(); i += 7)
+      crowd = std::max(crowd, distance(together[i], field.at(places[i])));
+  }
+  MESSAGE("largest distance from line loads ", worst, ", of crowds from single places ", crowd);
+  CHECK(worst < 3e-12);
+  CHECK(crowd < 2e-12);
+}
+
+TEST_CASE("on the faces the field is the tractions, at the ends of panels and of the contact too") {
+  const double half_length = 0.7;
+  const auto traction = ellipse(half_length, 0.3);
+  const TractionField field(half_length, traction);
+  for (const double y : {0.0, 0.35, 0.175, 0.3, 0.69, -0.35, -0.6999, 0.7}) {
+    CAPTURE(y);
+    const FaceTraction here = traction(y >= 0, half_length - std::fabs(y));
+    for (const double face : {1.0, -1.0}) {
+      const SheetStresses at = field.at(InnerPlace{y, face});
+      CHECK(std::fabs(at.across + here.pressure) < 2e-12);
+      CHECK(std::fabs(at.shear - face * here.shear) < 2e-12);
+    }
+  }
+}
+
+TEST_CASE(
+    "in a thick sheet the largest shear is Hertz's, 0.300 of the largest pressure at 0.786 half widths") {
+  const double half_length = 1e-7;  // the other face adds as much, relatively
+  const TractionField field(half_length, ellipse(half_length, 0));
+  double largest = 0, at = 0;
+  for (int i = 1; i < 2000; ++i) {
+    const double depth = i * 1e-3;
+    const SheetStresses s = field.at(InnerPlace{0, 1 - depth * half_length});
+    const double shear = std::fabs(s.across - s.along) / 2;
+    if (shear > largest) {
+      largest = shear;
+      at = depth;
+    }
+  }
+  MESSAGE("largest shear ", largest, " of the largest pressure at ", at, " half widths");
+  CHECK(largest == doctest::Approx(0.30028).epsilon(2e-5));
+  CHECK(at == doctest::Approx(0.78615).epsilon(2e-3));
+}
+
+TEST_CASE("under a long smooth pressure the stress across is the pressure through the thickness") {
+  // What a thin sheet without friction does: corrections are of the order of the square of thickness over length.
+  const double half_length = 60;
+  const auto traction = [=](bool, double e) -> FaceTraction {
+    return {std::pow(e * (2 * half_length - e), 2), 0};
+  };
+  const TractionField field(half_length, traction);
+  const double peak = traction(true, half_length).pressure;
+  for (const double depth : {-1.0, -0.5, 0.0, 0.7}) {
+    const SheetStresses s = field.at(InnerPlace{0, depth});
+    CHECK(s.across / peak == doctest::Approx(-1).epsilon(2e-3));
+    CHECK(std::fabs(s.along / peak) < 2e-3);
+    CHECK(std::fabs(s.shear / peak) < 1e-12);
+  }
+}
+
+TEST_SUITE_END();
