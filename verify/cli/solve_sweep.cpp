@@ -36,8 +36,12 @@ data::Scene first_scene(const std::filesystem::path& file, const AxesProduct& sc
 std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
   std::vector<SweepColumn> columns;
   for (const std::string& name : scene.wanted) {
-    if (data::find_scene_result(name)->is_profile)
-      scene.origin.refuse("wanted", name, "must be left out with a sweep: it is a profile");
+    const data::SceneResult* const what = data::find_scene_result(name);
+    if (what->is_profile || what->is_field) {
+      scene.origin.refuse(
+          "wanted", name,
+          fmt::format("must be left out with a sweep: it is a {}", what->is_profile ? "profile" : "field"));
+    }
     columns.push_back({name, by_ref});
     columns.push_back({name + "_error", by_ref});
   }

@@ -21,6 +21,7 @@ namespace {
 
 using data::BadInput;
 using protocol::Message;
+using protocol::Noticed;
 using protocol::Request;
 
 /// A new process takes a few thousandths of a second. So many in a row are no region that is left again soon.
