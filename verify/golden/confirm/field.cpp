@@ -142,7 +142,7 @@ Split sum_of(Part part, bool normal, const mpq_class& alpha, const mpq_class& de
 
 Witness over_pi(const Split& sum) {
   const Float value = sum.value() / pi<Float>();
-  return witness<Float>("half-planes and an integral along the real axis, or around the poles", value,
+  return witness<Float>("half-planes and an integral along the real axis or around the poles", value,
                         sum.error / pi<Float>() + abs(value) * Float("1e-90"));
 }
 
