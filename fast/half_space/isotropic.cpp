@@ -109,4 +109,12 @@ double isotropic_rayleigh_speed(double poisson) {
   return internal::last_that(subcritical, 0, 1);
 }
 
+Two internal::rayleigh_speed_in_two_words(double poisson) {
+  const double high = isotropic_rayleigh_speed(poisson), next = std::nextafter(high, 1);
+  const auto subcritical = [&](double low) {
+    return is_subcritical(line_at(square(two_sum(high, low)), poisson));
+  };
+  return {high, last_that(subcritical, 0, next - high)};
+}
+
 }  // namespace nipref::fast

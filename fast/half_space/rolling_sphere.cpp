@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <complex>
@@ -145,12 +147,28 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   return contact;
 }
 
-double separation_angle(double speed, double rayleigh_speed) {
-  check_positive("speed", speed);
-  check_positive("rayleigh_speed", rayleigh_speed);
-  if (speed < rayleigh_speed) throw BadInput("speed", speed, "must be at least the Rayleigh speed");
-  const double excess = (speed - rayleigh_speed) * (speed + rayleigh_speed);
-  return std::atan(std::sqrt(excess) / rayleigh_speed);
+// 1 + q over 1 - q is (1 + q)^2 over 1 - q^2, see RollingSphere::shape().
+double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
+  using internal::Two;
+  constexpr Two pi{std::numbers::pi, 0x1.1a62633145c07p-53};
+  const internal::IsotropicLine line = internal::isotropic_line(solid, speed, from_motion);
+  const Two product = line.shear_decay * line.pressure_decay, q = line.coupling / sqrt(product);
+  const Two rest = line.rayleigh * line.defect / product;
+  const Two twice_artanh = log(square(Two{1} + q) / rest);
+  if (!(twice_artanh.high > 0)) return 0;
+  return decay(square(pi) / twice_artanh);
+}
+
+double separation_angle(double poisson, double speed) {
+  const internal::Two rayleigh = internal::rayleigh_speed_in_two_words(poisson);
+  const internal::Two above = internal::Two{speed} - rayleigh, sum = internal::Two{speed} + rayleigh;
+  if (!(above.high >= 0 && speed <= 1)) {
+    throw BadInput(
+        "speed", speed,
+        fmt::format("must be from {:.17g}, the Rayleigh speed, to 1, that of shear waves", rayleigh.high));
+  }
+  if (above.high == 0) return 0;
+  return std::atan((sqrt(above * sum) / rayleigh).high);
 }
 
 }  // namespace nipref::fast

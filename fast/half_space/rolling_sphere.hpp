@@ -67,8 +67,15 @@ RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double 
 RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
                                        double force);
 
-/// Psi_R: beyond the Rayleigh speed, v_R <= v, the paper's tractions pull for directions nearer than this
-/// angle to the motion. Speeds > 0 in any common unit, else BadInput. (brock2012 55)
-double separation_angle(double speed, double rayleigh_speed);
+/// exp(-pi/(2P)) =: s: on a line of span L the normal traction of a rolling sphere may pull in the outermost s L/(1 +
+/// s) at either end, L/2 - r_C. Its logarithm is formed in two words: a unit in the last place or two, whatever P; 0
+/// where it is below the smallest double, as at P = 0. Arguments and bad input as of isotropic_response().
+/// (brock2012 50)
+double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion);
+
+/// Psi_R: between the speeds of Rayleigh waves and of shear waves the paper's tractions pull for directions nearer than
+/// this angle to the motion; radians. The speed is over v_S, the Rayleigh speed at least and 1 at most, else BadInput; -1 < poisson < 1/2. A few units in the last place, next to the Rayleigh speed too.
+/// (brock2012 55)
+double separation_angle(double poisson, double speed);
 
 }  // namespace nipref::fast

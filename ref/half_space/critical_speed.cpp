@@ -201,6 +201,25 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
   });
 }
 
+Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, int digits) {
+  const auto line = SurfaceDirection::of_degrees(Exact(0.0));
+  return enclose(digits, 0, [&](double nats) {
+    // Next to the speed of the wave the angle is a square root of what is between them.
+    const auto inertia = surface_wave_inertia(solid, line, bits_of(2 * nats));
+    if (!inertia) refuse_proof(line, surface_wave);
+    const Interval wave = load_speed(solid, *inertia, Interval(1L, inertia->precision()));
+    const Interval given(speed, wave.precision());
+    if (mpfr_less_p(given.upper(), wave.lower()) != 0) {
+      throw data::BadInput(
+          "speed", speed.text(),
+          fmt::format("must be at least {:.17g}, that of Rayleigh waves", mpfi_get_d(wave.get())));
+    }
+    Interval squared_sine = 1 - square(wave / given);
+    if (mpfr_sgn(squared_sine.lower()) < 0) mpfr_set_zero(&squared_sine.get()->left, 1);
+    return 180 * atan(sqrt(squared_sine) * given / wave) / Interval::pi(wave.precision());
+  });
+}
+
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                        const SurfaceDirection& psi) {
   if (is_subcritical(solid, speed, motion, psi)) return;

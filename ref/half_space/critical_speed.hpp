@@ -25,6 +25,11 @@ Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& mo
 std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                                             const SurfaceDirection& psi, int digits);
 
+/// Where all lines are alike, and for a load faster than the surface wave: acos(v_R/v), the angle from the motion within
+/// which lines see more than its speed; degrees, proven. BadInput "speed" unless it is at least v_R, "solid" where there
+/// is no surface wave or its proof is missed. (brock2012 55)
+Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, int digits);
+
 /// The smallest speed at which the lines of some direction are critical, and that direction.
 struct CriticalSpeed {
   Estimated speed;

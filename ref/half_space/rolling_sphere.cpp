@@ -27,6 +27,21 @@ struct RollingLine {
   }
 };
 
+/// B = sqrt(wS/wD) - P L/(2 r0) > 0 of a line whose span is L. (brock2012 49)
+Float lean_of(const RollingLine& line, const Float& span_over_radius) {
+  const Float lean = line.slowness - line.index * span_over_radius / 2;
+  if (!(lean > Float(0)))
+    throw data::BadInput("span", static_cast<double>(span_over_radius), "must be small against the radius");
+  return lean;
+}
+
+/// (brock2012 48)
+Float creep_of(const RollingLine& line, const Float& span_over_radius) {
+  lean_of(line, span_over_radius);
+  return span_over_radius *
+         (span_over_radius / 16 * (1 - 4 * line.index * line.index) + line.index * line.slowness);
+}
+
 /// int_0^1 t sqrt(1 - t^2) cos(P ln((1 - t)/(1 + t))) dt
 Float oscillating_moment(const Float& index, int digits) {
   return unit_integral(digits, [&](const Float& t, const Float& rest) -> Float {
@@ -69,6 +84,32 @@ Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
       cancelled_digits);
 }
 
+Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
+  return with_digits(
+      digits,
+      [&](int working) {
+        const Float index = RollingLine(WorkingSurface(surface, working), degrees).index;
+        return closed(index > Float(0) ? Float(exp(-pi() / (2 * index))) : Float(0), digits);
+      },
+      cancelled_digits);
+}
+
+Estimated rolling_force(const SurfaceAnswer& surface, int digits) {
+  return RollingSphere(surface, 1, data::GivenSpan{1}, digits).force();
+}
+
+Estimated rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
+                        int digits) {
+  return with_digits(
+      digits,
+      [&](int working) {
+        const WorkingSurface lines(surface, working);
+        const RollingLine along(lines, Exact(0.0)), line(lines, degrees);
+        return closed(creep_of(line, to_float(span_over_radius) * along.stiffness / line.stiffness), digits);
+      },
+      cancelled_digits);
+}
+
 struct RollingSphere::Implementation {
   SurfaceAnswer surface;
   double radius;
@@ -107,9 +148,7 @@ struct RollingSphere::Implementation {
   }
   /// B = sqrt(wS/wD) - P L/(2 r0) times the traction's size. (brock2012 49)
   [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
-    const Float lean = line.slowness - line.index * span / (2 * Float(radius));
-    if (!(lean > Float(0)))
-      throw data::BadInput("span", static_cast<double>(span), "must be small against the radius");
+    const Float lean = lean_of(line, span / Float(radius));
     return ldexp(span * lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
   }
 };

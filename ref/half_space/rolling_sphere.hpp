@@ -21,6 +21,18 @@ Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int 
 /// squares go like K_nn/K/(K K_nn - S^2), are equal at the centre. (brock2012 53)
 Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
+/// exp(-pi/(2P)) of a line, which is 0 where P is. (brock2012 50)
+Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+
+/// F3 r0/L^3, L the span along the motion, unit of stress, to first order in L/r0: negative just below the Rayleigh
+/// speed. (brock2012 54)
+Estimated rolling_force(const SurfaceAnswer& surface, int digits);
+
+/// V0 of a line: du/dx = -V0 + x^2/(2 r0^2) along it. span_over_radius: of the contact along the motion, > 0; BadInput
+/// "span" for a contact that is not small against the radius. (brock2012 40, 48 with the sign of P corrected)
+Estimated rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
+                        int digits);
+
 /// A rolling sphere of a radius, known exactly, and its load, to first order in span over radius as the paper has
 /// it. Force = factor span^3 is monotone: a given force is turned into the span in closed form.
 class RollingSphere {

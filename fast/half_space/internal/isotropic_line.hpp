@@ -19,6 +19,9 @@ struct IsotropicLine {
 /// cD^-2 = (1 - 2 nu)/(2 - 2 nu)
 Two inverse_squared_pressure_speed(double poisson);
 
+/// v_R/v_S, the root of R, to two words; the domain is that of isotropic_rayleigh_speed().
+Two rayleigh_speed_in_two_words(double poisson);
+
 /// Arguments and bad input as of isotropic_response().
 IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 

@@ -5,7 +5,7 @@
 
 namespace nipref::fast::internal {
 
-// What algebra with square roots needs beyond two_words.hpp; each good to a few units of 2^-104 of its
+// What algebra with square roots, and logarithms, need beyond two_words.hpp; each good to a few units of 2^-104 of its
 // largest operand. Finite arguments.
 
 inline Two operator-(Two a, Two b) { return a + -b; }
@@ -36,5 +36,20 @@ inline Two twice(Two a) { return {2 * a.high, 2 * a.low}; }
 inline Two square(Two a) { return a * a; }
 
 inline double rounded(Two a) { return a.high + a.low; }
+
+/// a > 0, not so large or small that its square leaves the doubles: of the power of 2 next to it and, by the series
+/// of the inverse hyperbolic tangent, of what is left.
+inline Two log(Two a) {
+  constexpr Two ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
+  constexpr int last = 43;  // z^2 < 0.0295
+  int exponent = 0;
+  if (std::frexp(a.high, &exponent) < 0x1.6a09e667f3bcdp-1) --exponent;
+  const double scale = std::scalbn(1.0, -exponent);
+  const Two rest{a.high * scale, a.low * scale};
+  const Two z = (rest - Two{1}) / (rest + Two{1}), squared = square(z);
+  Two sum{0};
+  for (int k = last; k > 0; k -= 2) sum = Two{1} / k + squared * sum;
+  return exponent * ln2 + twice(z) * sum;
+}
 
 }  // namespace nipref::fast::internal

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 
 #include "support/half_space.hpp"
@@ -112,7 +113,10 @@ TEST_CASE("rolling: compressive up to the compressed radius, the strip of the no
   CHECK(line.normal_traction(line.compressed_radius() * (1 - 1e-5)) < 0);
   CHECK(line.normal_traction(line.compressed_radius() * (1 + 1e-5)) > 0);
   const auto strip = [](double speed) {
-    return std::exp(-pi / 2 / rolling_sphere_for_span(steel, radius, speed, 0.1).along({1, 0}).index);
+    const double found = fast::rolling_strip(steel, speed, {1, 0});
+    const double index = rolling_sphere_for_span(steel, radius, speed, 0.1).along({1, 0}).index;
+    CHECK(found == doctest::Approx(std::exp(-pi / 2 / index)).scale(0).epsilon(1e-13));
+    return found;
   };
   CHECK(strip(0.3) == doctest::Approx(2.0e-8).scale(0).epsilon(0.03));
   CHECK(strip(0.6) == doctest::Approx(2.2e-6).scale(0).epsilon(0.03));
@@ -120,9 +124,17 @@ TEST_CASE("rolling: compressive up to the compressed radius, the strip of the no
 }
 
 TEST_CASE("rolling: the angle of separation beyond the Rayleigh speed") {
-  CHECK(fast::separation_angle(1, 0.932) * 180 / pi == doctest::Approx(21.25124).epsilon(2.5e-7));
-  CHECK(fast::separation_angle(0.9, 0.9) == 0);
-  CHECK_THROWS_AS(fast::separation_angle(0.8, 0.9), data::BadInput);
+  // c_R = 0.932 is that of nu = 0.32999.
+  double low = 0.3, high = 0.35;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = (low + high) / 2;
+    (fast::isotropic_rayleigh_speed(middle) < 0.932 ? low : high) = middle;
+  }
+  CHECK(fast::separation_angle(low, 1) * 180 / pi == doctest::Approx(21.25124).epsilon(2.5e-7));
+  const double rayleigh = fast::isotropic_rayleigh_speed(0.3);
+  CHECK_THROWS_AS(fast::separation_angle(0.3, rayleigh), data::BadInput);
+  CHECK(fast::separation_angle(0.3, std::nextafter(rayleigh, 1)) < 2e-8);
+  CHECK_THROWS_AS(fast::separation_angle(0.3, 1.0001), data::BadInput);
 }
 
 TEST_CASE("rolling: bad input is one line that names it") {

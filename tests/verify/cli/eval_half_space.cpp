@@ -96,6 +96,15 @@ TEST_CASE("form=printed differs from what is right as the seed's slips make it")
   CHECK(across == doctest::Approx(right).epsilon(1e-12));
 }
 
+TEST_CASE("form=printed of a rolling sphere and of the shear") {
+  CHECK(seed_value("halfspace.in_line poisson=0.3 speed=0.5 form=printed") == 0);
+  // The sphere would run ahead where it lags.
+  CHECK(seed_value("rolling.creep poisson=0.3 speed=0.5 span_over_radius=1e-3 form=printed") < 0);
+  check_refused("halfspace.separation poisson=0.3 speed=0.9", "speed = 0.9: must be ");
+  check_refused("halfspace.separation poisson=0.3 speed=1.1", "speed = 1.1: must be ");
+  check_refused("rolling.creep poisson=0.3 speed=0.9 span_over_radius=20", "span = ");
+}
+
 TEST_CASE("forms that the seed does not have are refused") {
   check_refused("I1 alpha=1 form=table", "form = table: must be corrected of I1");
   check_refused("rolling.span_ratio poisson=0.3 speed=0.1 form=typed",

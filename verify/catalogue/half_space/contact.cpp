@@ -1,4 +1,6 @@
 // Contacts on isotropic half-spaces by the papers' rule.
+#include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include <nipref/fast/half_space/rolling_sphere.hpp>
@@ -116,11 +118,91 @@ Quantity entry_rolling_span_ratio() {
   return entry;
 }
 
+Quantity entry_rolling_strip() {
+  Quantity entry = contact_entry(
+      "rolling.strip",
+      "s = exp(-pi/(2P)): on a line of span L the pressure of a rolling sphere may be tension in the outermost "
+      "s L/(1 + s)",
+      "brock2012 (50)", 4);
+  entry.arguments = isotropic_arguments();
+  entry.arguments.push_back(psi_argument());
+  draw_isotropic(entry, nearest_critical, [](Random& random) { return Point{draw_angle(random)}; });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::rolling_strip(exact_isotropic_surface(x[0], x[1]), x[2], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::rolling_strip(unit_isotropic(x[0]), x[1], fast::Direction::of_degrees(x[2]));
+  });
+  return entry;
+}
+
+Quantity entry_rolling_force() {
+  Quantity entry = contact_entry(
+      "rolling.force", "F3 r0/(mu L1^3) of a rolling sphere, to first order in L1/r0", "brock2012 (54)", 32);
+  entry.arguments = isotropic_arguments();
+  entry.audit_points = 6;
+  draw_isotropic(entry, nearest_integrated, [](Random&) { return Point{}; });
+  // Just below the Rayleigh speed the tractions pull in sum.
+  entry.scale = "the value, or that of tractions of one sign";
+  const auto one_sign = [](Doubles x) {
+    const fast::ViscoelasticLine line = roll(x).along({1, 0});
+    return std::numbers::pi / 6 * line.amplitude;
+  };
+  entry.envelope = one_sign;
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::rolling_force(exact_isotropic_surface(x[0], x[1]), digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1).force().value;
+  });
+  return entry;
+}
+
+Quantity entry_rolling_creep() {
+  Quantity entry = contact_entry(
+      "rolling.creep",
+      "V0: the surface under a rolling sphere moves along its lines by du/dx = -V0 + x^2/(2 r0^2)",
+      "brock2012 (48) corrected", 16);
+  entry.arguments = isotropic_arguments();
+  entry.arguments.push_back({"span_over_radius", ArgumentKind::positive, {}, {}});
+  entry.arguments.push_back(psi_argument());
+  const auto largest_span = [](Doubles x) {
+    const double psi = x[3];
+    const fast::RollingSphere unit = fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1e-9);
+    const fast::ViscoelasticLine line = unit.along(fast::Direction::of_degrees(psi));
+    return 2e-9 / (line.span * line.shear_share * line.index);
+  };
+  draw_isotropic(entry, nearest_critical, [](Random& random) {
+    return Point{random.log_uniform(1e-9, 1), draw_angle(random)};
+  });
+  const auto below = entry.keep_off;
+  entry.draw = [draw = entry.draw, largest_span](Random& random) {
+    Point x = draw(random);
+    x[2] = std::min(x[2], 0.99 * largest_span(x));
+    return x;
+  };
+  entry.keep_off = [below, largest_span](Point& x) {
+    below(x);
+    x[2] = std::min(x[2], 0.99 * largest_span(x));
+  };
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::rolling_creep(exact_isotropic_surface(x[0], x[1]), x[3], x[2], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], x[2])
+        .along(fast::Direction::of_degrees(x[3]))
+        .creep;
+  });
+  entry.seed_forms = {{"printed", "(48) as it stands: P with the wrong sign",
+                       [](Doubles x) { return rolling_creep_as_printed(x[0], x[1], x[3], x[2]); }}};
+  return entry;
+}
+
 }  // namespace
 
 std::vector<Quantity> half_space_contact_entries() {
-  return {entry_exponent(), entry_die_span_ratio(), entry_die_force(), entry_rolling_index(),
-          entry_rolling_span_ratio()};
+  return {entry_exponent(),           entry_die_span_ratio(), entry_die_force(),     entry_rolling_index(),
+          entry_rolling_span_ratio(), entry_rolling_strip(),  entry_rolling_force(), entry_rolling_creep()};
 }
 
 }  // namespace nipref::verify

@@ -2,6 +2,8 @@
 // angles in degrees, constants in GPa, speeds next to the critical one.
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -23,6 +25,10 @@ void check_kept(const char* name, const Point& point) {
 }
 
 constexpr double in_plane = 1;
+
+double fast_at(const char* name, const Point& point) {
+  return verify::find_quantity(name).by_fast(point, {});
+}
 
 }  // namespace
 
@@ -47,9 +53,36 @@ TEST_CASE("half-spaces next to the critical speed: the promises hold on critical
       check_kept(name, x);
     }
     const double rayleigh = verify::find_quantity("halfspace.rayleigh").by_fast(Point{0.3}, {});
+    check_kept("halfspace.separation", {0.3, (1 + gap) * rayleigh});
     for (const double psi : {0.0, 1e-3, 0.1, 30.0}) {
       check_kept("halfspace.compliance", {0.3, (1 - gap) * rayleigh, psi});
       check_kept("rolling.index", {0.3, (1 - gap) * rayleigh, psi});
+      check_kept("rolling.strip", {0.3, (1 - gap) * rayleigh, psi});
+      check_kept("rolling.creep", {0.3, (1 - gap) * rayleigh, 1e-3, psi});
+      check_kept("halfspace.in_line", {0.3, (1 - gap) * rayleigh, psi});
+      check_kept("halfspace.across", {0.3, (1 - gap) * rayleigh, psi});
     }
+  }
+}
+
+TEST_CASE("half-spaces answer to shear at rest as plane strain and antiplane shear do") {
+  for (const double nu : {-0.5, 0.0, 0.3, 0.49}) {
+    CHECK(fast_at("halfspace.in_line", {nu, 0, 20}) == doctest::Approx(1 - nu).epsilon(1e-15));
+    CHECK(fast_at("halfspace.across", {nu, 0, 20}) == 1);
+  }
+  // Screw dislocations of the Lorentz contraction.
+  CHECK(fast_at("halfspace.across", {0.3, 0.6, 0}) == doctest::Approx(1.25).epsilon(1e-15));
+}
+
+TEST_CASE("the strip and the creep of a rolling sphere are what the index makes of them") {
+  for (const double speed : {0.0, 0.3, 0.9}) {
+    const double index = fast_at("rolling.index", {0.3, speed, 40});
+    CHECK(fast_at("rolling.strip", {0.3, speed, 40}) ==
+          doctest::Approx(std::exp(-std::numbers::pi / (2 * index))).epsilon(1e-13));
+    // Of no index the sphere would stretch the surface by L^2/(16 r0^2).
+    const double span = 1e-3 * fast_at("rolling.span_ratio", {0.3, speed});
+    const double across = fast_at("rolling.index", {0.3, speed, 90});
+    CHECK(fast_at("rolling.creep", {0.3, speed, 1e-3, 90}) ==
+          doctest::Approx(span * (span / 16 * (1 - 4 * across * across) + across)).epsilon(1e-14));
   }
 }

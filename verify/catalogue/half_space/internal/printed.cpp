@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 
 namespace nipref::verify {
@@ -99,6 +100,21 @@ double rolling_span_ratio_as_printed(double poisson, double speed) {
 double rolling_span_ratio_as_tabulated(double poisson, double speed, int decimals) {
   const Terms terms(poisson, speed, decimals);
   return rolling_span_ratio(terms, terms.shear_root / terms.dilatation_root);
+}
+
+// Along the line the coefficients of (38b), (38c) are N1 cos^2 + 2 N12 sin cos + N2 sin^2 = M - M, across it N1 sin^2 -
+// 2 N12 sin cos + N2 cos^2 = -M.
+double in_line_as_printed(double, double, double) { return 0; }
+
+double across_as_printed(double poisson, double speed, double degrees) {
+  const Terms terms(poisson, speed * fast::Direction::of_degrees(degrees).cosine, std::nullopt);
+  return (2 * terms.n + terms.c2) / (terms.shear_root * terms.rayleigh);
+}
+
+double rolling_creep_as_printed(double poisson, double speed, double degrees, double span) {
+  const fast::ViscoelasticLine line = fast::rolling_sphere_for_span({1, poisson, 1}, 1, speed, span)
+                                          .along(fast::Direction::of_degrees(degrees));
+  return line.span * (line.span / 16 * (1 - 4 * line.index * line.index) - line.index / line.shear_share);
 }
 
 double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed) {

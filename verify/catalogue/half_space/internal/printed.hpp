@@ -25,6 +25,15 @@ double rolling_span_ratio_as_printed(double poisson, double speed);
 /// (brock2012 53b) without that factor, which is right, but with the roots w_S and w_D rounded to `decimals`.
 double rolling_span_ratio_as_tabulated(double poisson, double speed, int decimals);
 
+/// mu times what lines answer in their own direction to shear along and across them, with (N1, N2) of (brock2012 39a) as
+/// printed. Wrong: M is subtracted, where it should be R; along the lines nothing is left. `degrees`: from the motion.
+double in_line_as_printed(double poisson, double speed, double degrees);
+double across_as_printed(double poisson, double speed, double degrees);
+
+/// V0 of (brock2012 48) as printed, on the line at `degrees` of a contact with the span L1 = `span` r0 along the motion.
+/// Wrong: the sign of P.
+double rolling_creep_as_printed(double poisson, double speed, double degrees, double span);
+
 /// Of a half-space under a sphere: moduli over mu_0 of the sphere, as the paper divides them.
 struct ScaledModuli {
   double c11, c33, c13, c44, c66;
