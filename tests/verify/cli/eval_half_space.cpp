@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 
 #include "support/run_nipref.hpp"
@@ -105,6 +106,24 @@ TEST_CASE("form=printed of a rolling sphere and of the shear") {
   check_refused("rolling.creep poisson=0.3 speed=0.9 span_over_radius=20", "span = ");
 }
 
+TEST_CASE("form=printed of a sphere that slides on graphite epoxy") {
+  // What steel has of a coupling is added where it subtracts.
+  const auto fast = [](const std::string& arguments) {
+    return eval(arguments + " path=fast")["fast"]["value"].get<double>();
+  };
+  const std::string at = "ti.exponent speed=0.1 friction=1e-3", steel = " poisson=0.29529 speed=0.1";
+  const double both = fast("ti.compliance speed=0.1") + fast("halfspace.compliance" + steel);
+  const double expected = 2e-3 * fast("halfspace.coupling" + steel) / (std::numbers::pi * both);
+  CHECK(seed_value(at + " form=printed") - fast(at) == doctest::Approx(expected).scale(0).epsilon(1e-5));
+  // Without friction 1/Q^2 leaves out a factor of 2, the interchanged exponents nothing.
+  const double force = fast("ti.force speed=0.2");
+  CHECK(seed_value("ti.force speed=0.2 form=printed") == doctest::Approx(force / 2).scale(0).epsilon(1e-10));
+  // (47) is right where (43) is: nowhere off the axes.
+  const double oblique = fast("ti.force axis=in-plane theta_deg=45 speed=0.2");
+  CHECK(std::fabs(seed_value("ti.force axis=in-plane theta_deg=45 speed=0.2 form=printed") / oblique - 1) >
+        0.01);
+}
+
 TEST_CASE("forms that the seed does not have are refused") {
   check_refused("I1 alpha=1 form=table", "form = table: must be corrected of I1");
   check_refused("rolling.span_ratio poisson=0.3 speed=0.1 form=typed",
@@ -119,6 +138,8 @@ TEST_CASE("forms that the seed does not have are refused") {
   refused("rolling.span_ratio poisson=0.3 speed=0.95 form=printed", "speed = 0.95: must be below");
   refused("ti.compliance speed=0.1 form=printed", "axis = normal: must be in-plane");
   refused("ti.span_ratio speed=0.1 axis=in-plane friction=0.1 form=table", "friction = 0.1: must be 0");
+  refused("ti.force speed=0.1 patch=fixed form=printed", "patch = fixed: must be moving");
+  refused("ti.exponent speed=0.1 axis=in-plane friction=0.1 form=printed", "friction = 0.1: must be 0");
   refused("ti.span_ratio speed=0.1 phi_deg=30 form=printed", "phi_deg = 30: must be 90");
   refused("ti.span_ratio speed=0.1 patch=fixed form=table", "patch = fixed: must be moving");
 }

@@ -48,6 +48,10 @@ fast::SurfaceResponse seed_contact(Doubles x) {
   };
 }
 
+fast::SlidingContact seed_slide(Doubles x, double friction) {
+  return fast::sliding_for_span(seed_contact(x), {1, 1}, friction, {1, 0}, 1);
+}
+
 /// x + sign y, rounded once.
 ref::Real sum(const ref::Real& x, const ref::Real& y, int sign) {
   ref::Real result(std::max(x.precision(), y.precision()) + 8);
@@ -100,20 +104,26 @@ void draw_seed(Quantity& entry, double largest_share, std::function<Point(Random
   };
 }
 
+/// What the seed's own formulas are about: BadInput elsewhere.
+void check_seed_contact(Doubles x, double friction) {
+  if (x[patch_at] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
+  if (axis_at(x, solid_at) == data::SymmetryAxis::in_plane && friction != 0)
+    throw BadInput("friction", friction, "must be 0: (42) to (48) are frictionless");
+}
+
 using InPlaneForm = double (*)(const ScaledModuli&, Direction line, double cosine_from_motion, double speed);
 
 /// The seed's own span ratio; in_plane: its form of (43).
 std::function<double(Doubles)> seed_span_ratio(InPlaneForm in_plane) {
   return [in_plane](Doubles x) {
     const double phi = x[own_at], friction = x[own_at + 1];
-    if (x[patch_at] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
+    check_seed_contact(x, friction);
     const ScaledModuli moduli = scaled_moduli_at(x, solid_at);
     if (axis_at(x, solid_at) == data::SymmetryAxis::normal) {
       if (std::fabs(phi) != 90)
         throw BadInput("phi_deg", phi, "must be 90 or -90: (35) is of the cross direction");
       return sphere_span_ratio_as_printed(moduli, friction, x[1]);
     }
-    if (friction != 0) throw BadInput("friction", friction, "must be 0: (48) is frictionless");
     const double along =
         in_plane(moduli, Direction::of_degrees(x[0]), 1, x[1]) + sphere_compliance(moduli, 1, x[1]);
     const double cosine = Direction::of_degrees(phi).cosine;
@@ -137,8 +147,7 @@ Quantity entry_sphere_span_ratio() {
     return ref::sliding_span_ratio(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
   };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::sliding_for_span(seed_contact(x), {1, 1}, x[own_at + 1], {1, 0}, 1)
-        .span_ratio(Direction::of_degrees(x[own_at]));
+    return seed_slide(x, x[own_at + 1]).span_ratio(Direction::of_degrees(x[own_at]));
   });
   entry.seed_forms = {
       {"printed",
@@ -147,6 +156,61 @@ Quantity entry_sphere_span_ratio() {
        seed_span_ratio(in_plane_compliance_as_printed)},
       {"table", "as Tables 1 and 3 were made: (35) as printed, (43) without the last term of M",
        seed_span_ratio(in_plane_compliance_as_tabulated)}};
+  return entry;
+}
+
+Quantity entry_sphere_exponent() {
+  Quantity entry =
+      seed_entry("ti.exponent",
+                 "Omega: the pressure of a sliding sphere on the line at phi from the motion ends like "
+                 "(x+ - x)^(1 + Omega) (x - x-)^(-Omega)",
+                 "brock2013 (29a), (25c) corrected", "moving");
+  entry.promise = 8;
+  entry.arguments.push_back({"phi_deg", ArgumentKind::degrees, "0", {}});
+  entry.arguments.push_back({"friction", ArgumentKind::nonnegative, {}, {}});
+  entry.audit_points = 20;
+  draw_seed(entry, nearest_critical, [](Random& random) {
+    return Point{draw_angle(random), draw_friction(random)};
+  });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::sliding_exponent(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) {
+    return -seed_slide(x, x[own_at + 1]).along(Direction::of_degrees(x[own_at])).leading_share;
+  });
+  entry.seed_forms = {{"printed", "(25c) as it stands: the couplings of both bodies added", [](Doubles x) {
+                         check_seed_contact(x, x[own_at + 1]);
+                         if (axis_at(x, solid_at) == data::SymmetryAxis::in_plane) return -0.5;
+                         return sphere_exponent_as_printed(scaled_moduli_at(x, solid_at), x[own_at + 1], x[1],
+                                                           Direction::of_degrees(x[own_at]).cosine);
+                       }}};
+  return entry;
+}
+
+Quantity entry_sphere_force() {
+  Quantity entry =
+      seed_entry("ti.force",
+                 "F3 r0/(mu0 L_X^3) of a sphere whose contact has the span L_X along the motion, by the "
+                 "papers' rule",
+                 "brock2013 (36) and (43) corrected, (47)", "moving");
+  entry.arguments.push_back({"friction", ArgumentKind::nonnegative, "0", {}});
+  // Oblique to the axis the pressure's ends turn fast across the critical line, and the reference needs more lines.
+  constexpr double nearest = 1 - 1e-5;
+  draw_seed(entry, nearest, [](Random& random) { return Point{draw_friction(random)}; });
+  entry.by_ref = [](Exacts x, int digits) {
+    return ref::sliding_force(exact_seed_contact(x), x[own_at], digits);
+  };
+  set_fast(entry, [](Doubles x, Accuracy) { return seed_slide(x, x[own_at]).force().value; });
+  entry.seed_forms = {
+      {"printed",
+       "(36), (25c) and (43) as they stand: 1/Q^2, exponents interchanged, couplings added, a sign and a term of M",
+       [](Doubles x) {
+         check_seed_contact(x, x[own_at]);
+         const ScaledModuli moduli = scaled_moduli_at(x, solid_at);
+         return axis_at(x, solid_at) == data::SymmetryAxis::normal
+                    ? sphere_force_as_printed(moduli, x[own_at], x[1])
+                    : in_plane_force_as_printed(moduli, Direction::of_degrees(x[0]), x[1]);
+       }}};
   return entry;
 }
 
@@ -166,6 +230,9 @@ Quantity entry_sphere_axis_ratio() {
 
 }  // namespace
 
-std::vector<Quantity> seed_sphere_entries() { return {entry_sphere_span_ratio(), entry_sphere_axis_ratio()}; }
+std::vector<Quantity> seed_sphere_entries() {
+  return {entry_sphere_span_ratio(), entry_sphere_axis_ratio(), entry_sphere_exponent(),
+          entry_sphere_force()};
+}
 
 }  // namespace nipref::verify

@@ -25,6 +25,8 @@ struct SlidingShape {
   Wave ahead, behind, h, Q;
 
   SlidingShape(const LineAnswerByFormula& line, const Wave& friction, const Wave& cosine, const Wave& sine);
+  /// int |s - behind| s^ahead (1 - s)^behind ds over 0 < s < 1.
+  [[nodiscard]] Wave moment() const;
 };
 
 }  // namespace nipref::verify::confirm

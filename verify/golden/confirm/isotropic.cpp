@@ -70,14 +70,6 @@ Wave small_moment(const Wave& b) {
   return sum;
 }
 
-/// int |s - behind| s^ahead (1 - s)^behind ds over 0 < s < 1.
-Wave moment(const SlidingShape& line) {
-  const bool smaller_behind = line.behind <= line.ahead;
-  const Wave& b = smaller_behind ? line.behind : line.ahead;
-  const Wave a = 1 - b, beta = a * b * pi<Wave>() / (2 * sin(pi<Wave>() * b));
-  return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
-}
-
 /// sum (-1)^k a/((2k + 1)^2 + a^2) = (1/2) int_0^inf sin(a v)/cosh(v) dv, by the acceleration of Cohen, Villegas and
 /// Zagier: an error of 5.8^-terms.
 Wave alternating_sum(const Wave& a) {
@@ -174,7 +166,7 @@ Wave die_force(Arguments x, bool coarse) {
   for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
     const SlidingShape line(isotropic_answer(x[0], squared_speed(x[1], at.cosine)), x[2], at.cosine, at.sine);
     const Wave span = steepness * line.h / line.Q;
-    sum += at.weight * span * span * span / line.h * moment(line);
+    sum += at.weight * span * span * span / line.h * line.moment();
   }
   return 2 * sum;
 }
@@ -297,6 +289,12 @@ SlidingShape::SlidingShape(const LineAnswerByFormula& line, const Wave& friction
   behind = 1 - ahead;
   h = sqrt(line.compliance * line.compliance + shear * shear);
   Q = pow(behind, behind) * pow(ahead, ahead);
+}
+
+Wave SlidingShape::moment() const {
+  const Wave& b = behind <= ahead ? behind : ahead;
+  const Wave a = 1 - b, beta = a * b * pi<Wave>() / (2 * sin(pi<Wave>() * b));
+  return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
 }
 
 Confirm of_isotropic(std::string_view quantity) {

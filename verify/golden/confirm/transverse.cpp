@@ -227,20 +227,41 @@ Wave slenderness(const std::vector<Line>& lines) {
   return sqrt(p * p + q * q);
 }
 
-/// By the trapezoidal rule in u, tan(psi - line) = s tan u with the line that is critical first and s^2 about the width
-/// of the peak of K there, doubled until the ratio changes no more.
+/// Of the trapezoidal rule in u, tan(psi - line) = s tan u with the line that is critical first and s^2 about the width
+/// of the peak of K there.
+class CrowdedLines {
+ public:
+  static constexpr int first = 64, most = 8192;
+
+  explicit CrowdedLines(Arguments x) {
+    const CriticalLine critical = critical_line(x, x[0], sphere_solid);
+    const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x[1] / critical.speed)));
+    stretch_ = sqrt(Wave(width));
+    centre_ = Wave(critical.psi) - x[0];
+  }
+
+  struct At {
+    Wave degrees, weight;  ///< from the motion; of psi against u
+  };
+  [[nodiscard]] At at(int k, int count) const {
+    const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
+    return {centre_ + atan2(sine, cosine) * 180 / pi<Wave>(), stretch_ / (cosine * cosine + sine * sine)};
+  }
+
+ private:
+  Wave stretch_, centre_;
+};
+
+/// Doubled until the ratio changes no more.
 Witness sphere_axis_ratio(Arguments x) {
   constexpr unsigned digits = 80;
-  constexpr int first = 64, most = 8192;
+  constexpr int first = CrowdedLines::first, most = CrowdedLines::most;
   const Solid<digits> solid(x, sphere_solid);
-  const CriticalLine critical = critical_line(x, x[0], sphere_solid);
-  const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x[1] / critical.speed)));
-  const Wave stretch = sqrt(Wave(width)), centre = Wave(critical.psi) - x[0];
+  const CrowdedLines crowded(x);
   const auto line_at = [&](int k, int count) -> Line {
-    const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch * sin(u);
-    const Wave degrees = centre + atan2(sine, cosine) * 180 / pi<Wave>(), psi = radians(degrees);
-    return {cos(2 * psi), sin(2 * psi), stretch / (cosine * cosine + sine * sine),
-            sphere_line(solid, x, degrees).compliance};
+    const auto [degrees, weight] = crowded.at(k, count);
+    const Wave psi = radians(degrees);
+    return {cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance};
   };
   std::vector<Line> lines;
   for (int k = 0; k < first; ++k) lines.push_back(line_at(k, first));
@@ -254,6 +275,40 @@ Witness sphere_axis_ratio(Arguments x) {
   return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", ratio, change + ratio * Wave("1e-60"));
 }
 
+Witness sphere_exponent(Arguments x) {
+  const SlidingShape line(sphere_line(Solid<150>(x, sphere_solid), x, x[own]), x[own + 1], cosine_of(x[own]),
+                          sine_of(x[own]));
+  return by_stroh(-line.ahead, 1);
+}
+
+/// By the same rule as the axis ratio.
+Witness sphere_force(Arguments x) {
+  const Solid<80> solid(x, sphere_solid);
+  const auto shape = [&](const Wave& degrees) {
+    return SlidingShape(sphere_line(solid, x, degrees), x[own], cosine_of(degrees), sine_of(degrees));
+  };
+  const SlidingShape along = shape(0);
+  const Wave steepness = along.Q / along.h;
+  const CrowdedLines lines(x);
+  const auto term = [&](int k, int count) -> Wave {
+    const auto [degrees, weight] = lines.at(k, count);
+    const SlidingShape line = shape(degrees);
+    const Wave span = steepness * line.h / line.Q;
+    return weight * span * span * span / line.h * line.moment();
+  };
+  Wave sum = 0;
+  for (int k = 0; k < CrowdedLines::first; ++k) sum += term(k, CrowdedLines::first);
+  Wave force = sum * pi<Wave>() / CrowdedLines::first, change = 1;
+  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Wave("1e-34") * force;
+       count *= 2) {
+    for (int k = 1; k < count; k += 2) sum += term(k, count);
+    const Wave finer = sum * pi<Wave>() / count;
+    change = abs(finer - force);
+    force = finer;
+  }
+  return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", force, change + force * Wave("1e-60"));
+}
+
 const std::map<std::string, Confirm, std::less<>>& all() {
   static const std::map<std::string, Confirm, std::less<>> methods{
       {"ti.compliance", [](Arguments x) { return of_line(x, &LineAnswerByFormula::compliance); }},
@@ -264,7 +319,9 @@ const std::map<std::string, Confirm, std::less<>>& all() {
       {"ti.branch", branch},
       {"ti.critical", critical},
       {"ti.span_ratio", span_ratio},
-      {"ti.axis_ratio", sphere_axis_ratio}};
+      {"ti.axis_ratio", sphere_axis_ratio},
+      {"ti.exponent", sphere_exponent},
+      {"ti.force", sphere_force}};
   return methods;
 }
 

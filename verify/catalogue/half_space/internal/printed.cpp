@@ -1,4 +1,7 @@
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <nipref/fast/half_space/rolling_sphere.hpp>
@@ -49,6 +52,48 @@ struct SphereTerms {
     n = d * a + (2 - d) * b;
   }
 };
+
+/// A line of half-space and sphere, axis normal, with (brock2013 25c) as printed.
+struct SphereLine {
+  double omega, h;  // Omega, sqrt(K^2 + Gamma^2)
+
+  SphereLine(const ScaledModuli& moduli, double friction, double speed, double cosine) {
+    const double d1 = moduli.c11;
+    const double d5 = moduli.c44;
+    const double d13 = moduli.c13;
+    const double mean = std::sqrt(moduli.c33 * d5);
+    const double cx2 = square(moduli.speed_scale * speed * cosine);
+    const double a1 = std::sqrt(d1 - cx2);
+    const double b5 = std::sqrt(d5 - cx2);
+    const double p_plus =
+        std::sqrt(square(std::sqrt(moduli.c33) * a1 + std::sqrt(d5) * b5) - square(d5 + d13));
+    const double m = a1 * b5 * (b5 + std::sqrt(moduli.c33 / d5) * a1) - d5 * a1 - square(d13) * b5 / mean;
+    const double n = a1 - d13 * b5 / mean;
+    const SphereTerms sphere(moduli.sphere_dilatation, speed * cosine);
+    const double k = a1 * p_plus / (m * mean) + sphere.numerator / sphere.m;
+    const double gamma = friction * (n / m + sphere.n / sphere.m) * cosine;
+    omega = -0.5 + std::atan(gamma / k) / std::numbers::pi;
+    h = std::hypot(k, gamma);
+  }
+};
+
+/// int_Omega^(1 + Omega) (1 + Omega - t)^(1 + Omega) (t - Omega)^(-Omega) |t| dt of (brock2013 36).
+double moment_as_printed(double omega) {
+  boost::math::quadrature::tanh_sinh<double> rule;
+  const auto from = [&](double low, double high) {
+    return rule.integrate(
+        [&](double t) {
+          return std::pow(1 + omega - t, 1 + omega) * std::pow(t - omega, -omega) * std::fabs(t);
+        },
+        low, high);
+  };
+  return from(omega, 0) + from(0, 1 + omega);
+}
+
+double over_half_turn(const std::function<double(double psi)>& value) {
+  constexpr double quarter = std::numbers::pi / 2;
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(value, -quarter, quarter, 10, 1e-10);
+}
 
 double in_plane_compliance(const ScaledModuli& moduli, fast::Direction line, double cosine_from_motion,
                            double speed, double sign) {
@@ -118,25 +163,34 @@ double rolling_creep_as_printed(double poisson, double speed, double degrees, do
 }
 
 double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed) {
-  const double d1 = moduli.c11;
-  const double d5 = moduli.c44;
-  const double d13 = moduli.c13;
-  const double mean = std::sqrt(moduli.c33 * d5);
-  const double cx2 = square(moduli.speed_scale * speed);
-  const double a1 = std::sqrt(d1 - cx2);
-  const double b5 = std::sqrt(d5 - cx2);
-  const double p_plus = std::sqrt(square(std::sqrt(moduli.c33) * a1 + std::sqrt(d5) * b5) - square(d5 + d13));
-  const double m = a1 * b5 * (b5 + std::sqrt(moduli.c33 / d5) * a1) - d5 * a1 - square(d13) * b5 / mean;
-  const double n = a1 - d13 * b5 / mean;
-  const SphereTerms sphere(moduli.sphere_dilatation, speed);
-  const double k = a1 * p_plus / (m * mean) + sphere.numerator / sphere.m;
-  const double gamma = friction * (n / m + sphere.n / sphere.m);
-  const double q = shape(-0.5 + std::atan(gamma / k) / std::numbers::pi);
-  const double d = square(moduli.sphere_dilatation);
-  const double along = std::sqrt(d1 * moduli.c33);
-  const double half_space = 2 * std::sqrt(d1) * std::sqrt(2 * d5 + along + d13) /
-                            ((along + d13) * std::sqrt(d5) * std::sqrt(along - d13));
-  return q / std::hypot(k, gamma) * (d + half_space) / (d - 1);
+  const SphereLine along(moduli, friction, speed, 1);
+  const double d5 = moduli.c44, d13 = moduli.c13, d = square(moduli.sphere_dilatation);
+  const double root = std::sqrt(moduli.c11 * moduli.c33);
+  const double half_space = 2 * std::sqrt(moduli.c11) * std::sqrt(2 * d5 + root + d13) /
+                            ((root + d13) * std::sqrt(d5) * std::sqrt(root - d13));
+  return shape(along.omega) / along.h * (d + half_space) / (d - 1);
+}
+
+double sphere_exponent_as_printed(const ScaledModuli& moduli, double friction, double speed, double cosine) {
+  return SphereLine(moduli, friction, speed, cosine).omega;
+}
+
+double sphere_force_as_printed(const ScaledModuli& moduli, double friction, double speed) {
+  const SphereLine along(moduli, friction, speed, 1);
+  return std::pow(shape(along.omega) / along.h, 3) * over_half_turn([&](double psi) {
+           const SphereLine line(moduli, friction, speed, std::cos(psi));
+           return square(line.h / shape(line.omega)) * moment_as_printed(line.omega);
+         });
+}
+
+double in_plane_force_as_printed(const ScaledModuli& moduli, fast::Direction motion, double speed) {
+  const auto compliance = [&](double psi) {
+    const fast::Direction from_motion = fast::Direction::of_angle(psi);
+    return in_plane_compliance(moduli, from_motion.turned(motion), from_motion.cosine, speed, 1) +
+           sphere_compliance(moduli, from_motion.cosine, speed);
+  };
+  return over_half_turn([&](double psi) { return square(compliance(psi)); }) /
+         (12 * std::pow(compliance(0), 3));
 }
 
 double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, double speed) {

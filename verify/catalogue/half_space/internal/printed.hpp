@@ -46,6 +46,16 @@ struct ScaledModuli {
 /// subtract.
 double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed);
 
+/// Omega of (brock2013 29a) with (25c) as printed, axis normal. Wrong: the couplings are added. `cosine`: of psi - theta.
+double sphere_exponent_as_printed(const ScaledModuli& moduli, double friction, double speed, double cosine);
+
+/// F3 r0/(mu0 L_X^3) of (brock2013 36) with (25c) as printed, axis normal. Wrong: that, 1/Q^2 for 1/Q^3, the exponents
+/// of the pressure interchanged and the limits with them.
+double sphere_force_as_printed(const ScaledModuli& moduli, double friction, double speed);
+
+/// The same of (brock2013 47) with (43) as printed, axis in the surface, no friction.
+double in_plane_force_as_printed(const ScaledModuli& moduli, fast::Direction motion, double speed);
+
 /// To which w_S and w_D stand in the arithmetic of (brock2012) Tables 1 and 2: found by trial, and then all
 /// cells of both but one are within a unit.
 inline constexpr int table_root_decimals = 5;
