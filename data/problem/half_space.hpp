@@ -3,6 +3,7 @@
 #include <variant>
 
 #include <nipref/data/material/solids.hpp>
+#include <nipref/data/material/stiffness.hpp>
 #include <nipref/data/problem/profile.hpp>
 
 namespace nipref::data {
@@ -54,7 +55,7 @@ enum class ContourRule {
 
 struct HalfSpaceProblem {
   std::variant<RigidDie, RigidRollingSphere, ElasticSphere> body;
-  std::variant<IsotropicSolid, TransverselyIsotropicBody> half_space;
+  std::variant<IsotropicSolid, TransverselyIsotropicBody, Stiffness> half_space;
   double speed = 0;  ///< >= 0, subcritical; sliding.speed or rolling.speed
   /// Of the motion from x1, degrees, |direction| <= 90; with the axis of symmetry in the surface it lies
   /// along x2. sliding.direction

@@ -74,14 +74,20 @@ SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, d
 }
 
 SlidingContact::Shape SlidingContact::shape(Direction psi) const {
-  const auto [compliance, coupling, coupling_across] = response_(psi);
-  if (!(compliance > 0) || !std::isfinite(compliance))
-    throw BadInput("compliance", compliance, "must be positive and finite: is the speed subcritical?");
-  for (const double each : {coupling, coupling_across})
-    if (!std::isfinite(each)) throw BadInput("coupling", each, "must be a finite number");
+  const LineResponse line = response_(psi);
   const double to_motion = psi.cosine * motion_.cosine + psi.sine * motion_.sine;
   const double to_motion_across = psi.cosine * motion_.sine - psi.sine * motion_.cosine;
-  const double shear = friction_ * (to_motion * coupling + to_motion_across * coupling_across);
+  const auto of_friction = [&](double along, double across) {
+    return friction_ * (to_motion * along + to_motion_across * across);
+  };
+  const double compliance =
+      line.compliance + of_friction(line.shear_compliance, line.shear_compliance_across);
+  if (!(compliance > 0) || !std::isfinite(compliance))
+    throw BadInput("compliance", compliance,
+                   "must be positive and finite: is the speed subcritical, the friction small?");
+  for (const double each : {line.coupling, line.coupling_across})
+    if (!std::isfinite(each)) throw BadInput("coupling", each, "must be a finite number");
+  const double shear = of_friction(line.coupling, line.coupling_across);
   const double modulus = std::hypot(compliance, shear);
   return {std::atan2(compliance, shear) / std::numbers::pi,
           std::atan2(compliance, -shear) / std::numbers::pi,

@@ -23,7 +23,8 @@ struct SlidingLine {
 /// A rigid smooth body that slides with friction, as the papers have it: on every line through the point of
 /// first touch K H[sigma33] + Gamma sigma33 = curvature x, Gamma = friction (S cos(psi - theta) - S' sin(psi
 /// - theta)), K, S and S' the compliance and the couplings of that line; the papers have no S', which acts
-/// where the motion is oblique to an axis in the surface. The spans follow from the force being stationary,
+/// where the motion is oblique to an axis in the surface, and no shear compliances, which friction adds to K where the
+/// surface is no plane of symmetry. The spans follow from the force being stationary,
 /// which makes the peak pressures of all lines equal. (brock2012 23-36, brock2013 27-36, their 1/Q^2
 /// corrected to 1/Q^3.) This is the papers' construction and not the solution of the contact problem: without
 /// friction that is EllipticContact, with 4/pi times the force for the same span of a sphere at rest. The

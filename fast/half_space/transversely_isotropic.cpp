@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/internal/check_direction.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
@@ -11,15 +12,8 @@
 namespace nipref::fast {
 namespace {
 
+using internal::check_direction;
 using internal::Two;
-
-void check_direction(const char* name, Direction direction) {
-  const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
-  if (!(std::fabs(squared_length - 1) < 1e-9)) {
-    throw data::BadInput(name, fmt::format("({}, {})", direction.cosine, direction.sine),
-                         "must be a unit vector");
-  }
-}
 
 internal::TransverselyIsotropicLine checked_line(const data::TransverselyIsotropicSolid& solid,
                                                  data::SymmetryAxis axis) {
@@ -33,9 +27,7 @@ CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line, da
   const internal::CriticalLine critical = axis == data::SymmetryAxis::normal
                                               ? internal::CriticalLine{line.limit(motion), 0}
                                               : internal::critical_line(line, motion);
-  const double theta = std::atan2(motion.sine, motion.cosine);
-  const double psi = std::remainder(theta + critical.from_motion, std::numbers::pi);
-  return {critical.speed, psi == -std::numbers::pi / 2 ? -psi : psi};
+  return internal::critical_speed(critical, motion);
 }
 
 void check_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis, Direction motion,

@@ -39,10 +39,10 @@ struct LineResponse {
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                            const SurfaceDirection& psi, int digits);
 
-/// What contacts need of the response along a line, by line_response() or otherwise: compliance, coupling,
-/// coupling_across and in_line as there.
+/// What contacts need of the response along a line, by line_response() or otherwise: the same as there.
 struct LineAnswer {
   Real compliance, coupling, coupling_across, in_line;
+  Real shear_compliance = Real(64), shear_compliance_across = Real(64);  ///< 0
 };
 
 /// The answer at an angle from the motion in degrees, good to 10^-digits.

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
 
@@ -21,14 +22,23 @@ Float sine(const Exact& degrees) { return sin(to_float(degrees) * pi() / 180); }
 /// One line of a sliding contact.
 struct SlidingLine {
   Float omega;
-  Float h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2)
+  Float
+      h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2), K with what friction adds of shear compliances
 
   SlidingLine(const WorkingSurface& surface, const Exact& friction, const Exact& degrees) {
     const WorkingAnswer answer = surface.at(degrees);
-    const Float shear =
-        to_float(friction) * (cosine(degrees) * answer.coupling - sine(degrees) * answer.coupling_across);
-    omega = atan(shear / answer.compliance) / pi() - Float(0.5);
-    h = sqrt(answer.compliance * answer.compliance + shear * shear);
+    const auto of_friction = [&](const Float& along, const Float& across) -> Float {
+      return to_float(friction) * (cosine(degrees) * along - sine(degrees) * across);
+    };
+    const Float shear = of_friction(answer.coupling, answer.coupling_across);
+    const Float compliance =
+        answer.compliance + of_friction(answer.shear_compliance, answer.shear_compliance_across);
+    if (!(compliance > Float(0))) {
+      throw data::BadInput("friction", friction.text(),
+                           "must be smaller: the shear compliance of the surface outweighs the compliance");
+    }
+    omega = atan(shear / compliance) / pi() - Float(0.5);
+    h = sqrt(compliance * compliance + shear * shear);
   }
   /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega): peak of the pressure over span/h and curvature.
   [[nodiscard]] Float Q() const { return pow(1 + omega, 1 + omega) * pow(-omega, -omega); }

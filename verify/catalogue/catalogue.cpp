@@ -23,7 +23,7 @@ std::vector<Quantity> gather() {
   add("sheet", {root_entries(), kernel_entries(), displacement_entries(), field_entries()});
   add("memory", {memory_entries(), moving_load_entries()});
   add("half_space", {half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
-                     elliptic_contact_entries(), seed_sphere_entries()});
+                     elliptic_contact_entries(), seed_sphere_entries(), anisotropic_entries()});
   return all;
 }
 

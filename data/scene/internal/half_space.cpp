@@ -13,11 +13,29 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
   return {table.number("shear"), table.number("poisson"), table.number("density")};
 }
 
-HalfSpace read_half_space(const TomlTable& table) {
-  if (table.choice("model", {"isotropic", "transversely-isotropic"}) == "isotropic") {
+/// The upper triangle of Voigt's matrix, row by row.
+Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
+  constexpr std::size_t constants = 21;
+  table.allow({"model", "stiffness", "density"});
+  const std::vector<double> upper = table.numbers("stiffness");
+  if (upper.size() != constants) {
+    origin.refuse("half_space.stiffness", std::to_string(upper.size()) + " numbers",
+                  "must be 21 numbers: C11, C12 ... C16, C22, C23 ... C66");
+  }
+  Stiffness solid{{}, table.number("density")};
+  auto next = upper.begin();
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *next++;
+  return solid;
+}
+
+HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
+  const std::string model = table.choice("model", {"isotropic", "transversely-isotropic", "anisotropic"});
+  if (model == "isotropic") {
     table.allow({"model", "shear", "poisson", "density"});
     return read_isotropic(table);
   }
+  if (model == "anisotropic") return read_stiffness(table, origin);
   table.allow({"model", "axis", "c11", "c33", "c13", "c44", "c66", "density"});
   const bool is_normal = table.choice("axis", {"normal", "in-plane"}) == "normal";
   return TransverselyIsotropicBody{{table.number("c11"), table.number("c33"), table.number("c13"),
@@ -89,7 +107,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   file.allow({"title", "wanted", "accuracy", "half_space", "die", "rolling_sphere", "sphere", "sliding",
               "rolling", "load", "contact", "method", "profile", "sweep"});
   HalfSpaceProblem problem{.body = read_body(file, origin),
-                           .half_space = read_half_space(file.table("half_space")),
+                           .half_space = read_half_space(file.table("half_space"), origin),
                            .given = {},
                            .profile = {}};
   read_motion(file, problem);

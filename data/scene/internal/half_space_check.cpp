@@ -47,6 +47,7 @@ struct HalfSpaceCheck {
   void operator()(const TransverselyIsotropicBody& body) const {
     check_solid(body.solid, origin, "half_space");
   }
+  void operator()(const Stiffness& solid) const { check_solid(solid, origin, "half_space"); }
 };
 
 struct GivenCheck {
@@ -67,7 +68,10 @@ struct GivenCheck {
 void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
   const bool rolls = std::holds_alternative<RigidRollingSphere>(problem.body);
   if (rolls && !std::holds_alternative<IsotropicSolid>(problem.half_space)) {
-    origin.refuse("half_space.model", "transversely-isotropic", "must be isotropic under a rolling sphere");
+    origin.refuse(
+        "half_space.model",
+        std::holds_alternative<Stiffness>(problem.half_space) ? "anisotropic" : "transversely-isotropic",
+        "must be isotropic under a rolling sphere");
   }
 }
 

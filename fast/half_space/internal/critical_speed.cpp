@@ -13,7 +13,7 @@ namespace {
 /// Over the lines, counted from the motion.
 class CriticalSpeeds {
  public:
-  CriticalSpeeds(const TransverselyIsotropicLine& line, Direction motion) : line_(line), motion_(motion) {}
+  CriticalSpeeds(const LineLimits& line, Direction motion) : line_(line), motion_(motion) {}
 
   double operator()(double from_motion) const { return speed_of_motion(line_, motion_, turned(from_motion)); }
   [[nodiscard]] Two in_two_words(double from_motion) const {
@@ -27,7 +27,7 @@ class CriticalSpeeds {
     return Direction::of_angle(from_motion).turned(motion_);
   }
 
-  const TransverselyIsotropicLine& line_;
+  const LineLimits& line_;
   Direction motion_;
 };
 
@@ -113,12 +113,12 @@ double nearer_to_bottom(const CriticalSpeeds& speeds, double from_motion) {
 
 }  // namespace
 
-double speed_of_motion(const TransverselyIsotropicLine& line, Direction motion, Direction psi) {
+double speed_of_motion(const LineLimits& line, Direction motion, Direction psi) {
   const double length = std::sqrt(squared_length(motion).high);
   return line.limit(psi) * length / std::fabs(cosine_between(psi, motion).high);
 }
 
-CriticalLine critical_line(const TransverselyIsotropicLine& line, Direction motion) {
+CriticalLine critical_line(const LineLimits& line, Direction motion) {
   const CriticalSpeeds speeds(line, motion);
   CriticalLine critical{INFINITY, 0};
   for (double from_motion : Landscape(speeds).lowest()) {
@@ -130,6 +130,12 @@ CriticalLine critical_line(const TransverselyIsotropicLine& line, Direction moti
     }
   }
   return critical;
+}
+
+CriticalSpeed critical_speed(const CriticalLine& critical, Direction motion) {
+  const double theta = std::atan2(motion.sine, motion.cosine);
+  const double psi = std::remainder(theta + critical.from_motion, std::numbers::pi);
+  return {critical.speed, psi == -std::numbers::pi / 2 ? -psi : psi};
 }
 
 }  // namespace nipref::fast::internal

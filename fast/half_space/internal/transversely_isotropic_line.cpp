@@ -124,13 +124,9 @@ bool TransverselyIsotropicLine::is_subcritical(Direction psi, Two speed) const {
   return functions(psi, density_ * square(speed)).subcritical();
 }
 
-NIPREF_CLONES Two TransverselyIsotropicLine::stress_density(Direction psi, const Motion& motion) const {
-  return density_ * (motion.squared_ratio * square(cosine_between(psi, motion.direction)));
-}
-
 // All that cancels has done so: the quotients themselves are taken in double.
 std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Motion& motion) const {
-  const LineFunctions line = functions(psi, stress_density(psi, motion));
+  const LineFunctions line = functions(psi, stress_density(density_, psi, motion));
   if (!line.subcritical()) return std::nullopt;
   const double divisor = line.rayleigh.high;
   return LineAnswers{line.compliance.high / divisor * inverse_unit_,
@@ -142,7 +138,7 @@ std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Mo
 // (step/gap)^2 for the relative distance `gap` from the critical speed.
 double TransverselyIsotropicLine::condition(Direction psi, const Motion& motion) const {
   constexpr double step = 0x1p-50;
-  const Two X = stress_density(psi, motion);
+  const Two X = stress_density(density_, psi, motion);
   const auto compliance = [&](double change) {
     const LineFunctions line = functions(psi, X + change * X);
     return line.compliance / line.rayleigh;

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include <nipref/data/material/solids.hpp>
-#include <nipref/fast/half_space/internal/direction_words.hpp>
+#include <nipref/fast/half_space/internal/line_limits.hpp>
 
 namespace nipref::fast::internal {
 
@@ -58,17 +58,8 @@ class InPlaneAxisLine {
   Two coupling_;     ///< (d6 + d12)^2/(d1 d6)
 };
 
-/// How loads move: the vector that has the length of the speed.
-struct Motion {
-  Motion(Direction along, Two speed)
-      : direction(along), squared_ratio(square(speed) / squared_length(along)) {}
-
-  Direction direction;
-  Two squared_ratio;  ///< (speed over length of the direction)^2
-};
-
 /// Either of them, in the units of the solid.
-class TransverselyIsotropicLine {
+class TransverselyIsotropicLine final : public LineLimits {
  public:
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);
 
@@ -78,15 +69,12 @@ class TransverselyIsotropicLine {
   /// d ln K/d ln speed on a subcritical line.
   [[nodiscard]] double condition(Direction psi, const Motion& motion) const;
 
-  /// The speed along the line psi from which on it is no longer subcritical, over the length of psi and
-  /// rounded down to a double; or to two words.
-  [[nodiscard]] double limit(Direction psi) const;
-  [[nodiscard]] Two limit_in_two_words(Direction psi) const;
+  [[nodiscard]] double limit(Direction psi) const override;
+  [[nodiscard]] Two limit_in_two_words(Direction psi) const override;
 
  private:
   [[nodiscard]] LineFunctions functions(Direction psi, Two X) const;
   [[nodiscard]] bool is_subcritical(Direction psi, Two speed) const;
-  [[nodiscard]] Two stress_density(Direction psi, const Motion& motion) const;
 
   double inverse_unit_;  ///< of the moduli, a power of two: no modulus is rounded, no product overflows
   double density_;       ///< of the solid, over that unit

@@ -33,8 +33,8 @@ Float number(const Real& real) {
 WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
   const LineAnswer line = answer_(degrees, digits_);
   const auto in_unit = [&](const Real& real) { return ldexp(number(real), exponent_); };
-  return {in_unit(line.compliance), in_unit(line.coupling), in_unit(line.coupling_across),
-          in_unit(line.in_line)};
+  return {in_unit(line.compliance), in_unit(line.coupling),         in_unit(line.coupling_across),
+          in_unit(line.in_line),    in_unit(line.shear_compliance), in_unit(line.shear_compliance_across)};
 }
 
 long stress_exponent(const SurfaceAnswer& surface) {

@@ -16,7 +16,7 @@ namespace nipref::ref {
 
 /// LineAnswer at working digits.
 struct WorkingAnswer {
-  Float compliance, coupling, coupling_across, in_line;
+  Float compliance, coupling, coupling_across, in_line, shear_compliance, shear_compliance_across;
 };
 
 /// The surface at working digits.

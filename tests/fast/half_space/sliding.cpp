@@ -71,7 +71,9 @@ TEST_CASE("sliding: the pressure satisfies the integral equation of every line")
   for (int i = 0; i < 100; ++i) {
     const Direction psi = Direction::of_angle(-1.5 + 0.03 * i);
     const SlidingLine line = contact.along(psi);
-    const auto [compliance, coupling, coupling_across] = response(psi);
+    const fast::LineResponse answers = response(psi);
+    const double compliance = answers.compliance, coupling = answers.coupling,
+                 coupling_across = answers.coupling_across;
     const double shear = psi.cosine * coupling - psi.sine * coupling_across;  // (1, 0) by line and across it
     const double x = line.trailing_end() + line.span * (0.02 + 0.96 * ((37 * i) % 100) / 99.);
     // With the distances to the ends as they come, for the powers there.
@@ -178,7 +180,8 @@ TEST_CASE("sliding: the contour of a die, by the closed form of the cross direct
   // (brock2012 35) corrected: C2 L2/(C1 L1) = K(90) h1^-1 Q1/Q(90), Q(90) = 1/2.
   const double friction = 0.3, speed = 0.5;
   const auto contact = sliding_for_span(isotropic(any_poisson, speed), die, friction, along_x1, 0.1);
-  const auto [compliance, coupling, across] = isotropic(any_poisson, speed)(along_x1);
+  const fast::LineResponse line = isotropic(any_poisson, speed)(along_x1);
+  const double compliance = line.compliance, coupling = line.coupling;
   const double gamma = friction * coupling, angle = std::atan(gamma / compliance) / pi;
   const double q = std::pow(0.5 + angle, 0.5 + angle) * std::pow(0.5 - angle, 0.5 - angle);
   CHECK(contact.span_ratio({0, 1}) * 1.9 / 0.7 ==

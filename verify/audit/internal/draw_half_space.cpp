@@ -35,6 +35,26 @@ void set_transversely_isotropic(Random& random, DrawnScene& drawn) {
   drawn.set("half_space.density", random.log_uniform(1e-2, 1e4));
 }
 
+/// A product of a triangle and its transpose, moduli over a decade or so.
+void set_anisotropic(Random& random, DrawnScene& drawn) {
+  const double unit = random.log_uniform(1e-2, 1e12);
+  std::array<std::array<double, 6>, 6> factor{};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double size = random.log_uniform(1, 4);
+    for (std::size_t k = 0; k <= i; ++k) factor[i][k] = i == k ? size : size * random.uniform(-0.5, 0.5);
+  }
+  std::vector<double> upper;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = i; k < 6; ++k) {
+      double sum = 0;
+      for (std::size_t j = 0; j <= i; ++j) sum += factor[i][j] * factor[k][j];
+      upper.push_back(unit * sum);
+    }
+  }
+  drawn.set("half_space.stiffness", upper);
+  drawn.set("half_space.density", random.log_uniform(1e-2, 1e4));
+}
+
 /// Gives the smallest radius.
 double set_body(Random& random, Body body, DrawnScene& drawn) {
   const double radius = random.log_uniform(1e-3, 10);
@@ -56,8 +76,9 @@ double set_body(Random& random, Body body, DrawnScene& drawn) {
 
 /// Some stiffness of the half-space, about.
 double stiffness(const DrawnScene& drawn) {
-  return drawn.text("half_space.model") == "isotropic" ? drawn.number("half_space.shear")
-                                                       : drawn.number("half_space.c44");
+  const std::string model = drawn.text("half_space.model");
+  if (model == "anisotropic") return drawn.numbers("half_space.stiffness").back();
+  return drawn.number(model == "isotropic" ? "half_space.shear" : "half_space.c44");
 }
 
 /// 0, anything, or next to the critical speed; 0 where that cannot be had.
@@ -88,9 +109,15 @@ std::vector<std::string> results_of(data::ContourRule rule) {
 DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule) {
   DrawnScene drawn;
   const bool isotropic = body == Body::rolling_sphere || random.chance(0.5);
-  drawn.set("half_space.model", isotropic ? "isotropic" : "transversely-isotropic");
+  // Its critical speed takes a quarter of a second.
+  const bool anisotropic = !isotropic && random.chance(0.1);
+  drawn.set("half_space.model", isotropic     ? "isotropic"
+                                : anisotropic ? "anisotropic"
+                                              : "transversely-isotropic");
   if (isotropic) {
     set_isotropic(random, "half_space", drawn);
+  } else if (anisotropic) {
+    set_anisotropic(random, drawn);
   } else {
     set_transversely_isotropic(random, drawn);
   }

@@ -48,6 +48,7 @@ constexpr std::array key_units{
     KeyUnit{"c13", of_stress},
     KeyUnit{"c44", of_stress},
     KeyUnit{"c66", of_stress},
+    KeyUnit{"stiffness", of_stress},
     KeyUnit{"shear_viscosity", {0, 1, 1}},
     KeyUnit{"bulk_viscosity", {0, 1, 1}},
     KeyUnit{"relaxation_time", of_time},
@@ -178,6 +179,18 @@ std::vector<double> negated(std::vector<double> numbers) {
   return numbers;
 }
 
+/// C_kl of a half-space whose axis x2 points the other way: those with one index of 4 and 6 change their signs.
+std::vector<double> mirrored_stiffness(std::vector<double> upper) {
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t k = i; k < 6; ++k, ++at) {
+      const bool is_odd = (i == 3 || i == 5) != (k == 3 || k == 5);
+      if (is_odd) upper[at] = -upper[at];
+    }
+  }
+  return upper;
+}
+
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
   if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
   Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
@@ -188,12 +201,15 @@ std::optional<Variant> mirrored(const DrawnScene& drawn) {
   variant.scene.set("profile.positions", negated(drawn.numbers("profile.positions")));
   if (drawn.has("sliding.direction"))
     variant.scene.set("sliding.direction", -drawn.number("sliding.direction"));
+  if (drawn.has("half_space.stiffness"))
+    variant.scene.set("half_space.stiffness", mirrored_stiffness(drawn.numbers("half_space.stiffness")));
   return variant;
 }
 
 std::optional<Variant> turned_motion(const DrawnScene& drawn, Random& random) {
   if (!drawn.has("sliding.direction")) return {};
   if (drawn.has("half_space.axis") && drawn.text("half_space.axis") != "normal") return {};
+  if (drawn.has("half_space.stiffness")) return {};
   const double from = drawn.number("sliding.direction"), to = random.uniform(-90, 90);
   Variant variant{"turned", drawn, [turn = from - to](const data::SceneResult& what, const Estimate& number) {
                     if (what.name != "orientation") return number;

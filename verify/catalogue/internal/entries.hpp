@@ -18,7 +18,9 @@ transverse_half_space_entries();  ///< K, S and critical speeds, brock2013 (19),
 std::vector<Quantity>
 half_space_contact_entries();  ///< dies and spheres by the papers' rule, brock2012 (26) to (53)
 std::vector<Quantity> elliptic_contact_entries();  ///< the exact frictionless contact, isotropic half-space
-std::vector<Quantity> seed_sphere_entries();   ///< the seed's sphere, brock2013 (34), and its exact contact
+std::vector<Quantity> seed_sphere_entries();  ///< the seed's sphere, brock2013 (34), and its exact contact
+std::vector<Quantity>
+anisotropic_entries();  ///< K, S and critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> displacement_entries();  ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 std::vector<Quantity> field_entries();         ///< inside the sheet, thesis (3.19), (3.20)
 
@@ -28,7 +30,7 @@ Argument nonzero_position_argument(std::string name);
 Argument position_argument(std::string name);
 
 /// Of any quantity; the catalogue's test holds every entry to it.
-inline constexpr std::size_t most_arguments = 16;
+inline constexpr std::size_t most_arguments = 32;
 
 /// Sets the scalar evaluator and the loop over it; `evaluate` is known here as a type, so that the loop calls
 /// it directly and is timed without the cost of std::function.

@@ -1,3 +1,4 @@
+#include <nipref/verify/golden/confirm/anisotropic.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/confirm/field.hpp>
 #include <nipref/verify/golden/confirm/isotropic.hpp>
@@ -9,7 +10,7 @@ namespace nipref::verify {
 
 Confirm confirmer_of(std::string_view quantity) {
   for (auto* const of_subject : {confirm::of_sheet, confirm::of_field, confirm::of_memory,
-                                 confirm::of_isotropic, confirm::of_transverse}) {
+                                 confirm::of_isotropic, confirm::of_transverse, confirm::of_anisotropic}) {
     if (Confirm found = of_subject(quantity)) return found;
   }
   return {};

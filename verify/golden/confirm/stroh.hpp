@@ -135,4 +135,54 @@ class Stroh {
   static Float size(const Column& x) { return abs(x[0]) + abs(x[1]) + abs(x[2]); }
 };
 
+template <unsigned digits>
+Number<digits> cosine_between(const Number<digits>& psi_degrees, const Number<digits>& theta_degrees) {
+  return sin((90 - abs(Number<digits>(psi_degrees - theta_degrees))) * pi<Number<digits>>() / 180);
+}
+
+/// The speed at which 1/K vanishes along psi, by the secant rule from a double near it.
+template <unsigned digits, class Solid>
+Number<digits> surface_wave(const Solid& solid, const Number<digits>& psi, const Number<digits>& theta,
+                            double near) {
+  using Float = Number<digits>;
+  const Float cosine = abs(cosine_between<digits>(psi, theta));
+  const auto inverse = [&](const Float& speed) -> Float {
+    return 1 / solid.admittance(psi, speed * cosine)[2][2].real();
+  };
+  Float last = near, speed = near * Float("0.9999999999999"), last_value = inverse(last);
+  const Float settled = pow(Float(10), 30 - static_cast<int>(digits));
+  for (int step = 0; step < 20; ++step) {
+    const Float value = inverse(speed), change = value * (speed - last) / (value - last_value);
+    last = speed;
+    last_value = value;
+    speed -= change;
+    if (abs(change) < settled * speed) break;
+  }
+  return speed;
+}
+
+using Speed = Number<130>;
+
+inline Witness by_secant(const Speed& value) {
+  return witness<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
+}
+
+/// The minimum of that over the lines by Newton's iteration for its slope, from a line and a speed near it.
+template <class Solid>
+Witness lowest_surface_wave(const Solid& solid, double near_psi, double theta, double near_speed) {
+  Speed psi = near_psi, value = 0;
+  const Speed step("1e-22");
+  for (int k = 0; k < 5; ++k) {
+    const auto at = [&](const Speed& degrees) {
+      return surface_wave<130>(solid, degrees, Speed(theta), near_speed);
+    };
+    const Speed above = at(psi + step), below = at(psi - step);
+    value = at(psi);
+    const Speed change = -step * (above - below) / (2 * (above - 2 * value + below));
+    psi += change;
+    if (abs(change) < Speed("1e-32")) break;
+  }
+  return by_secant(value);
+}
+
 }  // namespace nipref::verify::confirm

@@ -52,11 +52,6 @@ class Solid {
 };
 
 template <unsigned digits>
-Number<digits> cosine_between(const Number<digits>& psi_degrees, const Number<digits>& theta_degrees) {
-  return sin((90 - abs(Number<digits>(psi_degrees - theta_degrees))) * pi<Number<digits>>() / 180);
-}
-
-template <unsigned digits>
 LineAnswerByFormula answer(const Solid<digits>& solid, const Number<digits>& psi, const Number<digits>& theta,
                            const Number<digits>& speed) {
   const auto y = solid.admittance(psi, speed * cosine_between<digits>(psi, theta));
@@ -88,33 +83,6 @@ Witness condition(Arguments x) {
   return by_stroh(Wave(slope), std::max<Wave>(1, abs(Wave(slope))));
 }
 
-/// The speed at which 1/K vanishes along psi, by the secant rule from a double near it.
-template <unsigned digits>
-Number<digits> surface_wave(const Solid<digits>& solid, const Number<digits>& psi,
-                            const Number<digits>& theta, double near) {
-  using Float = Number<digits>;
-  const Float cosine = abs(cosine_between<digits>(psi, theta));
-  const auto inverse = [&](const Float& speed) -> Float {
-    return 1 / solid.admittance(psi, speed * cosine)[2][2].real();
-  };
-  Float last = near, speed = near * Float("0.9999999999999"), last_value = inverse(last);
-  const Float settled = pow(Float(10), 30 - static_cast<int>(digits));
-  for (int step = 0; step < 20; ++step) {
-    const Float value = inverse(speed), change = value * (speed - last) / (value - last_value);
-    last = speed;
-    last_value = value;
-    speed -= change;
-    if (abs(change) < settled * speed) break;
-  }
-  return speed;
-}
-
-using Speed = Number<130>;
-
-Witness by_secant(const Speed& value) {
-  return witness<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
-}
-
 /// theta, psi, solid.
 Witness rayleigh(Arguments x) {
   const double near = find_quantity("ti.rayleigh").by_fast(x, {});
@@ -138,17 +106,7 @@ CriticalLine critical_line(Arguments x, double theta_degrees, std::size_t at) {
 Witness critical(Arguments x) {
   const Solid<130> solid(x, 1);
   const CriticalLine near = critical_line(x, x[0], 1);
-  Speed psi = near.psi, value = 0;
-  const Speed step("1e-22");
-  for (int k = 0; k < 5; ++k) {
-    const auto at = [&](const Speed& degrees) { return surface_wave<130>(solid, degrees, x[0], near.speed); };
-    const Speed above = at(psi + step), below = at(psi - step);
-    value = at(psi);
-    const Speed change = -step * (above - below) / (2 * (above - 2 * value + below));
-    psi += change;
-    if (abs(change) < Speed("1e-32")) break;
-  }
-  return by_secant(value);
+  return lowest_surface_wave(solid, near.psi, x[0], near.speed);
 }
 
 /// theta, which, constants: eigenvalues of Christoffel's matrix.

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numbers>
 #include <string_view>
 #include <variant>
 
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
@@ -30,6 +34,7 @@ struct CriticalSpeedOf {
   double operator()(const data::TransverselyIsotropicBody& body) const {
     return fast::critical_speed(body.solid, body.axis, motion).speed;
   }
+  double operator()(const data::Stiffness& solid) const { return fast::critical_speed(solid, motion).speed; }
 };
 
 struct ResponseOf {
@@ -44,6 +49,17 @@ struct ResponseOf {
     const Direction motion = motion_of(problem);
     const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(body.solid, body.axis,
                                                                                       motion, problem.speed);
+    return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
+  }
+  SurfaceResponse operator()(const data::Stiffness& solid) const {
+    const Direction motion = motion_of(problem);
+    // No line tells by itself that another is critical.
+    if (const auto critical = fast::critical_speed(solid, motion); problem.speed >= critical.speed) {
+      throw data::BadInput("speed", problem.speed,
+                           fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
+                                       critical.speed, critical.psi * 180 / std::numbers::pi));
+    }
+    const auto surface = std::make_shared<const fast::AnisotropicHalfSpace>(solid, motion, problem.speed);
     return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
   }
 };

@@ -33,6 +33,9 @@ struct RefSurface::SurfaceOf {
     if (body.axis == data::SymmetryAxis::normal) return {ref::sagittal_stiffness(solid), speed, true};
     return {ref::exact_stiffness(solid, body.axis), speed, false};
   }
+  Surface operator()(const data::Stiffness& solid) const {
+    return {ref::exact_stiffness(solid), speed, false};
+  }
 };
 
 RefSurface::RefSurface(const data::HalfSpaceProblem& problem)
@@ -74,11 +77,15 @@ ref::SurfaceAnswer RefSurface::answer() const {
   return [surface = *this](const ref::Exact& degrees, int digits) -> ref::LineAnswer {
     const ref::LineResponse below = surface.along(surface.half_space_, degrees, digits);
     if (!surface.body_)
-      return {below.compliance.value, below.coupling.value, below.coupling_across.value, below.in_line.value};
+      return {below.compliance.value, below.coupling.value,         below.coupling_across.value,
+              below.in_line.value,    below.shear_compliance.value, below.shear_compliance_across.value};
     const ref::LineResponse above = surface.along(*surface.body_, degrees, digits);
     return {joined(below.compliance.value, above.compliance.value, 1),
             joined(below.coupling.value, above.coupling.value, -1),
-            joined(below.coupling_across.value, above.coupling_across.value, -1), below.in_line.value};
+            joined(below.coupling_across.value, above.coupling_across.value, -1),
+            below.in_line.value,
+            joined(below.shear_compliance.value, above.shear_compliance.value, -1),
+            joined(below.shear_compliance_across.value, above.shear_compliance_across.value, -1)};
   };
 }
 

@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include <nipref/fast/half_space/anisotropic.hpp>
+#include <nipref/verify/golden/confirm/anisotropic.hpp>
+#include <nipref/verify/golden/confirm/stroh.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Arguments = std::span<const double>;
+
+/// The upper triangle of Voigt's matrix row by row, then the density, from the argument number `at` on.
+template <unsigned digits>
+class AnySolid {
+ public:
+  using Float = Number<digits>;
+
+  AnySolid(Arguments x, std::size_t at) {
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t k = i; k < 6; ++k) voigt_[i][k] = voigt_[k][i] = Float(x[at++]);
+    density_ = Float(x[at]);
+  }
+
+  /// Y of lines at psi that see the speed `phase`; axes (n, across, 3).
+  [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
+    const Float psi = psi_degrees * pi<Float>() / 180;
+    return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
+  }
+
+ private:
+  typename Stroh<digits>::Voigt voigt_;
+  Float density_;
+};
+
+enum class Part { re, minus_im };
+
+/// theta, psi, speed, solid.
+Confirm entry_of(std::size_t row, std::size_t column, Part part) {
+  return [=](Arguments x) {
+    using Float = Number<150>;
+    const Float phase = Float(x[2]) * cosine_between<150>(x[1], x[0]);
+    const auto y = AnySolid<150>(x, 3).admittance(x[1], phase);
+    const Wave value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
+    const Wave size = std::max<Wave>(abs(Wave(y[2][2].real())),
+                                     std::max<Wave>(abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real()))));
+    return witness<Wave>("Stroh's eigenproblem", value, size * Wave("1e-80"));
+  };
+}
+
+/// theta, solid.
+Witness critical_of_any(Arguments x) {
+  data::Stiffness solid{{}, x[22]};
+  std::size_t at = 1;
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = x[at++];
+  const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x[0]));
+  return lowest_surface_wave(AnySolid<130>(x, 1), near.psi * 180 / std::numbers::pi, x[0], near.speed);
+}
+
+const std::map<std::string, Confirm, std::less<>>& anisotropic_methods() {
+  static const std::map<std::string, Confirm, std::less<>> methods{
+      {"anisotropic.compliance", entry_of(2, 2, Part::re)},
+      {"anisotropic.coupling", entry_of(2, 0, Part::minus_im)},
+      {"anisotropic.coupling_across", entry_of(2, 1, Part::minus_im)},
+      {"anisotropic.shear_compliance", entry_of(2, 0, Part::re)},
+      {"anisotropic.shear_compliance_across", entry_of(2, 1, Part::re)},
+      {"anisotropic.in_line", entry_of(0, 0, Part::re)},
+      {"anisotropic.across", entry_of(1, 1, Part::re)},
+      {"anisotropic.critical", critical_of_any}};
+  return methods;
+}
+
+}  // namespace
+
+Confirm of_anisotropic(std::string_view quantity) {
+  const auto found = anisotropic_methods().find(quantity);
+  return found == anisotropic_methods().end() ? Confirm() : found->second;
+}
+
+}  // namespace nipref::verify::confirm
