@@ -63,8 +63,10 @@ struct HalfSpaceProblem {
   double friction = 0;  ///< coefficient, >= 0; sliding.friction
   std::variant<GivenNormalForce, GivenSpan> given;
   ContourRule rule = ContourRule::exact;
-  /// Angles psi - direction, degrees, at which spans are wanted.
+  /// Angles psi - direction, degrees, at which spans are wanted; or, if `line` is there, positions on that line.
   std::optional<Profile> profile;
+  /// Angle psi - direction of the line along which pressure and shear are wanted, degrees; profile.direction
+  std::optional<double> line = {};
 };
 
 }  // namespace nipref::data

@@ -5,14 +5,16 @@
 namespace nipref::data {
 
 /// Where the profiles of a scene are wanted: Y counts from the line through the rollers' centres, to the
-/// entry side; on a half-space they are angles from the motion, in degrees.
+/// entry side; on a half-space they are angles from the motion, in degrees, or count from the
+/// point of first touch along a line.
 struct EvenlySpaced {
   /// 2 to 10000: from the middle of an elastic nip, or the trailing end of a viscoelastic one, to the
-  /// leading end, or from -90 to 90 degrees, both included.
+  /// leading end, or from -90 to 90 degrees, or from end to end of a line, both included.
   int points;
 };
 struct Positions {
-  std::vector<double> y;  ///< finite, unit of length or degrees, inside the contact or outside; 1 to 10000 of them
+  std::vector<double>
+      y;  ///< finite, unit of length or degrees, inside the contact or outside; 1 to 10000 of them
 };
 using Profile = std::variant<EvenlySpaced, Positions>;
 

@@ -293,4 +293,23 @@ Estimated EllipticContact::peak_pressure() const {
   });
 }
 
+Estimated EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float there = to_float(x);
+  const auto changed_by = [&](const Float& change) {
+    return implementation_->of([&](const Level& level) -> Float {
+      const Float scale = implementation_->scale(level), end = scale * level.radius(degrees);
+      const Float ahead = end * (1 + change) - there, behind = end * (1 + change) + there;
+      if (!(ahead > Float(0) && behind > Float(0))) return 0;
+      return scale * implementation_->pressure_over_scale(level) * sqrt(ahead * behind) / end;
+    });
+  };
+  // Near its ends what rounding leaves of these shows.
+  Estimated result = changed_by(0);
+  const Float off = tolerance(implementation_->digits + 6), value = to_float(result.value);
+  const Float change = std::max(Float(abs(to_float(changed_by(off).value) - value)),
+                                Float(abs(to_float(changed_by(-off).value) - value)));
+  return {result.value, to_real(to_float(result.error) + change), implementation_->digits};
+}
+
 }  // namespace nipref::ref

@@ -40,6 +40,8 @@ class EllipticContact {
   [[nodiscard]] Estimated approach() const;
   [[nodiscard]] Estimated force() const;
   [[nodiscard]] Estimated peak_pressure() const;
+  /// At x on a line, 0 outside of the contact.
+  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
 
  private:
   struct Implementation;

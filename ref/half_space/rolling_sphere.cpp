@@ -35,6 +35,9 @@ Float lean_of(const RollingLine& line, const Float& span_over_radius) {
   return lean;
 }
 
+/// exp(-pi/(2P))
+Float strip_of(const Float& index) { return index > Float(0) ? Float(exp(-pi() / (2 * index))) : Float(0); }
+
 /// (brock2012 48)
 Float creep_of(const RollingLine& line, const Float& span_over_radius) {
   lean_of(line, span_over_radius);
@@ -89,7 +92,7 @@ Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int 
       digits,
       [&](int working) {
         const Float index = RollingLine(WorkingSurface(surface, working), degrees).index;
-        return closed(index > Float(0) ? Float(exp(-pi() / (2 * index))) : Float(0), digits);
+        return closed(strip_of(index), digits);
       },
       cancelled_digits);
 }
@@ -146,6 +149,23 @@ struct RollingSphere::Implementation {
     }
     return of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
   }
+  /// A traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the size of the pressure. Of
+  /// ends that are off it takes what the root before the wave and the wave's phase would change by.
+  template <class Wave>
+  [[nodiscard]] Estimated traction(const Exact& degrees, const Exact& x, const Wave& wave) const {
+    const WorkingDigits scope(working);
+    const RollingLine line(lines(), degrees);
+    const Float there = to_float(x), span_ratio = ratio(degrees);
+    const auto at = [&](const Float& along, const Float& change) -> Float {
+      const Float span = span_ratio * along, lean = lean_of(line, span / Float(radius));
+      const Float ahead = span * (1 + change) - 2 * there, behind = span * (1 + change) + 2 * there;
+      if (!(ahead > Float(0) && behind > Float(0))) return 0;
+      const Float phase = line.index * log(ahead / behind), slope = there / (2 * Float(radius) * lean);
+      const Float size = ldexp(lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
+      return size * sqrt(ahead * behind) * wave(line, sin(phase), cos(phase), slope);
+    };
+    return with_shifted_ends(*this, at);
+  }
   /// B = sqrt(wS/wD) - P L/(2 r0) times the traction's size. (brock2012 49)
   [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
     const Float lean = lean_of(line, span / Float(radius));
@@ -183,6 +203,35 @@ Estimated RollingSphere::peak_pressure() const {
   const RollingLine line(implementation_->lines(), Exact(0.0));
   return implementation_->of_span(
       [&](const Float& along) { return implementation_->central_pressure(line, along); });
+}
+
+Estimated RollingSphere::pressure(const Exact& degrees, const Exact& x) const {
+  return implementation_->traction(degrees, x,
+                                   [](const RollingLine&, const Float& sine, const Float& cosine,
+                                      const Float& slope) -> Float { return cosine - slope * sine; });
+}
+
+Estimated RollingSphere::shear(const Exact& degrees, const Exact& x) const {
+  return implementation_->traction(
+      degrees, x,
+      [](const RollingLine& line, const Float& sine, const Float& cosine, const Float& slope) -> Float {
+        return (sine + slope * cosine) / line.slowness;
+      });
+}
+
+Estimated RollingSphere::creep(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const RollingLine line(implementation_->lines(), degrees);
+  const Float ratio = implementation_->ratio(degrees) / Float(implementation_->radius);
+  return implementation_->of_span([&](const Float& along) { return creep_of(line, ratio * along); });
+}
+
+Estimated RollingSphere::compressed_radius(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const RollingLine line(implementation_->lines(), degrees);
+  const Float ratio = implementation_->ratio(degrees) / 2;
+  const Float strip = strip_of(line.index), share = (1 - strip) / (1 + strip);
+  return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
 }
 
 }  // namespace nipref::ref

@@ -44,8 +44,14 @@ class RollingSphere {
   [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
   [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
   [[nodiscard]] Estimated force() const;                           ///< (brock2012 54)
-  /// At the centre. BadInput "span" for a contact that is not small against the radius.
-  [[nodiscard]] Estimated peak_pressure() const;
+  // BadInput "span" for a contact that is not small against the radius.
+  [[nodiscard]] Estimated peak_pressure() const;  ///< at the centre
+  /// At x on a line, 0 outside of the contact; the shear is that along the line. (brock2012 49, corrected)
+  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimated shear(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimated creep(const Exact& degrees) const;  ///< V0 (brock2012 48)
+  [[nodiscard]] Estimated compressed_radius(
+      const Exact& degrees) const;  ///< r_C, unit of length (brock2012 50)
 
  private:
   struct Implementation;

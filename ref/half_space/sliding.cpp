@@ -44,18 +44,21 @@ struct SlidingLine {
   [[nodiscard]] Float Q() const { return pow(1 + omega, 1 + omega) * pow(-omega, -omega); }
 };
 
-/// int |x| (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, cut at the kink x = 0.
-Float line_moment(const Float& omega, int digits) {
+/// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, ahead of the kink x = 0 and behind it.
+struct LineMoment {
+  Float front, back;
+};
+LineMoment line_moment(const Float& omega, int power, int digits) {
   const Float ahead = -omega, behind = 1 + omega;
   const Float front = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = ahead * left;
-    return ahead * x * pow(ahead * right, behind) * pow(x + behind, ahead);
+    return ahead * pow(x, power) * pow(ahead * right, behind) * pow(x + behind, ahead);
   });
   const Float back = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = behind * left;
-    return behind * x * pow(ahead + x, behind) * pow(behind * right, ahead);
+    return behind * pow(x, power) * pow(ahead + x, behind) * pow(behind * right, ahead);
   });
-  return front + back;
+  return {front, back};
 }
 
 /// Of the body along a line.
@@ -80,7 +83,26 @@ Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& direct
     const SlidingLine line(lines, friction, degrees);
     const Float curvature = curvature_of(body, degrees);
     const Float span = steepness * line.h / (curvature * line.Q());
-    return curvature * pow(span, 3) / line.h * line_moment(line.omega, working);
+    const auto [front, back] = line_moment(line.omega, 1, working);
+    return curvature * pow(span, 3) / line.h * (front + back);
+  });
+}
+
+/// Of the pressure's first moment in a direction, over that factor and in moment = factor span^4: as much as there is of
+/// it, added to what it is where all of it points the same way, so that what vanishes is integrated to digits of that.
+Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
+                     const Indenter& body, int digits, int working,
+                     const std::function<Float(const Exact& degrees)>& component, bool with_moment) {
+  const SlidingLine along(lines, friction, Exact(0.0));
+  const Float steepness = to_float(body.along) * along.Q() / along.h;
+  return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
+    const SlidingLine line(lines, friction, degrees);
+    const Float curvature = curvature_of(body, degrees);
+    const Float span = steepness * line.h / (curvature * line.Q());
+    const auto [front, back] = line_moment(line.omega, 2, working);
+    const Float all = front + back,
+                moment = with_moment ? Float((front - back) * component(degrees)) : Float(0);
+    return curvature * pow(span, 4) / line.h * (all + moment);
   });
 }
 }  // namespace
@@ -140,6 +162,29 @@ struct SlidingContact::Implementation {
     }
     return of_levels(function(factor->fine), function(factor->coarse), digits);
   }
+  /// Centre of pressure in the direction whose component along the lines is given.
+  [[nodiscard]] Estimated centre(const std::function<Float(const Exact& degrees)>& component) const {
+    const WorkingDigits scope(working);
+    const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
+    const auto integral = [&](bool with_moment) {
+      return moment_factor(lines(), directions, friction, body, digits, working, component, with_moment);
+    };
+    const Levels both = integral(true), size = integral(false);
+    const Float fine = ldexp(both.fine - size.fine, exponent),
+                coarse = ldexp(both.coarse - size.coarse, exponent);
+    // The levels are of integrals that may have been doubled differently often: their distances add.
+    const Float apart =
+        abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
+    Estimated result =
+        of_factor([&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
+    const Float span = to_float(result_span().value), per_force = span / factor->fine;
+    const Float error = to_float(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
+                        tolerance(digits + 6) * abs(span);
+    return {result.value, to_real(error), digits};
+  }
+  [[nodiscard]] Estimated result_span() const {
+    return of_span([](const Float& along) { return along; });
+  }
   /// A function of the span along the motion.
   template <class Function>
   [[nodiscard]] Estimated of_span(const Function& function) const {
@@ -189,6 +234,38 @@ Estimated SlidingContact::friction_force() const {
 Estimated SlidingContact::peak_pressure() const {
   return implementation_->of_span(
       [&](const Float& along) -> Float { return implementation_->steepness * along; });
+}
+
+Estimated SlidingContact::leading_end(const Exact& degrees) const {
+  const WorkingDigits scope(implementation_->working);
+  const Float share = -SlidingLine(implementation_->lines(), implementation_->friction, degrees).omega;
+  const Float ratio = implementation_->ratio(degrees);
+  return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
+}
+
+Estimated SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
+  const WorkingDigits scope(implementation_->working);
+  const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
+  const Float lead = -line.omega, trail = 1 + line.omega, ratio = implementation_->ratio(degrees);
+  const Float there = to_float(x);
+  const auto at = [&](const Float& along, const Float& change) -> Float {
+    const Float span = ratio * along;
+    const Float ahead = lead * span - there + change * span, behind = there + trail * span + change * span;
+    if (!(ahead > Float(0) && behind > Float(0))) return 0;
+    return implementation_->steepness * along * pow(ahead / (trail * span), trail) *
+           pow(behind / (lead * span), lead);
+  };
+  return with_shifted_ends(*implementation_, at);
+}
+
+Estimated SlidingContact::centre_along() const {
+  const WorkingDigits scope(implementation_->working);
+  return implementation_->centre([](const Exact& degrees) { return cosine(degrees); });
+}
+
+Estimated SlidingContact::centre_across() const {
+  const WorkingDigits scope(implementation_->working);
+  return implementation_->centre([](const Exact& degrees) { return sine(degrees); });
 }
 
 }  // namespace nipref::ref

@@ -41,6 +41,13 @@ class SlidingContact {
   [[nodiscard]] Estimated force() const;
   [[nodiscard]] Estimated friction_force() const;
   [[nodiscard]] Estimated peak_pressure() const;  ///< the same on every line, unit of stress
+  [[nodiscard]] Estimated leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
+  /// At x on a line; 0 outside of the contact. The error is that of the ends too.
+  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
+  /// First moment of the pressure over the force from the point of first touch, along the motion, and across it, 90
+  /// degrees on; the error is relative to the span.
+  [[nodiscard]] Estimated centre_along() const;
+  [[nodiscard]] Estimated centre_across() const;
 
  private:
   struct Implementation;

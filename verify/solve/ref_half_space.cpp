@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -51,17 +52,32 @@ class RefOnHalfSpace : public SolvedContact<LongEstimate> {
     if (name == "friction_force") return friction_force();
     if (name == "peak_pressure") return long_estimate(contact().peak_pressure());
     if (name == "critical_speed") return surface_.critical_speed(digits_);
+    if (name == "centre_along" || name == "centre_across") return centre(name);
     return of_ellipse(name);
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double degrees) const final {
-    if (name == "span") return span(degrees);
-    if (name == "compliance") return long_estimate(surface_.compliance(degrees, digits_));
-    return long_estimate(surface_.coupling(degrees, digits_));
+  /// `place`: an angle from the motion, or a position on the scene's line.
+  [[nodiscard]] LongEstimate at(std::string_view name, double place) const final {
+    if (name == "pressure") return long_estimate(pressure(place));
+    if (name == "shear") return shear(place);
+    if (name == "span") return span(place);
+    if (name == "leading_end") return long_estimate(leading_end(ref::Exact(place)));
+    if (name == "trailing_end") return long_estimate(trailing_end(place));
+    if (name == "creep" || name == "compressed_radius") return of_rolling(name, ref::Exact(place));
+    if (name == "compliance") return long_estimate(surface_.compliance(place, digits_));
+    return long_estimate(surface_.coupling(place, digits_));
   }
-  [[nodiscard]] ProfileExtent profile_extent() const final { return {-90, 90}; }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double degrees) const final {
-    return half_space_result_size(name,
-                                  [&] { return surface_.compliance(degrees, least_digits).to_double(); });
+  [[nodiscard]] ProfileExtent profile_extent() const final {
+    if (!problem_.line) return {-90, 90};
+    return {trailing_end(*problem_.line).to_double(), leading_end(ref::Exact(*problem_.line)).to_double()};
+  }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double place) const final {
+    if (name == "pressure" || name == "shear") {
+      const auto [first, last] = profile_extent();
+      return traction_size(place, first, last, std::pow(10.0, -digits_)) *
+             contact().peak_pressure().to_double();
+    }
+    if (name == "centre_along" || name == "centre_across") return contact().span(ref::Exact(0.0)).to_double();
+    return half_space_result_size(name, [&] { return surface_.compliance(place, least_digits).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
@@ -90,6 +106,46 @@ class RefOnHalfSpace : public SolvedContact<LongEstimate> {
       return exactly(given->force, problem_.friction, digits_);
     if constexpr (requires { contact().friction_force(); }) return long_estimate(contact().friction_force());
     throw data::BadInput("wanted", "friction_force", "must be of a contact that slides");
+  }
+  [[nodiscard]] ref::Estimated pressure(double x) const {
+    return contact().pressure(ref::Exact(*problem_.line), ref::Exact(x));
+  }
+  /// Friction times the pressure, or that of rolling.
+  [[nodiscard]] LongEstimate shear(double x) const {
+    if constexpr (requires { contact().shear(ref::Exact(x), ref::Exact(x)); })
+      return long_estimate(contact().shear(ref::Exact(*problem_.line), ref::Exact(x)));
+    if (problem_.friction == 0) return exactly(0, 1, digits_);
+    ref::Estimated result = pressure(x);
+    mpfr_mul_d(result.value.get(), result.value.get(), problem_.friction, MPFR_RNDN);
+    mpfr_mul_d(result.error.get(), result.error.get(), problem_.friction * (1 + 0x1p-40), MPFR_RNDU);
+    return long_estimate(result);
+  }
+  /// x+ of the line run through in this direction; half of the span where the centre is the point of first touch.
+  [[nodiscard]] ref::Estimated leading_end(const ref::Exact& degrees) const {
+    if constexpr (requires { contact().leading_end(degrees); }) return contact().leading_end(degrees);
+    ref::Estimated half = contact().span(degrees);
+    mpfr_div_2ui(half.value.get(), half.value.get(), 1, MPFR_RNDN);
+    mpfr_div_2ui(half.error.get(), half.error.get(), 1, MPFR_RNDU);
+    return half;
+  }
+  [[nodiscard]] ref::Estimated trailing_end(double degrees) const {
+    ref::Estimated end = leading_end(ref::Exact(mpq_class(ref::Exact(degrees).value() + 180)));
+    mpfr_neg(end.value.get(), end.value.get(), MPFR_RNDN);
+    return end;
+  }
+  [[nodiscard]] LongEstimate centre(std::string_view name) const {
+    if constexpr (requires { contact().centre_along(); }) {
+      if (problem_.friction != 0)
+        return long_estimate(name == "centre_along" ? contact().centre_along() : contact().centre_across());
+    }
+    return exactly(0, 1, digits_);
+  }
+  /// Scene::check lets these be wanted of a rolling sphere only.
+  [[nodiscard]] LongEstimate of_rolling(std::string_view name, const ref::Exact& degrees) const {
+    if constexpr (requires { contact().creep(degrees); }) {
+      return long_estimate(name == "creep" ? contact().creep(degrees) : contact().compressed_radius(degrees));
+    }
+    throw data::BadInput("wanted", name, "must be out of what this method has");
   }
   /// Scene::check lets these be wanted of the exact method only.
   [[nodiscard]] LongEstimate of_ellipse(std::string_view name) const {

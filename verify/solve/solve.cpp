@@ -1,6 +1,7 @@
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
 #include <nipref/verify/solve/internal/half_space.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
@@ -58,7 +59,8 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   SceneSolution<fast::Estimate> solution;
   const auto solve_system = [&](const auto& problem) {
-    solution = collect_results(scene, problem.profile, *SolveSystem{scene}(problem), scene.accuracy);
+    const Solved contact = SolveSystem{scene}(problem);
+    solution = collect_results(scene, problem.profile, WithDerivedResults(scene, *contact), scene.accuracy);
   };
   const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
   solution.seconds = seconds;

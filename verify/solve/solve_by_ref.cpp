@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -36,14 +37,27 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
   }
 }
 
+void refuse_moments(const data::Scene& scene) {
+  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
+    if (is_moment(scene.wanted[i])) {
+      scene.origin.refuse(
+          fmt::format("wanted[{}]", i), scene.wanted[i],
+          "must be wanted of the fast path: the reference has the eccentricity, their sum over the load");
+    }
+  }
+}
+
 SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
                                           int digits) {
-  return collect_results(scene, problem.profile, *solve_named(scene, problem, digits),
+  refuse_moments(scene);
+  const Solved contact = solve_named(scene, problem, digits);
+  return collect_results(scene, problem.profile, WithDerivedResults(scene, *contact),
                          std::pow(10.0L, -digits));
 }
 
 SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
                                           const data::ViscoelasticNipProblem& problem, int digits) {
+  refuse_moments(scene);
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) check_ref_rolling(scene);
   const Solved solved = [&] {
@@ -55,7 +69,8 @@ SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
       refuse_rolling(scene, problem, error);
     }
   }();
-  return collect_results(scene, problem.profile, *solved, std::pow(10.0L, -digits));
+  return collect_results(scene, problem.profile, WithDerivedResults(scene, *solved),
+                         std::pow(10.0L, -digits));
 }
 
 struct SolveSystem {
@@ -80,7 +95,7 @@ struct SolveSystem {
 
 void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known) {
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    if (std::ranges::find(known, scene.wanted[i]) != known.end()) continue;
+    if (std::ranges::find(known, scene.wanted[i]) != known.end() || is_product(scene.wanted[i])) continue;
     scene.origin.refuse(
         fmt::format("wanted[{}]", i), scene.wanted[i],
         fmt::format("must be one of what the reference has here: {}", fmt::join(known, ", ")));

@@ -113,7 +113,11 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   read_motion(file, problem);
   read_given(file, origin, problem);
   problem.rule = read_rule(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  if (file.has("profile")) {
+    const TomlTable profile = file.table("profile");
+    problem.profile = read_profile(profile, origin, {"points", "positions", "direction"});
+    if (profile.has("direction")) problem.line = profile.number("direction");
+  }
   return problem;
 }
 

@@ -6,6 +6,7 @@
 #include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>
+#include <nipref/data/scene/results.hpp>
 
 namespace nipref::data {
 namespace {
@@ -90,8 +91,18 @@ void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
                              const SceneOrigin& origin) {
   constexpr std::array<std::string_view, 3> of_the_ellipse{"axis_ratio", "orientation", "approach"};
-  if (problem.rule == ContourRule::exact || !std::ranges::count(of_the_ellipse, name)) return;
-  origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
+  constexpr std::array<std::string_view, 2> of_rolling{"creep", "compressed_radius"},
+      on_line{"pressure", "shear"};
+  if (problem.rule != ContourRule::exact && std::ranges::count(of_the_ellipse, name) != 0)
+    origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
+  if (!std::holds_alternative<RigidRollingSphere>(problem.body) && std::ranges::count(of_rolling, name) != 0)
+    origin.refuse(key, name, "must be wanted of a rolling sphere only");
+  if (!problem.profile || !find_scene_result(name)->is_profile) return;
+  const bool is_on_line = std::ranges::count(on_line, name) != 0;
+  if (is_on_line && !problem.line)
+    origin.refuse(key, name, "must be wanted with profile.direction, the angle of its line from the motion");
+  if (!is_on_line && problem.line)
+    origin.refuse(key, name, "must be wanted without profile.direction: it belongs to whole lines");
 }
 
 void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
@@ -108,6 +119,10 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   check_rolling(problem, origin);
   check_rule(problem, origin);
   if (problem.profile) check_profile(*problem.profile, origin);
+  if (problem.line) {
+    require(std::fabs(*problem.line) <= 90, origin, "profile.direction", *problem.line,
+            "must be from -90 to 90 degrees");
+  }
 }
 
 }  // namespace nipref::data

@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -60,6 +61,21 @@ Estimated closed(const Float& value, int digits);
 /// Of two levels of a quadrature, without asking how far apart they are: the error is their difference, relative
 /// rounding and the surface's own digits included.
 Estimated of_levels(const Float& fine, const Float& coarse, int digits);
+
+/// A traction near the ends of a line, where what rounding leaves of the ends shows: at(span along the motion, change of
+/// both ends over the line's span) grows with both; Contact gives functions of that span by of_span, and `digits`.
+template <class Contact, class At>
+Estimated with_shifted_ends(const Contact& contact, const At& at) {
+  const Float off = tolerance(contact.digits + 6);
+  const Float none(0);
+  Estimated result = contact.of_span([&](const Float& along) { return at(along, none); });
+  const Estimated more = contact.of_span([&](const Float& along) { return at(along, off); });
+  const Estimated less = contact.of_span([&](const Float& along) { return at(along, -off); });
+  const Float value = to_float(result.value);
+  const Float change =
+      std::max(Float(abs(to_float(more.value) - value)), Float(abs(to_float(less.value) - value)));
+  return {result.value, to_real(to_float(result.error) + change), contact.digits};
+}
 
 /// The span that a load makes along the motion, where force = factor span^3.
 Float span_along_of(const HalfSpaceLoad& load, const Float& factor);

@@ -1,5 +1,6 @@
 // Scenes of bodies on half-spaces: what they give, and what is refused.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <string>
@@ -195,4 +196,86 @@ TEST_CASE("a friction force has the rounding of its product, though force and fr
   // 0.3 is no binary number: 1000 times it is 1.1e-14 below 300.
   CHECK(std::fabs(std::fma(0.3, force, -solved["friction_force"].value)) > 1e-14);
   CHECK(solved["friction_force"].error >= std::fabs(std::fma(0.3, force, -solved["friction_force"].value)));
+}
+
+TEST_CASE(
+    "the ends of a line make its span, and between them the pressure has its peak where its slope vanishes") {
+  const std::string friction = sliding("0.6", "friction = 0.4\n");
+  const auto ends =
+      solved(wanting(R"("span", "leading_end", "trailing_end", "peak_pressure", "centre_along")") +
+             isotropic + die + friction + load + rule + "[profile]\npositions = [30.0, 0.0]\n");
+  const double first = ends.profile("trailing_end")[0].value, last = ends.profile("leading_end")[0].value;
+  CHECK(last - first == doctest::Approx(ends.profile("span")[0].value).scale(0).epsilon(1e-15));
+  CHECK(last < -first);
+  CHECK(ends["centre_along"].value < 0);
+  // x+ + x- = -(1 + 2 Omega) L
+  const auto at = [&](double x) {
+    return solved(wanting(R"("pressure", "shear")") + isotropic + die + friction + load + rule +
+                  fmt::format("[profile]\ndirection = 30.0\npositions = [{:.17g}]\n", x));
+  };
+  const auto peak = at(first + last);
+  CHECK(peak["pressure"].value == doctest::Approx(ends["peak_pressure"].value).scale(0).epsilon(1e-14));
+  CHECK(peak["shear"].value == doctest::Approx(0.4 * peak["pressure"].value).scale(0).epsilon(1e-15));
+  for (const double end : {first, last}) {
+    const auto there = at(end);
+    CHECK(there["pressure"].value <= there["pressure"].error);
+    CHECK(at(1.001 * end)["pressure"].value == 0);
+  }
+}
+
+TEST_CASE("without friction the pressures of all methods are even, without a centre aside") {
+  for (const std::string& method : {exact, rule}) {
+    const auto line = solved(
+        wanting(R"("pressure", "shear", "peak_pressure", "centre_along", "centre_across")") + isotropic +
+        die + sliding("0.5") + load + method + "[profile]\ndirection = 70.0\npoints = 5\n");
+    const auto& pressure = line.profile("pressure");
+    CHECK(pressure[2].value == doctest::Approx(line["peak_pressure"].value).scale(0).epsilon(1e-14));
+    CHECK(pressure[1].value == doctest::Approx(pressure[3].value).scale(0).epsilon(1e-13));
+    CHECK(pressure[1].value == doctest::Approx(std::sqrt(0.75) * pressure[2].value).scale(0).epsilon(1e-13));
+    CHECK(line.profile("shear")[1].value == 0);
+    CHECK(std::fabs(line["centre_along"].value) <= line["centre_along"].error);
+    CHECK(std::fabs(line["centre_across"].value) <= line["centre_across"].error);
+  }
+}
+
+TEST_CASE("a rolling sphere's creep and compressed radius, and tractions that end there") {
+  const std::string fast_rolling = "[rolling_sphere]\nradius = 1.0\n[rolling]\nspeed = 1.1\n";
+  const std::string small = "[contact]\nspan_along = 1e-6\n";
+  const auto rolls = solved(wanting(R"("span", "creep", "compressed_radius")") + isotropic + fast_rolling +
+                            small + rule + "[profile]\npositions = [0.0, 90.0]\n");
+  const double radius = rolls.profile("compressed_radius")[0].value,
+               half = rolls.profile("span")[0].value / 2;
+  CHECK(radius < half);
+  // Of a contact so small V0 is P sqrt(wS/wD) L/R; across the motion both roots are 1 and tanh(pi P) = 1/3.
+  const double across = rolls.profile("span")[1].value * std::atanh(1. / 3) / std::acos(-1.);
+  CHECK(rolls.profile("creep")[1].value == doctest::Approx(across).scale(0).epsilon(1e-5));
+  const auto tractions = [&](double x) {
+    return solved(wanting(R"("pressure")") + isotropic + fast_rolling + small + rule +
+                  fmt::format("[profile]\ndirection = 0.0\npositions = [{:.17g}]\n", x))["pressure"];
+  };
+  const double strip = half - radius;
+  CHECK(tractions(radius - 0.1 * strip).value > 0);
+  CHECK(tractions(radius + 0.1 * strip).value < 0);
+}
+
+TEST_CASE("results of lines, of points on them and of rolling spheres are refused elsewhere") {
+  const std::string body = isotropic + die + sliding("0.5") + load + rule;
+  check_refused(wanting(R"("pressure")") + body + "[profile]\npoints = 5\n",
+                "must be wanted with profile.direction");
+  check_refused(wanting(R"("span")") + body + "[profile]\ndirection = 0.0\npoints = 5\n",
+                "must be wanted without profile.direction");
+  check_refused(wanting(R"("creep")") + body + "[profile]\npoints = 5\n",
+                "must be wanted of a rolling sphere only");
+  check_refused(wanting(R"("pressure")") + body + "[profile]\ndirection = 91.0\npoints = 5\n",
+                "profile.direction = 91");
+  check_refused(wanting(R"("span_along")") +
+                    "[half_space]\nmodel = \"anisotropic\"\nstiffness = [1.0, 2.0]\n" + "density = 1.0\n" +
+                    die + sliding("0.0") + load + rule,
+                "must be 21 numbers");
+  check_refused(
+      wanting(R"("span_along")") +
+          "[half_space]\nmodel = \"anisotropic\"\nstiffness = [1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 1, "
+          "0, 0, 1, 0, 1]\ndensity = 1.0\n" +
+          rolling + load + rule,
+      "must be isotropic under a rolling sphere");
 }

@@ -19,16 +19,8 @@ data::Scene example(const char* name, const data::SceneOverrides& overrides = {}
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-/// Everything that the example can want, by both paths: differences are within fast's estimates, the reference's
-/// errors beyond them.
-void check_both_paths(data::Scene scene) {
-  CAPTURE(scene.title);
-  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
-  problem.profile = data::Positions{{-60, 0, 20, 90}};
-  scene.wanted = {"span_along",    "span_across",    "span_ratio", "normal_force", "friction_force",
-                  "peak_pressure", "critical_speed", "span",       "compliance",   "coupling"};
-  if (problem.rule == data::ContourRule::exact)
-    scene.wanted.insert(scene.wanted.end(), {"axis_ratio", "approach", "orientation"});
+/// Differences are within fast's estimates, the reference's errors beyond them.
+void compare_both_paths(const data::Scene& scene) {
   const auto fast = verify::solve(scene);
   const auto ref = verify::solve_by_ref(scene, 16);
   for (std::size_t k = 0; k < fast.results.size(); ++k) {
@@ -42,6 +34,27 @@ void check_both_paths(data::Scene scene) {
       CHECK(number(theirs.error) <= 1e-15 * std::max(std::fabs(mine.value), 0.01 * mine.error * 0x1p52));
     }
   }
+}
+
+/// Everything that the example can want, by both paths.
+void check_both_paths(data::Scene scene) {
+  CAPTURE(scene.title);
+  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
+  problem.profile = data::Positions{{-60, 0, 20, 90}};
+  scene.wanted = {"span_along",    "span_across",    "span_ratio", "normal_force", "friction_force",
+                  "peak_pressure", "critical_speed", "span",       "compliance",   "coupling"};
+  if (problem.rule == data::ContourRule::exact)
+    scene.wanted.insert(scene.wanted.end(), {"axis_ratio", "approach", "orientation"});
+  scene.wanted.insert(scene.wanted.end(), {"centre_along", "centre_across", "leading_end", "trailing_end"});
+  if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
+    scene.wanted.insert(scene.wanted.end(), {"creep", "compressed_radius"});
+  compare_both_paths(scene);
+  // Along a line, where the positions are lengths.
+  const double end = verify::solve(scene).profile("leading_end")[2].value;
+  problem.line = 20;
+  problem.profile = data::Positions{{-2 * end, -0.7 * end, 0, 0.5 * end, 0.99999 * end}};
+  scene.wanted = {"pressure", "shear"};
+  compare_both_paths(scene);
 }
 
 }  // namespace

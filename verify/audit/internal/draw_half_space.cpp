@@ -95,10 +95,12 @@ double draw_speed(Random& random, DrawnScene drawn) {
   }
 }
 
-std::vector<std::string> results_of(data::ContourRule rule) {
+std::vector<std::string> results_of(data::ContourRule rule, Body body) {
   std::vector<std::string> wanted{"span_along",     "span_across",   "span_ratio", "normal_force",
                                   "friction_force", "peak_pressure", "span",       "compliance",
                                   "coupling",       "critical_speed"};
+  wanted.insert(wanted.end(), {"centre_along", "centre_across", "leading_end", "trailing_end"});
+  if (body == Body::rolling_sphere) wanted.insert(wanted.end(), {"creep", "compressed_radius"});
   if (rule == data::ContourRule::exact)
     wanted.insert(wanted.end(), {"axis_ratio", "orientation", "approach"});
   return wanted;
@@ -123,7 +125,7 @@ DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule)
   }
   const double radius = set_body(random, body, drawn);
   drawn.set("method.kind", rule == data::ContourRule::exact ? "exact" : "stationary-force");
-  drawn.set("wanted", results_of(rule));
+  drawn.set("wanted", results_of(rule, body));
   const double angle = random.uniform(-90, 90);
   drawn.set("profile.positions", std::vector<double>{0, 90, angle, -angle, random.uniform(-90, 90)});
   if (random.chance(0.5)) {

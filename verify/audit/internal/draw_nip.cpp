@@ -44,11 +44,11 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
   drawn.set("profile.positions", draw_positions(random, size.length));
-  drawn.set("wanted",
-            std::vector<std::string>{"contact_length", "leading_length", "trailing_length", "load",
-                                     "indentation", "edge_displacement", "trailing_displacement",
-                                     "rolling_resistance", "creep_ratio", "peak_pressure", "peak_shear",
-                                     "pressure", "shear", "normal_displacement", "tangential_displacement"});
+  drawn.set("wanted", std::vector<std::string>{
+                          "contact_length", "leading_length", "trailing_length", "load", "indentation",
+                          "edge_displacement", "trailing_displacement", "rolling_resistance", "eccentricity",
+                          "resistance_force", "power_loss", "creep_ratio", "peak_pressure", "peak_shear",
+                          "pressure", "shear", "normal_displacement", "tangential_displacement"});
   return drawn;
 }
 

@@ -64,14 +64,10 @@ constexpr std::array key_units{
     KeyUnit{"Q_dilatation", of_stress, true},
 };
 
-const std::map<std::string_view, Dimension> result_units{{"length", of_length},
-                                                         {"force/length", {1, 1, 0}},
-                                                         {"force", {2, 1, 0}},
-                                                         {"stress", of_stress},
-                                                         {"1/stress", {0, -1, 0}},
-                                                         {"speed", {1, 0, -1}},
-                                                         {"1", {}},
-                                                         {"degree", {}}};
+const std::map<std::string_view, Dimension> result_units{
+    {"length", of_length}, {"force/length", {1, 1, 0}}, {"force", {2, 1, 0}},  {"power/length", {2, 1, -1}},
+    {"stress", of_stress}, {"1/stress", {0, -1, 0}},    {"speed", {1, 0, -1}}, {"1", {}},
+    {"degree", {}}};
 
 /// Factors of the units.
 struct Units {
@@ -195,7 +191,7 @@ std::optional<Variant> mirrored(const DrawnScene& drawn) {
   if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
   Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
                     const bool is_odd = what.name == "shear" || what.name == "tangential_displacement" ||
-                                        what.name == "orientation";
+                                        what.name == "orientation" || what.name == "centre_across";
                     return Estimate{is_odd ? -number.value : number.value, number.error};
                   }};
   variant.scene.set("profile.positions", negated(drawn.numbers("profile.positions")));

@@ -38,6 +38,10 @@ double nip_result_size(std::string_view name, double y, const NipSize& nip,
   return 0;
 }
 
+double traction_size(double x, double first, double last, double accuracy) {
+  return size_next_to_end(x, {0, first, last, accuracy}, (last - first) / 2);
+}
+
 double half_space_result_size(std::string_view name, const std::function<double()>& compliance) {
   if (name == "orientation") return 180 / std::numbers::pi;
   if (name == "coupling") return compliance();

@@ -23,6 +23,10 @@ struct NipSize {
 double nip_result_size(std::string_view name, double y, const NipSize& nip,
                        const std::function<double()>& pressure_in_the_middle);
 
+/// Of a traction over its size at the point of first touch, x between the ends first and last: 1, and more next to an
+/// end, as above.
+double traction_size(double x, double first, double last, double accuracy);
+
 /// Orientation: a radian. Coupling of a line: its compliance.
 double half_space_result_size(std::string_view name, const std::function<double()>& compliance);
 

@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <variant>
+
+#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/exact.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::Estimate;
+
+/// Times mu_R.
+struct Product {
+  std::string_view name;
+  bool has_radius, has_load, has_speed;
+};
+constexpr std::array products{Product{"eccentricity", true, false, false},
+                              Product{"resistance_force", false, true, false},
+                              Product{"power_loss", false, true, true}};
+
+const Product* product_of(std::string_view name) {
+  const auto found = std::ranges::find(products, name, &Product::name);
+  return found == products.end() ? nullptr : &*found;
+}
+
+/// What a product has of the scene; an elastic sheet loses nothing, whatever its speed.
+struct FactorOf {
+  const Product& product;
+
+  double operator()(const data::ElasticNipProblem& problem) const {
+    return product.has_radius ? problem.nip.roller_radius : 1;
+  }
+  double operator()(const data::ViscoelasticNipProblem& problem) const {
+    return (product.has_radius ? problem.nip.roller_radius : 1) * (product.has_speed ? problem.nip.speed : 1);
+  }
+  double operator()(const data::HalfSpaceProblem&) const { return 1; }
+};
+
+Estimate multiplied(const Estimate& a, const Estimate& b) {
+  const double value = a.value * b.value;
+  return {value, std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
+                     0x1p-53 * std::fabs(value)};
+}
+
+/// Of the decimals as they stand.
+LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
+  const auto rational = [](const std::string& text) { return ref::Exact::parse(text).value(); };
+  const mpq_class va = rational(a.value), vb = rational(b.value), ea = rational(a.error),
+                  eb = rational(b.error);
+  const mpq_class exact(va * vb), error(abs(va) * eb + abs(vb) * ea + ea * eb);
+  const int digits = static_cast<int>(std::max(a.value.size(), b.value.size()));
+  ref::Real value(static_cast<mpfr_prec_t>(4 * digits + 64)), bound(64);
+  mpfr_set_q(value.get(), exact.get_mpq_t(), MPFR_RNDN);
+  // The value's own rounding is far below its last digit's.
+  mpfr_set_q(bound.get(), mpq_class(error * mpq_class(1000001, 1000000)).get_mpq_t(), MPFR_RNDU);
+  const ref::Estimated result(value, bound, digits);
+  return {result.value_text(), result.error_text(), a.proven && b.proven};
+}
+
+Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
+LongEstimate exact_number(double value, const LongEstimate&) {
+  ref::Real real(64), none(64);
+  mpfr_set_d(real.get(), value, MPFR_RNDN);
+  return {ref::Estimated(real, none, 40).value_text(), "0", true};
+}
+
+/// int p Y dY from a to b, of which either may be an end of the contact, where p falls like a root.
+template <unsigned points>
+Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, double b) {
+  using Rule = boost::math::quadrature::gauss<double, points>;
+  const double middle = a + (b - a) / 2;
+  Estimate sum{0, 0};
+  const auto add = [&](double end, double node, double weight) {
+    const double t = (1 + node) / 2, reach = middle - end, y = end + reach * t * t;
+    const double factor = weight * t * std::fabs(reach) * y;
+    const Estimate pressure = contact.at("pressure", y);
+    sum.value += factor * pressure.value;
+    sum.error += std::fabs(factor) * (pressure.error + 0x1p-51 * std::fabs(pressure.value));
+  };
+  for (const double end : {a, b}) {
+    for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
+      const double node = Rule::abscissa()[k], weight = Rule::weights()[k];
+      add(end, node, weight);
+      if (node != 0) add(end, -node, weight);
+    }
+  }
+  return sum;
+}
+
+Estimate moment(const SolvedContact<Estimate>& contact, std::string_view name) {
+  const Estimate leading = contact.number("leading_length"), trailing = contact.number("trailing_length");
+  const bool is_leading = name == "leading_moment";
+  // All of the contact may be ahead.
+  const double a = is_leading ? std::max(0.0, -trailing.value) : -trailing.value;
+  const double b = is_leading ? leading.value : 0;
+  if (!(b > a)) return {0, 0};
+  const Estimate fine = moment_by_gauss<60>(contact, a, b), coarse = moment_by_gauss<30>(contact, a, b);
+  return {fine.value, fine.error + 2 * std::fabs(fine.value - coarse.value)};
+}
+
+LongEstimate moment(const SolvedContact<LongEstimate>& contact, std::string_view name) {
+  return contact.number(name);  // refused before, see solve_by_ref()
+}
+
+double approximate(const Estimate& number) { return number.value; }
+double approximate(const LongEstimate& number) { return std::strtod(number.value.c_str(), nullptr); }
+
+}  // namespace
+
+bool is_product(std::string_view name) { return product_of(name) != nullptr; }
+bool is_moment(std::string_view name) { return name == "leading_moment" || name == "trailing_moment"; }
+
+template <class Number>
+Number WithDerivedResults<Number>::number(std::string_view name) const {
+  if (is_moment(name)) return moment(contact_, name);
+  const Product* const product = product_of(name);
+  if (product == nullptr) return contact_.number(name);
+  Number result = contact_.number("rolling_resistance");
+  if (product->has_load) result = multiplied(result, contact_.number("load"));
+  return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
+}
+
+template <class Number>
+std::optional<double> WithDerivedResults<Number>::least_size(std::string_view name, double y) const {
+  if (is_moment(name)) {
+    if (!contact_.least_size("rolling_resistance", y)) return {};
+    const double half =
+        (approximate(contact_.number("leading_length")) + approximate(contact_.number("trailing_length"))) /
+        2;
+    return half * approximate(contact_.number("load"));
+  }
+  const Product* const product = product_of(name);
+  if (product == nullptr) return contact_.least_size(name, y);
+  auto size = contact_.least_size("rolling_resistance", y);
+  if (!size) return {};
+  const double load = product->has_load ? approximate(contact_.number("load")) : 1;
+  return *size * load * std::fabs(std::visit(FactorOf{*product}, scene_.system));
+}
+
+template class WithDerivedResults<Estimate>;
+template class WithDerivedResults<LongEstimate>;
+
+}  // namespace nipref::verify

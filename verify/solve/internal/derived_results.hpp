@@ -1,0 +1,39 @@
+#pragma once
+#include <string_view>
+
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
+#include <nipref/verify/solve/solve.hpp>
+
+namespace nipref::verify {
+
+/// Whether a result of a nip is a product of others: eccentricity, resistance_force, power_loss.
+bool is_product(std::string_view name);
+/// leading_moment, trailing_moment.
+bool is_moment(std::string_view name);
+
+/// A solved contact, and what follows from its results whatever the method:
+///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
+///   leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (7.13): by
+///   Gauss's rule over the pressure, of fast alone
+/// Errors are those of what they follow from, and what half as many nodes leave of the moments.
+template <class Number>
+class WithDerivedResults : public SolvedContact<Number> {
+ public:
+  /// Both must live as long as this.
+  WithDerivedResults(const data::Scene& scene, const SolvedContact<Number>& contact)
+      : scene_(scene), contact_(contact) {}
+
+  [[nodiscard]] Number number(std::string_view name) const override;
+  [[nodiscard]] Number at(std::string_view name, double y) const override { return contact_.at(name, y); }
+  [[nodiscard]] ProfileExtent profile_extent() const override { return contact_.profile_extent(); }
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override;
+  [[nodiscard]] fast::Work work() const override { return contact_.work(); }
+  [[nodiscard]] fast::Work error_work() const override { return contact_.error_work(); }
+
+ private:
+  const data::Scene& scene_;
+  const SolvedContact<Number>& contact_;
+};
+
+}  // namespace nipref::verify
