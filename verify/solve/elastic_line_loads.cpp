@@ -9,6 +9,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
 #include <nipref/verify/solve/internal/symmetry.hpp>
 
@@ -106,6 +107,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
+    if (is_moment(name)) return beside(moment(name), moment_of_pressure(*truth_, name));
     const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
                                                : solution_.*elastic_line_load_numbers.at(name);
     return beside(value, truth_->number(name));
@@ -120,6 +122,13 @@ class LineLoadContact : public SolvedContact<Estimate> {
  private:
   static Estimate beside(double value, const Estimate& truth) {
     return {value, std::fabs(value - truth.value) + truth.error};
+  }
+  /// Of one side; the other mirrors it.
+  [[nodiscard]] double moment(std::string_view name) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < solution_.line_loads.size(); ++k)
+      sum += solution_.line_loads[k] * (static_cast<double>(k) + 0.5) * solution_.element_width();
+    return name == "leading_moment" ? sum : -sum;
   }
   [[nodiscard]] double profile(std::string_view name, double y) const {
     if (name == "pressure") return fast::element_pressure(solution_, y);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
 #include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
@@ -44,6 +45,7 @@ class Rolling : public SolvedContact<Estimate> {
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (name == "peak_shear") return {0, 0};  // without friction
     if (const auto found = inside_.number(contact_, name)) return *found;
+    if (is_moment(name)) return moment_of_pressure(*this, name);
     return std::invoke(viscoelastic_converged_numbers.at(name), contact_);
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {

@@ -7,6 +7,7 @@
 
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
 
 namespace nipref::verify {
@@ -58,6 +59,7 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
         surface_(nip_, solution_, method_) {}
 
   [[nodiscard]] Estimate number(std::string_view name) const override {
+    if (is_moment(name)) return beside(moment(name), moment_of_pressure(*truth_, name));
     return beside(value(name), truth_->number(name));
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
@@ -88,6 +90,15 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
   }
   static Estimate beside(double value, const Estimate& truth) {
     return {value, std::fabs(value - truth.value) + truth.error};
+  }
+  /// (thesis 7.13)
+  [[nodiscard]] double moment(std::string_view name) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < solution_.loads.size(); ++j) {
+      const double y = solution_.leading_length - (static_cast<double>(j) + 0.5) * solution_.element_width();
+      if ((y > 0) == (name == "leading_moment")) sum += solution_.loads[j] * y;
+    }
+    return sum;
   }
   [[nodiscard]] double value(std::string_view name) const {
     if (name == "peak_shear") return 0;  // without friction

@@ -53,6 +53,9 @@ TEST_CASE(
     CHECK(behind.value < 0);
     const double error = ahead.error + behind.error + load.value * off.error + off.value * load.error;
     check_agree(ahead.value + behind.value, error, load.value * off.value);
+    // (7.14) holds of line loads by themselves.
+    if (std::string(name).find("line") != std::string::npos)
+      CHECK(ahead.value + behind.value == doctest::Approx(load.value * off.value).scale(0).epsilon(1e-12));
     CHECK(ahead.value < load.value * solution["leading_length"].value);
     if (std::string(name).find("line") == std::string::npos) CHECK(error < 1e-6 * ahead.value);
   }

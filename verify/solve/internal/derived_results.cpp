@@ -92,7 +92,15 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   return sum;
 }
 
-Estimate moment(const SolvedContact<Estimate>& contact, std::string_view name) {
+double approximate(const Estimate& number) { return number.value; }
+double approximate(const LongEstimate& number) { return std::strtod(number.value.c_str(), nullptr); }
+
+}  // namespace
+
+bool is_product(std::string_view name) { return product_of(name) != nullptr; }
+bool is_moment(std::string_view name) { return name == "leading_moment" || name == "trailing_moment"; }
+
+Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, std::string_view name) {
   const Estimate leading = contact.number("leading_length"), trailing = contact.number("trailing_length");
   const bool is_leading = name == "leading_moment";
   // All of the contact may be ahead.
@@ -103,21 +111,8 @@ Estimate moment(const SolvedContact<Estimate>& contact, std::string_view name) {
   return {fine.value, fine.error + 2 * std::fabs(fine.value - coarse.value)};
 }
 
-LongEstimate moment(const SolvedContact<LongEstimate>& contact, std::string_view name) {
-  return contact.number(name);  // refused before, see solve_by_ref()
-}
-
-double approximate(const Estimate& number) { return number.value; }
-double approximate(const LongEstimate& number) { return std::strtod(number.value.c_str(), nullptr); }
-
-}  // namespace
-
-bool is_product(std::string_view name) { return product_of(name) != nullptr; }
-bool is_moment(std::string_view name) { return name == "leading_moment" || name == "trailing_moment"; }
-
 template <class Number>
 Number WithDerivedResults<Number>::number(std::string_view name) const {
-  if (is_moment(name)) return moment(contact_, name);
   const Product* const product = product_of(name);
   if (product == nullptr) return contact_.number(name);
   Number result = contact_.number("rolling_resistance");

@@ -12,11 +12,13 @@ bool is_product(std::string_view name);
 /// leading_moment, trailing_moment.
 bool is_moment(std::string_view name);
 
+/// leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (thesis 7.13): by
+/// Gauss's rule over the pressure of a contact; the error is that of the pressure and what half as many nodes leave.
+fast::Estimate moment_of_pressure(const SolvedContact<fast::Estimate>& contact, std::string_view name);
+
 /// A solved contact, and what follows from its results whatever the method:
 ///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
-///   leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (7.13): by
-///   Gauss's rule over the pressure, of fast alone
-/// Errors are those of what they follow from, and what half as many nodes leave of the moments.
+/// Errors are those of what they follow from.
 template <class Number>
 class WithDerivedResults : public SolvedContact<Number> {
  public:
