@@ -31,12 +31,14 @@ constexpr std::size_t batch = 64;
 /// Compares with the reference.
 class Judge {
  public:
-  Judge(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options, bool may_refuse)
+  Judge(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options, bool may_refuse,
+        bool is_fast = false)
       : quantity_(quantity),
         evaluator_(evaluator),
         accuracy_(options.accuracy),
         promise_(options.promise_of(quantity)),
-        may_refuse_(may_refuse) {}
+        may_refuse_(may_refuse),
+        says_more_(is_fast && quantity.fast_error) {}
 
   /// Findings at a batch of points; none where the reference refuses a point of the ranges.
   void operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
@@ -77,7 +79,12 @@ class Judge {
 
   [[nodiscard]] Finding finding(double value, const Reference& truth, const Point& point) const {
     const Deviation found = deviation(value, truth, quantity_.envelope(point));
-    return {found.ulps, found.relative, found.ulps / std::max(promise_, tolerated_ulps(found.scale))};
+    return {found.ulps, found.relative, found.ulps == 0 ? 0 : found.ulps / allowed_ulps(found.scale, point)};
+  }
+
+  [[nodiscard]] double allowed_ulps(double scale, const Point& point) const {
+    const double allowed = std::max(promise_, tolerated_ulps(scale));
+    return says_more_ ? std::min(allowed, quantity_.fast_error(point, accuracy_) / ulp_of(scale)) : allowed;
   }
 
   [[nodiscard]] double tolerated_ulps(double scale) const {
@@ -89,6 +96,7 @@ class Judge {
   fast::Accuracy accuracy_;
   double promise_;
   bool may_refuse_;
+  bool says_more_;
 };
 
 /// The points that the reference knows, with what is found at them.
@@ -151,7 +159,7 @@ struct Climb {
 /// Hill climbing: a step is taken when it finds a worse point.
 Climb climb(const Quantity& quantity, const AuditOptions& options, const Judge& judge, Climb best,
             std::size_t steps, std::size_t start) {
-  Random random(fmt::format("search {}{} {}", quantity.name, options.seed, start));
+  Random random(fmt::format("search {}{} {}", quantity.drawn_for(), options.seed, start));
   for (std::size_t step = 0; step < steps; ++step) {
     stop_if_interrupted();
     Point next = perturbed(quantity, options.ranges, best.point, random);
@@ -215,7 +223,7 @@ std::size_t AuditOptions::points_of(const Quantity& quantity) const {
 std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options) {
   const std::size_t wanted = options.points_of(quantity);
   const Ranges& ranges = options.ranges;
-  Random random("audit " + quantity.name + options.seed);
+  Random random("audit " + quantity.drawn_for() + options.seed);
   const auto share = [wanted](double part) {
     return static_cast<std::size_t>(part * static_cast<double>(wanted));
   };
@@ -232,14 +240,23 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
   return points;
 }
 
-AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
-  const Judge judge(quantity, evaluator, options, !options.ranges.empty());
+namespace {
+
+AuditResult audit_of(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
+                     bool is_fast) {
+  const Judge judge(quantity, evaluator, options, !options.ranges.empty(), is_fast);
   const Compared compared = compare(quantity, audit_points(quantity, options), judge, options);
   const std::size_t steps =
       static_cast<std::size_t>(share_of_search * static_cast<double>(options.points_of(quantity))) /
       starts_of_search;
   return result_of(quantity, compared, options, climbs_from(compared, quantity, judge, options, steps),
                    steps);
+}
+
+}  // namespace
+
+AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
+  return audit_of(quantity, evaluator, options, false);
 }
 
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
@@ -253,7 +270,7 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
 }
 
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
-  return audit(quantity, fast_evaluator(quantity, options.accuracy), options);
+  return audit_of(quantity, fast_evaluator(quantity, options.accuracy), options, true);
 }
 
 }  // namespace nipref::verify

@@ -75,7 +75,7 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
 /// Throws Interrupted (support/internal/interrupt.hpp) if the process is.
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options);
 
-/// The same of fast.
+/// The same of fast, whose own statement of a value's error, where it makes one, must cover it besides.
 AuditResult audit(const Quantity& quantity, const AuditOptions& options);
 
 /// The same of values that are there already: no others are looked for. Points and values of equal number, one at

@@ -97,6 +97,12 @@ struct Quantity {
   /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
   std::function<Reference(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
+  /// What fast itself says of that value's error, which must cover it as the promise must; unit of the quantity.
+  /// Empty: the promise is all that it says.
+  std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> fast_error;
+  /// The reference as well is of the doubles nearest to the arguments: its problem is given in doubles.
+  bool ref_takes_doubles = false;
+  int most_digits = 1000;  ///< that the reference can be asked for
   /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
   /// (empty where there is none).
   using Columns = std::span<const std::span<const double>>;
@@ -115,11 +121,17 @@ struct Quantity {
   /// quantities.
   bool timed_alone = true;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
+  /// Of entries that come out of one solution: they are looked at at the same points, so that it serves them all.
+  /// Empty: the entry stands alone.
+  std::string family = {};
   std::string_view subject = {};  ///< the folder of the house that it is computed in, set by the catalogue
 
   std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
   std::vector<Peer> peers;
   std::vector<MultiprecisionPeer> multiprecision_peers;
+
+  /// What random points are drawn for: the family, or the entry itself.
+  [[nodiscard]] const std::string& drawn_for() const { return family.empty() ? name : family; }
 };
 
 /// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.

@@ -54,7 +54,7 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"arguments", given},
           {"scale", scale.size},
           {"ulp_of_scale", scale.ulp},
-          {"caveat", request.by_fast ? Json(of_the_nearest_doubles) : Json()},
+          {"caveat", caveat_of(request) != nullptr ? Json(caveat_of(request)) : Json()},
           {"results", results}};
 }
 
@@ -75,7 +75,7 @@ void print_text(const EvalRequest& request, const ParsedArguments& arguments,
     out << fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
                        request.quantity->scale, *scale.ulp);
   if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
-  if (request.by_fast) out << of_the_nearest_doubles << "\n";
+  if (const char* caveat = caveat_of(request)) out << caveat << "\n";
 }
 
 }  // namespace

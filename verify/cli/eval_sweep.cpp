@@ -45,15 +45,15 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
   const Quantity& quantity = *request.quantity;
   refuse_unknown_arguments(quantity, line.assignments);
   const AxesProduct points(axes_of(line));
-  const Sweep sweep{
-      "eval_sweep",
-      points,
-      columns_of(request),
-      {{"quantity", quantity.name}, {"caveat", request.by_fast ? Json(of_the_nearest_doubles) : Json()}},
-      [&](std::size_t i) {
-        const Assignments given = points.assignments(i, &AxisValue::exact);
-        return row_of(request, parse_arguments(quantity, given));
-      }};
+  const Sweep sweep{"eval_sweep",
+                    points,
+                    columns_of(request),
+                    {{"quantity", quantity.name},
+                     {"caveat", caveat_of(request) != nullptr ? Json(caveat_of(request)) : Json()}},
+                    [&](std::size_t i) {
+                      const Assignments given = points.assignments(i, &AxisValue::exact);
+                      return row_of(request, parse_arguments(quantity, given));
+                    }};
   return write_sweep(sweep, line, out);
 }
 

@@ -55,6 +55,16 @@ void refuse_options_without_effect(const CommandLine& line, const std::string& p
   if (form != nullptr || path == "fast") refuse_option(line, "digits", why);
 }
 
+int digits_for(const Quantity& quantity, const CommandLine& line) {
+  const int digits = digits_option(line, std::min(default_digits, quantity.most_digits));
+  if (digits > quantity.most_digits) {
+    throw BadInput(
+        "digits", std::to_string(digits),
+        fmt::format("must be a whole number from 16 to {} for {}", quantity.most_digits, quantity.name));
+  }
+  return digits;
+}
+
 EvalAnswer answer_of_ref(const EvalRequest& request, const ParsedArguments& arguments) {
   std::optional<Reference> found;
   const double seconds =
@@ -70,7 +80,8 @@ EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arg
   const double scale = std::max(std::fabs(value), quantity.envelope(point));
   const double rtol = request.accuracy.rtol();
   const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
-  const double promised = std::max(quantity.promise * ulp_of(scale), tolerated);
+  const double promised = quantity.fast_error ? quantity.fast_error(point, request.accuracy)
+                                              : std::max(quantity.promise * ulp_of(scale), tolerated);
   return {"fast", fmt::format("{}", value), upward_text(promised), false, static_cast<int>(-std::log10(rtol)),
           seconds};
 }
@@ -102,8 +113,17 @@ EvalRequest request_of(const CommandLine& line) {
           form,
           form == nullptr && path != "fast",
           form == nullptr && path != "ref",
-          digits_option(line, default_digits),
+          digits_for(quantity, line),
           accuracy_option(line)};
+}
+
+const char* caveat_of(const EvalRequest& request) {
+  if (request.quantity->ref_takes_doubles && request.form == nullptr) {
+    return "each argument is taken rounded to the nearest double; errors are for that argument.";
+  }
+  return request.by_fast
+             ? "fast takes each argument rounded to the nearest double; its error is for that argument."
+             : nullptr;
 }
 
 std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments) {

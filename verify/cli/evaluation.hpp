@@ -37,6 +37,9 @@ struct EvalRequest {
 /// BadInput for options that do not go together, and for what is no quantity.
 EvalRequest request_of(const CommandLine& line);
 
+/// Of which arguments the numbers are, where not of just those that were asked for; null otherwise.
+const char* caveat_of(const EvalRequest& request);
+
 /// What was asked for at these arguments: of ref before fast. BadInput outside their domain.
 std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments);
 

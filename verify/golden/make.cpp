@@ -36,7 +36,7 @@ struct Candidate {
 /// The audit's worst point, and the worst of as many others, worst first.
 std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& golden, std::size_t count) {
   const std::size_t audited = std::min(quantity.audit_points, most_audited * golden.points);
-  Random random("golden worst " + quantity.name + " " + golden.seed);
+  Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
   const std::vector<Point> points = random_points(quantity, {}, audited, random);
   std::vector<double> used(points.size());
   parallel_for(points.size(),
@@ -65,7 +65,7 @@ std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& g
 class Candidates {
  public:
   Candidates(const Quantity& quantity, const GoldenOptions& options)
-      : quantity_(quantity), random_("golden " + quantity.name + " " + options.seed) {}
+      : quantity_(quantity), random_("golden " + quantity.drawn_for() + " " + options.seed) {}
 
   void add(const std::vector<Point>& points, const std::string& origin) {
     for (const Point& point : points) {
@@ -162,7 +162,7 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   return "";
 }
 
-bool is_slow(const Quantity& quantity) { return quantity.audit_points < 10; }
+bool is_slow(const Quantity& quantity) { return quantity.audit_points < 10 || !quantity.family.empty(); }
 
 MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, const Provenance& provenance) {
   MadeGolden made;

@@ -1,0 +1,41 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/thin.hpp>
+
+using namespace nipref;
+
+TEST_CASE(
+    "numbers of a long contact are those of the contact that is solved, with another layer of the sheet's") {
+  const data::ElasticNip nip{200, 2, {3, 0.3}};
+  // Between the lengths that it is known from, 10 to 16.
+  const double length = 26;
+  const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, 18);
+  const ref::ConvergedElasticNip contact = ref::converged_for_length(nip, length, 18);
+  const auto check = [](const ref::Estimated& found, const ref::Enclosure& truth) {
+    ref::Real distance(64);
+    mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
+    const double allowed =
+        mpfr_get_d(found.error.get(), MPFR_RNDU) + mpfr_get_d(truth.error_bound.get(), MPFR_RNDU);
+    CHECK(std::fabs(mpfr_get_d(distance.get(), MPFR_RNDA)) <= allowed);
+    CHECK(allowed < 1e-17 * std::fabs(truth.to_double()));
+  };
+  check(thin.load, contact.load());
+  check(thin.indentation, contact.indentation());
+  check(thin.creep_ratio, contact.creep_ratio());
+  check(thin.peak_pressure, contact.peak_pressure());
+}
+
+TEST_CASE("contacts are long from where their ends no longer feel each other") {
+  const data::ElasticNip nip{200, 1, {3, 0.3}};
+  CHECK(ref::shortest_thin_nip(21) == 10);
+  CHECK_THROWS_WITH_AS(ref::thin_nip_of_length(nip, 9, 18), doctest::Contains("contact_length = 9: must be"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(ref::thin_nip_of_length(nip, 201, 18),
+                       doctest::Contains("contact_length = 201: must be"), data::BadInput);
+  CHECK_THROWS_WITH_AS(ref::thin_nip_of_length(nip, 20, 90), doctest::Contains("digits = 90"),
+                       data::BadInput);
+}

@@ -1,0 +1,86 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+
+using namespace nipref;
+using verify::Point;
+
+namespace {
+
+double nip(const char* number, const Point& point) {
+  return verify::find_quantity(number).by_fast(point, {});
+}
+
+verify::Reference nip_reference(const char* number, const Point& point) {
+  return verify::ref_value(verify::find_quantity(number), point, 18);
+}
+
+}  // namespace
+
+TEST_CASE("dimensionless nips: a contact on a thick sheet is Hertz's on half-spaces") {
+  for (const double poisson : {-0.5, 0.0, 0.5}) {
+    const Point thick{1e-6, poisson, 0};
+    CHECK(nip("nip.load", thick) == doctest::Approx(std::numbers::pi / 8).epsilon(1e-11));
+    CHECK(nip("nip.peak_pressure", thick) == doctest::Approx(0.5).epsilon(1e-11));
+    // Beside a depth of the sheet's own, ln(B/L)/8.
+    CHECK(nip("nip.indentation", {1e-6, poisson, 0}) - nip("nip.indentation", {1e-5, poisson, 0}) ==
+          doctest::Approx(std::log(10) / 8).epsilon(1e-9));
+  }
+  // An incompressible half-space does not slip: no shear, and no other pressure.
+  CHECK(nip("nip.peak_shear", {1e-6, 0.5, 1}) < 1e-9);
+  CHECK(nip("nip.load", {1e-6, 0.5, 1}) == doctest::Approx(std::numbers::pi / 8).epsilon(1e-9));
+}
+
+TEST_CASE("dimensionless nips: a thin frictionless sheet is a row of springs with layers at its ends") {
+  const auto second_difference = [](const char* number, double power) {
+    const auto at = [&](double length) { return nip(number, {length, 0.3, 0}) * std::pow(length, power); };
+    return at(300) - 2 * at(200) + at(100);
+  };
+  CHECK(second_difference("nip.indentation", 2) == doctest::Approx(1e4 / 4).epsilon(1e-10));
+  CHECK(second_difference("nip.peak_pressure", 1) == doctest::Approx(1e4).epsilon(1e-8));
+  // The layers of a cubic's load: a third difference.
+  const auto load = [](double length) { return nip("nip.load", {length, 0.3, 0}) * length * length; };
+  CHECK(load(400) - 3 * load(300) + 3 * load(200) - load(100) == doctest::Approx(2e6).epsilon(1e-8));
+}
+
+TEST_CASE("dimensionless nips: what is proven says so, and fast's errors are covered to both ends") {
+  CHECK(nip_reference("nip.load", {0.5, 0.3, 0}).proven);
+  CHECK_FALSE(nip_reference("nip.load", {0.5, 0.3, 1}).proven);
+  CHECK_FALSE(nip_reference("nip.load", {500, 0.3, 0}).proven);
+  for (const char* name :
+       {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}) {
+    const verify::Quantity& quantity = verify::find_quantity(name);
+    for (const Point& point :
+         {Point{1e-6, 0.5, 1}, Point{1e-6, 0, 0}, Point{1, 0.4999, 1}, Point{1000, 0.5, 0}}) {
+      CAPTURE(name);
+      CAPTURE(point[0]);
+      CHECK(std::fabs(verify::ref_value(quantity, point, 18).error_of(quantity.by_fast(point, {}))) <=
+            quantity.fast_error(point, {}));
+    }
+  }
+}
+
+TEST_CASE("an audit finds an error that is larger than fast says it is, though it keeps the promise") {
+  verify::Quantity modest = verify::find_quantity("nip.load");
+  verify::AuditOptions options;
+  options.points = 3;
+  CHECK(verify::audit(modest, options).kept());
+  modest.fast_error = [](std::span<const double>, fast::Accuracy) { return 1e-18; };
+  CHECK_FALSE(verify::audit(modest, options).kept());
+  // Of somebody else's values only the promise is asked.
+  CHECK(verify::audit(modest, verify::fast_evaluator(modest, {}), options).kept());
+}
+
+TEST_CASE("dimensionless nips: refusals name the argument") {
+  const verify::Quantity& load = verify::find_quantity("nip.load");
+  CHECK_THROWS_WITH_AS(load.by_fast(Point{2000, 0.3, 0}, {}), "L_over_B = 2000: must be from 1e-8 to 1000",
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(load.by_fast(Point{1, 0.6, 0}, {}), doctest::Contains("poisson = 0.6"),
+                       data::BadInput);
+}

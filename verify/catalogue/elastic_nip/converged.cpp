@@ -1,0 +1,126 @@
+// Elastic nips, dimensionless.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/thin.hpp>
+#include <nipref/verify/catalogue/internal/nip_entry.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using NipArguments = std::span<const double>;
+
+// Longer ones take the reference longer than an audit has time for.
+// Where no shear acts, what is longer than longest_direct is a polynomial of its length.
+constexpr double longest_direct = 12;
+constexpr double longest_audited = 1e3, longest_gripped_audited = 2;
+
+constexpr std::array<NipNumber, 5> nip_numbers{{
+    {"nip.load",
+     "N R W/L^2 of an elastic nip, N = 2(1 - poisson^2)/young; as L/B -> 0 without friction pi/8, as L/B -> "
+     "infinity (L/B)/3",
+     "the value", 8192},
+    {"nip.indentation",
+     "R d0/L^2, d0 the approach of roller and middle plane; as L/B -> 0 like ln(B/L)/8, as L/B -> infinity 1/8",
+     "the value", 8192},
+    {"nip.creep",
+     "(R/L) creep: strain v' of the surface, without friction its mean, (2/L) v(L/2); as L/B -> infinity like L/B",
+     "(1 + L/B)/10 or the value", 8192},
+    {"nip.peak_pressure",
+     "N R p/L in the middle; as L/B -> 0 without friction 1/2, as L/B -> infinity (L/B)/2", "the value",
+     65536},
+    {"nip.peak_shear", "N R q/L, q the largest magnitude of the shear; 0 without friction",
+     "(1 + L/B)/2 or the value", 8192},
+}};
+
+bool is_gripped(NipArguments x) { return x[2] != 0; }
+
+data::ElasticNip unit_nip(NipArguments x) {
+  check_nip_length(x[0]);
+  return {nip_roller_radius, 1, {1, x[1]}};
+}
+
+NipEstimates nip_by_fast(NipArguments x, fast::Accuracy accuracy) {
+  const data::ElasticNip nip = unit_nip(x);
+  const auto contact = fast::converged_for_length(
+      nip, is_gripped(x) ? data::Friction::full : data::Friction::none, x[0], nip_accuracy(accuracy));
+  const double stress = nip.material.normal_compliance() * nip_roller_radius / x[0];
+  return {in_unit(contact.load(), stress / x[0]),
+          in_unit(contact.indentation(), nip_roller_radius / x[0] / x[0]),
+          in_unit(contact.creep_ratio(), nip_roller_radius / x[0]), in_unit(contact.peak_pressure(), stress),
+          in_unit(contact.peak_shear(), stress)};
+}
+
+struct NipResults {
+  Reference load, indentation, creep_ratio, peak_pressure, peak_shear;
+};
+
+template <class Contact>
+NipResults results_of(const Contact& contact, const Reference& peak_shear) {
+  return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
+}
+
+NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
+  if (gripped) {
+    const auto contact = ref::gripped_for_length(nip, length, digits);
+    return results_of(contact, contact.peak_shear());
+  }
+  const Reference nothing = ref::exact_zero(digits);
+  if (length < std::max(longest_direct, ref::shortest_thin_nip(digits)))
+    return results_of(ref::converged_for_length(nip, length, digits), nothing);
+  const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, digits);
+  return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
+}
+
+NipReferences nip_by_ref(NipArguments x, int digits) {
+  const NipResults results = solved_nip(unit_nip(x), x[0], is_gripped(x), digits);
+  const mpq_class length = x[0], poisson = x[1], radius = nip_roller_radius;
+  const mpq_class stress = 2 * (1 - poisson * poisson) * radius / length;
+  return {in_unit(results.load, stress / length), in_unit(results.indentation, radius / (length * length)),
+          in_unit(results.creep_ratio, radius / length), in_unit(results.peak_pressure, stress),
+          in_unit(results.peak_shear, stress)};
+}
+
+double nip_envelope(std::size_t number, NipArguments x) {
+  if (number == 2) return (1 + x[0]) / 10;
+  return number == 4 ? (1 + x[0]) / 2 : 0;
+}
+
+Point draw_nip(Random& random) {
+  const bool gripped = random.chance(0.3);
+  const bool thin = !gripped && random.chance(0.2);
+  const double shortest = thin ? longest_direct : 1e-6;
+  const double longest = gripped ? longest_gripped_audited : thin ? longest_audited : longest_direct;
+  return {draw_nip_length(random, shortest, longest), draw_nip_poisson(random), gripped ? 1.0 : 0.0};
+}
+
+void keep_nip_in_domain(Point& x) {
+  x[0] = std::clamp(x[0], 1e-6, x[2] != 0 ? longest_gripped_audited : longest_audited);
+  x[1] = std::clamp(x[1], -0.9, 0.5);
+}
+
+}  // namespace
+
+std::vector<Quantity> elastic_nip_entries() {
+  std::vector<Quantity> entries;
+  for (std::size_t i = 0; i < nip_numbers.size(); ++i) {
+    Quantity entry = nip_entry(nip_numbers[i], "thesis 2.2, 2.5, 5.3, 5.5, continuous form", "nip",
+                               {nip_by_fast, nip_by_ref}, i);
+    entry.arguments = {{"L_over_B", ArgumentKind::positive, {}, {}},
+                       {"poisson", ArgumentKind::poisson, {}, {}},
+                       {"friction", ArgumentKind::choice, "none", {}, {"none", "full"}}};
+    entry.audit_points = 20;
+    entry.most_digits = 50;
+    entry.draw = draw_nip;
+    entry.keep_off = keep_nip_in_domain;
+    entry.envelope = [i](NipArguments x) { return nip_envelope(i, x); };
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace nipref::verify

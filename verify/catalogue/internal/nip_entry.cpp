@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/catalogue/internal/kept.hpp>
+#include <nipref/verify/catalogue/internal/nip_entry.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// Contacts of a family that were solved, by either path.
+struct SolvedNips {
+  NipSolver solver;
+  Kept<std::vector<double>, NipEstimates> by_fast;
+  Kept<std::vector<double>, NipReferences> by_ref;
+
+  fast::Estimate fast(std::span<const double> x, fast::Accuracy accuracy, std::size_t number) {
+    std::vector<double> key(x.begin(), x.end());
+    key.push_back(accuracy.rtol());
+    return (*by_fast.at(key, [&] { return solver.fast(x, accuracy); }))[number];
+  }
+  Reference ref(std::span<const double> x, int digits, std::size_t number) {
+    std::vector<double> key(x.begin(), x.end());
+    key.push_back(digits);
+    return (*by_ref.at(key, [&] { return solver.ref(x, digits); }))[number];
+  }
+};
+
+/// One for each family, as long as the program runs.
+SolvedNips& solved_nips(std::string_view family, const NipSolver& solver) {
+  static std::map<std::string, SolvedNips, std::less<>> all;
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
+  const auto [found, is_new] = all.try_emplace(std::string(family));
+  if (is_new) found->second.solver = solver;
+  return found->second;
+}
+
+}  // namespace
+
+void check_nip_length(double L_over_B) {
+  if (!(L_over_B >= shortest_nip && L_over_B <= longest_nip))
+    throw data::BadInput("L_over_B", L_over_B, "must be from 1e-8 to 1000");
+}
+
+double nip_accuracy(fast::Accuracy accuracy) { return std::clamp(accuracy.rtol(), 1e-13, 0.1); }
+
+Reference in_unit(Reference number, const mpq_class& factor) {
+  const mpq_class size = abs(factor);
+  ref::Real rounding(64);
+  mpfr_mul_q(number.value.get(), number.value.get(), factor.get_mpq_t(), MPFR_RNDN);
+  mpfr_mul_q(number.error.get(), number.error.get(), size.get_mpq_t(), MPFR_RNDU);
+  mpfr_abs(rounding.get(), number.value.get(), MPFR_RNDU);
+  mpfr_mul_2si(rounding.get(), rounding.get(), -number.value.precision(), MPFR_RNDU);
+  mpfr_add(number.error.get(), number.error.get(), rounding.get(), MPFR_RNDU);
+  return number;
+}
+
+fast::Estimate in_unit(const fast::Estimate& number, double factor) {
+  // Three roundings of the factor and one of the product.
+  const double value = number.value * factor;
+  return {value, number.error * factor + 0x1p-51 * std::fabs(value)};
+}
+
+Quantity nip_entry(const NipNumber& description, std::string_view source, std::string_view family,
+                   const NipSolver& solver, std::size_t number) {
+  Quantity entry;
+  entry.name = description.name;
+  entry.definition = description.definition;
+  entry.source = source;
+  entry.scale = description.scale;
+  entry.promise = description.promise;
+  entry.family = family;
+  entry.timed_alone = false;
+  entry.ref_takes_doubles = true;
+  SolvedNips& nips = solved_nips(family, solver);
+  entry.by_ref_of_doubles = [&nips, number](std::span<const double> x, int digits) {
+    return nips.ref(x, digits, number);
+  };
+  entry.by_ref = [by_doubles = entry.by_ref_of_doubles](std::span<const ref::Exact> x, int digits) {
+    Point nearest;
+    for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
+    return by_doubles(nearest, digits);
+  };
+  set_fast(entry, [&nips, number](std::span<const double> x, fast::Accuracy accuracy) {
+    return nips.fast(x, accuracy, number).value;
+  });
+  entry.fast_error = [&nips, number](std::span<const double> x, fast::Accuracy accuracy) {
+    return nips.fast(x, accuracy, number).error;
+  };
+  return entry;
+}
+
+double draw_nip_length(Random& random, double shortest, double longest) {
+  switch (random.index(20)) {
+    case 0:
+      return shortest;
+    case 1:
+      return longest;
+    case 2:
+      return 1;
+    default:
+      return random.log_uniform(shortest, longest);
+  }
+}
+
+double draw_nip_poisson(Random& random) {
+  switch (random.index(8)) {
+    case 0:
+      return 0;
+    case 1:
+    case 2:
+      return 0.5 - random.log_uniform(1e-12, 0.3);
+    default:
+      return random.uniform(-0.9, 0.4999);
+  }
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include <nipref/verify/golden/confirm/gripped_contact.hpp>
+#include <nipref/verify/golden/confirm/linear_system.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+using Digits = Number<45>;
+
+/// Where tractions are known: multiples of the step, and where slopes are: half a step farther.
+struct Grid {
+  Digits step;
+  int last;
+
+  [[nodiscard]] Digits node(int j) const { return step * j; }
+  [[nodiscard]] Digits middle(int k) const { return step * k + step / 2; }
+};
+
+/// What the surface of the sheet answers, lengths in half-thicknesses: kernels beside -ln|x|, and their slopes.
+struct Kernels {
+  Smooth normal, stretch, coupling;  ///< I1 + ln|x|, I6 + ln|x| as far as it is of alpha, I3
+
+  Kernels(double half_length, double digits)
+      : normal(made(
+            half_length, digits, [](const mpq_class& x) { return kernel_I1(x).value(); }, true)),
+        stretch(made(
+            half_length, digits, [](const mpq_class& x) { return kernel_I6_alpha(x).value(); }, true)),
+        coupling(made(
+            half_length, digits, [](const mpq_class& x) { return kernel_I3(x).value(); }, false)) {}
+
+  template <class Kernel>
+  static Smooth made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
+    return {Solved(2 * half_length), smooth_points(2 * half_length, digits), [&](const Solved& x) {
+              mpq_class exact;
+              mpfr_get_q(exact.get_mpq_t(), x.backend().data());
+              const Float value = kernel(exact);
+              return Solved(has_logarithm ? Float(value + log(abs(Float(x)))) : value);
+            }};
+  }
+};
+
+Digits sinc(const Digits& x) {
+  if (x == 0) return 1;
+  const Digits angle = pi<Digits>() * x;
+  return sin(angle) / angle;
+}
+
+/// Pressure even, shear odd: by their values on the right.
+class Contact {
+ public:
+  Contact(double half_length, double poisson, const Grid& grid, double digits)
+      : half_length_(half_length),
+        beta_((1 - 2 * Digits(poisson)) / (2 * (1 - Digits(poisson)))),
+        grid_(grid),
+        kernels_(half_length, digits) {
+    solve();
+  }
+
+  [[nodiscard]] std::vector<Solved> numbers() const {
+    Digits load = 0, depth = 0;
+    for (int j = -grid_.last; j <= grid_.last; ++j) {
+      const Digits weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
+      // A - x, without cancellation
+      const Digits distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
+      load += weight * pressure(j);
+      depth += weight * (pressure(j) * (Digits(kernels_.normal(Solved(distance))) - log(distance)) -
+                         shear(j) * Digits(kernels_.coupling(Solved(distance))));
+    }
+    const Digits area = square(half_length_);
+    const auto number = [](const Digits& x) { return Solved(x); };
+    return {number(load / (8 * area)), number((depth / pi<Digits>() + area) / (8 * area)),
+            number(strain_ / (4 * half_length_)), number(pressure(0) / (4 * half_length_)),
+            number(largest_shear() / (4 * half_length_))};
+  }
+
+ private:
+  static Digits square(const Digits& x) { return x * x; }
+  [[nodiscard]] Digits pressure(int j) const { return pressure_[static_cast<std::size_t>(std::abs(j))]; }
+  [[nodiscard]] Digits shear(int j) const {
+    return j < 0 ? Digits(-shear_[static_cast<std::size_t>(-j)]) : shear_[static_cast<std::size_t>(j)];
+  }
+
+  void solve() {
+    const int last = grid_.last;
+    const auto of_pressure = [](int j) { return static_cast<std::size_t>(std::abs(j)); };
+    const auto of_shear = [&](int j) { return static_cast<std::size_t>(last + std::abs(j)); };
+    const std::size_t of_strain = static_cast<std::size_t>(2 * last + 1);
+    LinearSystem<Digits> system(of_strain + 1);
+    for (int k = 0; k <= last; ++k) {
+      const std::size_t slope = static_cast<std::size_t>(k), strain = static_cast<std::size_t>(last + 1 + k);
+      const Digits w = grid_.middle(k), x = half_length_ * tanh(w);
+      for (int j = -last; j <= last; ++j) {
+        const Digits v = grid_.node(j), weight = half_length_ * grid_.step / square(cosh(v));
+        const Solved way(x - half_length_ * tanh(v));
+        const Digits singular = -grid_.step * cosh(w) / (cosh(v) * sinh(w - v));
+        const Digits coupling = weight * Digits(kernels_.coupling.slope(way));
+        const Digits local = pi<Digits>() * beta_ * sinc((w - v) / grid_.step);
+        const int sign = j < 0 ? -1 : 1;
+        system(slope, of_pressure(j)) += singular + weight * Digits(kernels_.normal.slope(way));
+        system(strain, of_pressure(j)) += coupling - local;
+        if (j == 0) continue;
+        system(slope, of_shear(j)) += sign * (local - coupling);
+        system(strain, of_shear(j)) += sign * (singular + weight * Digits(kernels_.stretch.slope(way)));
+      }
+      system.right(slope) = -2 * pi<Digits>() * x;
+      system(strain, of_strain) = -pi<Digits>();
+    }
+    const std::vector<Digits> found = system.solution();
+    pressure_.assign(found.begin(), found.begin() + last + 1);
+    shear_.assign(1, Digits(0));
+    shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
+    strain_ = found.back();
+  }
+
+  [[nodiscard]] Digits shear_at(const Digits& w) const {
+    Digits sum = 0;
+    for (int j = -grid_.last; j <= grid_.last; ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
+    return abs(sum);
+  }
+  /// By the golden section about the largest value known.
+  [[nodiscard]] Digits largest_shear() const {
+    int largest = 1;
+    for (int j = 1; j < grid_.last; ++j) {
+      if (abs(shear(j)) > abs(shear(largest))) largest = j;
+    }
+    const Digits part = (sqrt(Digits(5)) - 1) / 2;
+    Digits from = grid_.node(largest - 1), to = grid_.node(largest + 1);
+    for (int i = 0; i < 60; ++i) {
+      const Digits left = to - part * (to - from), right = from + part * (to - from);
+      (shear_at(left) < shear_at(right) ? from : to) = shear_at(left) < shear_at(right) ? left : right;
+    }
+    return shear_at((from + to) / 2);
+  }
+
+  Digits half_length_, beta_;
+  Grid grid_;
+  Kernels kernels_;
+  std::vector<Digits> pressure_, shear_;
+  Digits strain_;
+};
+
+}  // namespace
+
+std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine) {
+  const Digits step = Digits(fine ? "0.09" : "0.105");
+  return Contact(half_length, poisson, {step, fine ? 290 : 235}, fine ? 32 : 26).numbers();
+}
+
+}  // namespace nipref::verify::confirm

@@ -1,0 +1,126 @@
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <nipref/verify/golden/confirm/linear_system.hpp>
+#include <nipref/verify/golden/confirm/rolled_contact.hpp>
+
+namespace nipref::verify::confirm {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+RolledContact::RolledContact(const Solved& half_length, const std::function<Solved(const Solved& x)>& share,
+                             const std::function<Solved(const Solved& x)>& rest, int points)
+    : half_length_(half_length) {
+  const Solved half_turn = pi<Solved>(), step = half_turn / points;
+  // cos(m step/2): all angles are multiples of half a step.
+  std::vector<Solved> cosine;
+  for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Solved(step * m / 2)));
+  const auto wave = [&](long j, long i) -> const Solved& {
+    return cosine[static_cast<std::size_t>((j * (2 * i + 1)) % (4 * points))];
+  };
+  for (int i = 0; i < points; ++i) nodes_.push_back(wave(1, i));
+  // What -ln|t - s| makes of the interpolant that is 1 at node i and 0 at the others, at node k; a function of the sum
+  // and of the difference of their angles.
+  std::vector<Solved> logarithm;
+  for (int m = 0; m < 2 * points; ++m) {
+    Solved sum = half_turn * log(Solved(2)) / 2;
+    for (long j = 1; j < points; ++j)
+      sum += half_turn / j * cosine[static_cast<std::size_t>((2 * j * m) % (4 * points))];
+    logarithm.push_back(sum / points);
+  }
+  const Solved own_logarithm = -log(half_length_);
+  LinearSystem<Solved> system(at(points) + 2);
+  for (int k = 0; k < points; ++k) {
+    for (int i = 0; i < points; ++i) {
+      const Solved x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
+      const Solved of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
+      system(at(k), at(i)) =
+          half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
+    }
+    // D + slope t - (A t)^2, over pi
+    system(at(k), at(points)) = -half_turn;
+    system(at(k), at(points) + 1) = -half_turn * nodes_[at(k)];
+    system.right(at(k)) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
+  }
+  for (int end = 0; end < 2; ++end) {
+    for (int i = 0; i < points; ++i) {
+      Solved sum = 1;
+      for (long j = 1; j < points; ++j) sum += (end == 0 || j % 2 == 0 ? 2 : -2) * wave(j, i);
+      system(at(points + end), at(i)) = sum;
+    }
+  }
+  values_ = system.solution();
+  const Solved slope = values_[at(points) + 1], level = values_[at(points)];
+  values_.resize(at(points));
+  // d0 - (offset + A t)^2
+  offset_ = -slope / (2 * half_length_);
+  indentation_ = level + offset_ * offset_;
+}
+
+Solved RolledContact::integral(const std::function<Solved(const Solved& x)>& f) const {
+  Solved sum = 0;
+  for (std::size_t i = 0; i < nodes_.size(); ++i) sum += values_[i] * f(half_length_ * nodes_[i]);
+  return sum * half_length_ * pi<Solved>() / nodes_.size();
+}
+
+Solved RolledContact::load() const {
+  return integral([](const Solved&) { return Solved(1); });
+}
+
+Solved RolledContact::moment() const {
+  return integral([](const Solved& x) { return x; });
+}
+
+Solved RolledContact::middle_pressure() const {
+  const long points = static_cast<long>(nodes_.size());
+  Solved sum = 0;
+  for (long i = 0; i < points; ++i) {
+    Solved weight = 1;
+    for (long j = 2; j < points; j += 2)
+      weight += (j % 4 == 0 ? 2 : -2) * cos(pi<Solved>() * j * (2 * i + 1) / (2 * points));
+    sum += weight * values_[static_cast<std::size_t>(i)];
+  }
+  return sum / points;
+}
+
+Smooth::Smooth(const Solved& reach, int points, const std::function<Solved(const Solved& x)>& f)
+    : reach_(reach) {
+  std::vector<Solved> values, cosine;
+  for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(pi<Solved>() * m / (2 * points)));
+  for (int k = 0; k < points; ++k) values.push_back(f(reach * cosine[at(2 * k + 1)]));
+  for (long n = 0; n < points; ++n) {
+    Solved sum = 0;
+    for (long k = 0; k < points; ++k)
+      sum += values[static_cast<std::size_t>(k)] *
+             cosine[static_cast<std::size_t>(n * (2 * k + 1) % (4 * points))];
+    coefficients_.push_back(2 * sum / points);
+  }
+  coefficients_[0] /= 2;
+  slopes_.assign(at(points), Solved(0));
+  for (int n = points - 1; n > 0; --n)
+    slopes_[at(n - 1)] =
+        (n + 1 < points ? slopes_[at(n + 1)] : Solved(0)) + 2 * n * coefficients_[at(n)] / reach;
+  slopes_[0] /= 2;
+}
+
+Solved Smooth::sum(const std::vector<Solved>& coefficients, const Solved& x) const {
+  const Solved u = x / reach_, twice = 2 * u;
+  Solved last = 0, before = 0;
+  for (std::size_t n = coefficients.size() - 1; n > 0; --n) {
+    const Solved next = coefficients[n] + twice * last - before;
+    before = last;
+    last = next;
+  }
+  return coefficients[0] + u * last - before;
+}
+
+int smooth_points(double reach, double digits) {
+  const double height = 2 / reach, ellipse = height + std::hypot(1, height);
+  return 2 * static_cast<int>(8 + digits * std::log(10.0) / std::log(ellipse) / 2);
+}
+
+}  // namespace nipref::verify::confirm
