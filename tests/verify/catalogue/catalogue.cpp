@@ -86,7 +86,12 @@ TEST_CASE("the catalogue holds every quantity") {
                                        "nip.indentation",
                                        "nip.creep",
                                        "nip.peak_pressure",
-                                       "nip.peak_shear"});
+                                       "nip.peak_shear",
+                                       "rolling_nip.resistance",
+                                       "rolling_nip.leading_share",
+                                       "rolling_nip.load",
+                                       "rolling_nip.indentation",
+                                       "rolling_nip.creep"});
 }
 
 TEST_CASE("every entry of the catalogue is complete") {

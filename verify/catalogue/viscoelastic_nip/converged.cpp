@@ -1,0 +1,118 @@
+// Viscoelastic nips in steady frictionless rolling, dimensionless.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/catalogue/internal/nip_entry.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using NipArguments = std::span<const double>;
+
+constexpr std::array<NipNumber, 5> rolling_numbers{{
+    {"rolling_nip.resistance",
+     "(R/L) times the coefficient of rolling resistance, int p Y dY/(W L): the eccentricity of the load over "
+     "the contact; 0 as the memory grows or shrinks beyond the contact",
+     "1/10 or the value", 16384},
+    {"rolling_nip.leading_share",
+     "L1/L, the share of the contact ahead of the line through the rollers' centres", "the value", 16384},
+    {"rolling_nip.load", "N R W/L^2 with N at once, 2(1 - poisson^2)/young; of nip.load as the memory grows",
+     "the value", 16384},
+    {"rolling_nip.indentation", "R d0/L^2; as L/B -> infinity between 1/8 and leading_share^2/2", "the value",
+     16384},
+    {"rolling_nip.creep", "(R/L) (v(L1) - v(-L2))/L, mean strain of the surface in the contact",
+     "(1 + L/B)/10 or the value", 16384},
+}};
+
+/// What is audited: the reference's whole range would take it minutes a value.
+constexpr double shortest_rolling = 1e-4, longest_rolling = 1.5, shortest_memory = 0.1, longest_memory = 1e8;
+
+/// theta = at once [delta + (softening - 1)/tau e^(-t/tau)], theta2 with the rate of the solid; speed 1.
+data::ViscoelasticNip rolling_nip(NipArguments x) {
+  const double length = x[0], poisson = x[2], softening = x[3];
+  check_nip_length(length);
+  if (!(x[1] >= 1e-8 && x[1] <= 1e8)) throw data::BadInput("memory_over_L", x[1], "must be from 1e-8 to 1e8");
+  if (!(poisson > -1 && poisson < 0.5))
+    throw data::BadInput("poisson", poisson, "must satisfy -1 < poisson < 0.5 where the sheet has a memory");
+  if (!(softening > 1 && softening <= 1e6))
+    throw data::BadInput("softening", softening, "must be > 1 and at most 1e6");
+  const double time = x[1] * length, theta1 = 1 + poisson, theta2 = theta1 * (1 - 2 * poisson);
+  const auto function = [&](double at_once, double rate_factor) {
+    return data::MaterialFunction{at_once, {{at_once * (softening - 1) / time, rate_factor / time}}};
+  };
+  return {nip_roller_radius, 1, {function(theta1, 1), function(theta2, x[4] == 0 ? 1 : 2)}, 1};
+}
+
+/// N at once as the material has it.
+mpq_class exact_compliance(const data::ViscoelasticNip& nip) {
+  return mpq_class(nip.material.theta1().instantaneous) + mpq_class(nip.material.theta2().instantaneous);
+}
+
+NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
+  const data::ViscoelasticNip nip = rolling_nip(x);
+  const auto contact = fast::converged_for_length(nip, x[0], nip_accuracy(accuracy));
+  const double over_length = nip_roller_radius / x[0];
+  const double compliance = nip.material.theta1().instantaneous + nip.material.theta2().instantaneous;
+  return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / x[0]),
+          in_unit(contact.load(), compliance * over_length / x[0]),
+          in_unit(contact.indentation(), over_length / x[0]), in_unit(contact.creep_ratio(), over_length)};
+}
+
+NipReferences rolling_by_ref(NipArguments x, int digits) {
+  const data::ViscoelasticNip nip = rolling_nip(x);
+  const auto contact = ref::converged_for_length(nip, x[0], digits);
+  const mpq_class length = x[0], over_length = nip_roller_radius / length;
+  return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / length),
+          in_unit(contact.load(), exact_compliance(nip) * over_length / length),
+          in_unit(contact.indentation(), over_length / length), in_unit(contact.creep_ratio(), over_length)};
+}
+
+double rolling_envelope(std::size_t number, NipArguments x) {
+  if (number == 0) return 0.1;
+  return number == 4 ? (1 + x[0]) / 10 : 0;
+}
+
+Point draw_rolling_nip_point(Random& random) {
+  const double memory =
+      random.chance(0.5) ? random.log_uniform(shortest_memory, 10) : random.log_uniform(10, longest_memory);
+  const double poisson = std::min(draw_nip_poisson(random), 0.5 - 1e-9);
+  const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, 100);
+  const double misprinted = random.chance(0.2) && softening <= 2 ? 1 : 0;
+  return {draw_nip_length(random, shortest_rolling, longest_rolling), memory, poisson, softening, misprinted};
+}
+
+void keep_rolling_in_domain(Point& x) {
+  x[0] = std::clamp(x[0], shortest_rolling, longest_rolling);
+  x[1] = std::clamp(x[1], shortest_memory, longest_memory);
+  x[2] = std::clamp(x[2], -0.9, 0.5 - 1e-9);
+  x[3] = std::clamp(x[3], 1.001, x[4] == 0 ? 101.0 : 2.0);
+}
+
+}  // namespace
+
+std::vector<Quantity> viscoelastic_nip_entries() {
+  std::vector<Quantity> entries;
+  for (std::size_t i = 0; i < rolling_numbers.size(); ++i) {
+    Quantity entry = nip_entry(rolling_numbers[i], "thesis 2.1-2.6, 7.6, 7.15, 7.17, continuous form",
+                               "rolling_nip", {rolling_by_fast, rolling_by_ref}, i);
+    entry.arguments = {
+        {"L_over_B", ArgumentKind::positive, {}, {}},
+        {"memory_over_L", ArgumentKind::positive, {}, {}},
+        {"poisson", ArgumentKind::poisson, "0.3333333333333333", {}},
+        {"softening", ArgumentKind::positive, "2", {}},
+        {"material", ArgumentKind::choice, "standard-linear-solid", {}, {"standard-linear-solid", "thesis"}}};
+    entry.audit_points = 3;
+    entry.most_digits = 30;
+    entry.draw = draw_rolling_nip_point;
+    entry.keep_off = keep_rolling_in_domain;
+    entry.envelope = [i](NipArguments x) { return rolling_envelope(i, x); };
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+}  // namespace nipref::verify
