@@ -37,6 +37,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"table", {""}}}},
     {"ref",
      {{"number", {}},
+      {"material", {"number"}},
       {"sheet", {"number"}},
       {"memory", {"number", "sheet"}},
       {"elastic_nip", {"number", "sheet"}},
@@ -44,6 +45,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"half_space", {"number"}}}},
     {"fast",
      {{"number", {}},
+      {"material", {"number"}},
       {"sheet", {"number"}},
       {"memory", {"number", "sheet"}},
       {"nip", {"number", "sheet"}},
@@ -216,8 +218,8 @@ TEST_CASE("ref and fast mirror each other: the same path is the same thing, comp
   }
   for (const std::string subject :
        {"sheet/kernels", "sheet/roots", "sheet/displacements", "memory/convolutions", "memory/moving_load",
-        "elastic_nip/converged", "elastic_nip/line_loads", "half_space/response", "half_space/sliding",
-        "half_space/rolling_sphere", "half_space/elliptic"}) {
+        "material/moduli", "elastic_nip/converged", "elastic_nip/line_loads", "half_space/response",
+        "half_space/sliding", "half_space/rolling_sphere", "half_space/elliptic"}) {
     CAPTURE(subject);
     CHECK(both.contains(subject));
   }

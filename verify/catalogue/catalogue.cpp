@@ -24,6 +24,7 @@ std::vector<Quantity> gather() {
   add("memory", {memory_entries(), moving_load_entries()});
   add("half_space", {half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
                      elliptic_contact_entries(), seed_sphere_entries(), anisotropic_entries()});
+  add("material", {material_entries()});
   add("elastic_nip", {elastic_nip_entries()});
   add("viscoelastic_nip", {viscoelastic_nip_entries()});
   return all;

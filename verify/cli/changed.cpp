@@ -11,12 +11,13 @@ namespace {
 
 using Subjects = std::set<std::string>;
 
-const Subjects everything{"sheet", "memory", "half_space", "contacts"};
+const Subjects everything{"sheet", "memory", "half_space", "material", "contacts"};
 
 /// What is computed from a subject of ref or fast.
 const std::map<std::string, Subjects> users{{"sheet", {"sheet", "memory", "contacts"}},
                                             {"memory", {"memory", "contacts"}},
                                             {"half_space", {"half_space", "contacts"}},
+                                            {"material", {"material"}},
                                             {"nip", {"contacts"}},
                                             {"elastic_nip", {"contacts"}},
                                             {"viscoelastic_nip", {"contacts"}}};

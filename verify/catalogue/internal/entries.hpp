@@ -25,6 +25,8 @@ std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, d
 std::vector<Quantity> displacement_entries();      ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 std::vector<Quantity> field_entries();             ///< inside the sheet, thesis (3.19), (3.20)
 std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelastic one, thesis chapter VII
+std::vector<Quantity>
+material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
 // Arguments that several entries share, with their hard values.
 

@@ -78,7 +78,7 @@ Solved remembered_sign(const Solved& x, const Solved& rate) {
   return x > 0 ? Solved(1 - 2 * exp(-rate * x)) : Solved(-1);
 }
 
-std::vector<Solved> rolling(Arguments x, double digits, bool coarse) {
+std::vector<Solved> rolling(Arguments x, bool coarse) {
   const Solved half_length = x[0];
   // As the material has them: in doubles.
   const double time = x[1] * x[0], theta1 = 1 + x[2], theta2 = theta1 * (1 - 2 * x[2]);
@@ -110,13 +110,13 @@ std::vector<Solved> rolling(Arguments x, double digits, bool coarse) {
       sum += memory.amplitude * rate(memory) * remembered(Remembered::I1, w, memory.rate, coarse);
     return sum;
   };
-  // Growing exponentials, besides.
+  // Growing exponentials, besides; an even number.
   const double growth = 3 * x[0] * static_cast<double>(rate(memories.back()));
-  const Smooth rest(2 * half_length, smooth_points(2 * x[0], digits) + 2 * static_cast<int>(growth / 2),
+  const int more = (coarse ? 8 : 16) + 2 * static_cast<int>(growth / 2);
+  const Smooth rest(2 * half_length, smooth_points(2 * x[0], 11) + more,
                     [&](const Solved& w) { return Solved(normal(w) + share(w) * log(abs(w))); });
   const RolledContact contact(
-      half_length, share, [&](const Solved& w) { return rest(w); },
-      smooth_points(x[0], digits) + static_cast<int>(growth));
+      half_length, share, [&](const Solved& w) { return rest(w); }, smooth_points(x[0], 11) + more);
   // theta2 * I2 - N * I3, whose smooth part is that without the sign.
   const Solved beta = Solved(theta2) / compliance;
   const auto tangential = [&](const Solved& w) {
@@ -137,7 +137,7 @@ std::vector<Solved> rolling(Arguments x, double digits, bool coarse) {
 }
 
 Numbers rolling_numbers(Arguments x) {
-  return compared("Kress's rule in Chebyshev's singular weight", rolling(x, 11, false), rolling(x, 9, true));
+  return compared("Kress's rule in Chebyshev's singular weight", rolling(x, false), rolling(x, true));
 }
 
 Confirm of_family(std::size_t number, Numbers (*solve)(Arguments)) {
