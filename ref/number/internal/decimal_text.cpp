@@ -28,6 +28,12 @@ std::string print(const char* format, int digits, const Real& x) {
   return result;
 }
 
+bool is_exact(const std::string& text, const Real& value) {
+  Real read(value.precision());
+  const int rounded = mpfr_strtofr(read.get(), text.c_str(), nullptr, 10, MPFR_RNDN);
+  return rounded == 0 && mpfr_equal_p(read.get(), value.get()) != 0;
+}
+
 }  // namespace
 
 std::string decimal_text(const Real& value, int digits) {
@@ -35,7 +41,7 @@ std::string decimal_text(const Real& value, int digits) {
 }
 
 std::string error_text(const Real& value, const Real& error, int digits) {
-  if (mpfr_zero_p(error.get())) return "0";
+  if (mpfr_zero_p(error.get()) && is_exact(decimal_text(value, digits), value)) return "0";
   Real sum(error);
   Real last_place(error_precision);
   mpfr_set_si(last_place.get(), decimal_exponent(value) + 2 - printed_digits(value, digits), MPFR_RNDU);

@@ -205,3 +205,17 @@ TEST_CASE("exact numbers are read exactly or not at all") {
   }
   CHECK_THROWS_AS(Exact(std::nan("")), BadInput);
 }
+
+TEST_CASE("a number known exactly has no error, but its text may") {
+  const auto known = [](double value) {
+    Enclosure result{nipref::ref::Real(53), nipref::ref::Real(64), 16};
+    mpfr_set_d(result.value.get(), value, MPFR_RNDN);
+    return result;
+  };
+  CHECK(known(0.5).bound_text() == "0");
+  CHECK(known(0).bound_text() == "0");
+  // 0.1000000000000000055511151231257827...
+  CHECK(known(0.1).value_text() == "0.1000000000000000056");
+  CHECK(Float160(known(0.1).bound_text()) >= Float160("4.8e-20"));
+  CHECK(Float160(known(0.1).bound_text()) < Float160("1e-18"));
+}
