@@ -76,20 +76,20 @@ double rolling_envelope(std::size_t number, NipArguments x) {
   return number == 4 ? (1 + x[0]) / 10 : 0;
 }
 
-Point draw_rolling_nip_point(Random& random) {
-  const double memory =
-      random.chance(0.5) ? random.log_uniform(shortest_memory, 10) : random.log_uniform(10, longest_memory);
-  const double poisson = std::min(draw_nip_poisson(random), 0.5 - 1e-9);
-  const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, 100);
-  const double misprinted = random.chance(0.2) && softening <= 2 ? 1 : 0;
-  return {draw_nip_length(random, shortest_rolling, longest_rolling), memory, poisson, softening, misprinted};
-}
-
+/// The misprinted solid is one for the thesis's constants; for others it may gain energy.
 void keep_rolling_in_domain(Point& x) {
   x[0] = std::clamp(x[0], shortest_rolling, longest_rolling);
   x[1] = std::clamp(x[1], shortest_memory, longest_memory);
-  x[2] = std::clamp(x[2], -0.9, 0.5 - 1e-9);
-  x[3] = std::clamp(x[3], 1.001, x[4] == 0 ? 101.0 : 2.0);
+  x[2] = x[4] == 0 ? std::clamp(x[2], -0.9, 0.5 - 1e-9) : 1.0 / 3;
+  x[3] = x[4] == 0 ? std::clamp(x[3], 1.001, 101.0) : 2;
+}
+
+Point draw_rolling_nip_point(Random& random) {
+  const double memory =
+      random.chance(0.5) ? random.log_uniform(shortest_memory, 10) : random.log_uniform(10, longest_memory);
+  const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, 100);
+  return {draw_nip_length(random, shortest_rolling, longest_rolling), memory, draw_nip_poisson(random),
+          softening, random.chance(0.2) ? 1.0 : 0.0};
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace nipref::verify::confirm {
 namespace {
 
-using Digits = Number<45>;
+using Digits = Number<40>;
 
 /// Where tractions are known: multiples of the step, and where slopes are: half a step farther.
 struct Grid {
@@ -145,8 +145,8 @@ class Contact {
 }  // namespace
 
 std::vector<Solved> gripped_numbers(double half_length, double poisson, bool fine) {
-  const Digits step = Digits(fine ? "0.09" : "0.105");
-  return Contact(half_length, poisson, {step, fine ? 290 : 235}, fine ? 32 : 26).numbers();
+  const Digits step = Digits(fine ? "0.095" : "0.105");
+  return Contact(half_length, poisson, {step, fine ? 250 : 220}, fine ? 26 : 22).numbers();
 }
 
 }  // namespace nipref::verify::confirm

