@@ -11,16 +11,18 @@ namespace {
 
 using Subjects = std::set<std::string>;
 
-const Subjects everything{"sheet", "memory", "half_space", "material", "contacts"};
+const Subjects everything{"sheet",       "memory",           "half_space", "material",
+                          "elastic_nip", "viscoelastic_nip", "contacts"};
 
 /// What is computed from a subject of ref or fast.
-const std::map<std::string, Subjects> users{{"sheet", {"sheet", "memory", "contacts"}},
-                                            {"memory", {"memory", "contacts"}},
-                                            {"half_space", {"half_space", "contacts"}},
-                                            {"material", {"material"}},
-                                            {"nip", {"contacts"}},
-                                            {"elastic_nip", {"contacts"}},
-                                            {"viscoelastic_nip", {"contacts"}}};
+const std::map<std::string, Subjects> users{
+    {"sheet", {"sheet", "memory", "elastic_nip", "viscoelastic_nip", "contacts"}},
+    {"memory", {"memory", "viscoelastic_nip", "contacts"}},
+    {"half_space", {"half_space", "contacts"}},
+    {"material", {"material"}},
+    {"nip", {"elastic_nip", "viscoelastic_nip", "contacts"}},
+    {"elastic_nip", {"elastic_nip", "contacts"}},
+    {"viscoelastic_nip", {"viscoelastic_nip", "contacts"}}};
 
 std::vector<std::string> parts_of(const std::string& path) {
   std::vector<std::string> parts;

@@ -21,7 +21,8 @@ TEST_CASE(
     const double allowed =
         mpfr_get_d(found.error.get(), MPFR_RNDU) + mpfr_get_d(truth.error_bound.get(), MPFR_RNDU);
     CHECK(std::fabs(mpfr_get_d(distance.get(), MPFR_RNDA)) <= allowed);
-    CHECK(allowed < 1e-17 * std::fabs(truth.to_double()));
+    CHECK(allowed <
+          1e-16 * std::fabs(truth.to_double()));  // of the displacements, that is, not of the strain
   };
   check(thin.load, contact.load());
   check(thin.indentation, contact.indentation());
