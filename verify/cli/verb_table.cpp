@@ -30,7 +30,7 @@ const OptionText form_option{
     "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
 const OptionText points_text{
     "points",
-    "points for each of the named quantities, 1 to 1e8 (default: each its own, 6 to 20000, see list)"};
+    "points for each of the named quantities, 1 to 1e8 (default: each its own, 3 to 20000, see list)"};
 const OptionText density_option{
     "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
 
