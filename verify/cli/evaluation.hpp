@@ -10,10 +10,6 @@
 
 namespace nipref::verify {
 
-/// What the errors of fast are not about.
-inline constexpr auto of_the_nearest_doubles =
-    "fast takes each argument rounded to the nearest double; its error is for that argument.";
-
 /// One path's answer, as it is printed.
 struct EvalAnswer {
   std::string path;  ///< or the name of the seed's form
