@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/data/material/seed_solids.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
