@@ -120,7 +120,7 @@ Wide theta2(Arguments x) {
 Confirm by_states(Wide (*value)(Arguments)) {
   return [value](Arguments x) {
     const Wide found = value(x);
-    return witness<Wide>("equations of springs and dashpots, squared series", found, found * Wide("1e-200"));
+    return witness<Wide>("equations of springs and dashpots by their series", found, found * Wide("1e-200"));
   };
 }
 
