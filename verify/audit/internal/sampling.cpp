@@ -198,11 +198,10 @@ std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, R
     for (const double value : values) {
       Point point = draw_point(quantity, ranges, random);
       point[i] = value;
-      points.push_back(kept_off(quantity, ranges, point));
+      points.push_back(point);
       if (!is_position(argument.kind)) continue;
       tie_positions(quantity, point, i);
-      if (point != points.back() && contains(ranges, point))
-        points.push_back(kept_off(quantity, ranges, point));
+      if (point != points.back() && contains(ranges, point)) points.push_back(point);
     }
   }
   return points;

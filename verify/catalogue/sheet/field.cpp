@@ -1,5 +1,6 @@
 // Inside the sheet, under one line load on each face.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -24,35 +25,23 @@ SheetLoad load_of(const ref::Exact& number) { return load_of(number.approximate(
 
 Argument load_argument() { return {"load", ArgumentKind::choice, "normal", {}, {"normal", "shear"}}; }
 
+Argument place_argument(std::string name) { return {std::move(name), ArgumentKind::position, {}, {}}; }
+Argument depth_argument() { return {"depth", ArgumentKind::depth, {}, {}}; }
+Argument ratio_argument() { return {"poisson", ArgumentKind::poisson, {}, {}}; }
+
 /// Where fast goes over from closed forms to residues, and where those underflow.
-Argument place_argument(std::string name) {
-  return {std::move(name),
-          ArgumentKind::position,
-          std::nullopt,
-          {0.0, 1e-300, -1e-16, 1e-8, 0.5, std::nextafter(1.25, 0.0), 1.25, -1.25, 12.2, 100, -336, 354, 400,
-           700}};
-}
-
-Argument depth_argument() {
-  const double inside = std::nextafter(1.0, 0.0);
-  return {"depth",
-          ArgumentKind::depth,
-          std::nullopt,
-          {-1, -inside, -0.5, -1e-300, 0, 1e-16, std::nextafter(0.5, 0.0), 0.5, 0.9, inside, 1}};
-}
-
-Argument ratio_argument() {
-  return {"poisson", ArgumentKind::poisson, std::nullopt, {-0.999, 0.0, 0.25, 0.3, 0.4999, 0.5}};
-}
+constexpr std::array hard_alphas{0.0,  1e-300, 1e-16, 1e-8,  0.5,   0x1.3ffffffffffffp+0,
+                                 1.25, 12.2,   100.0, 336.0, 354.0, 700.0};
+constexpr std::array hard_depths{1.0, 1 - 0x1p-53, 0.9, 0.5, 0.5 - 0x1p-54, 1e-16, 1e-300, 0.0};
 
 struct Place {
   double alpha, depth;
 };
 
-/// Towards the load along a line, on and just below the face, near the middle plane, far away.
-Place draw_place(Random& random) {
+/// Towards the load along a line, on and just below the face, near the middle plane, far away, hard places.
+Place draw_anywhere(Random& random) {
   const double side = random.chance(0.5) ? 1 : -1, face = random.chance(0.5) ? 1 : -1;
-  switch (random.index(6)) {
+  switch (random.index(7)) {
     case 0:
     case 1: {
       const double distance = random.log_uniform(nearest_on_the_face * 2, 1);
@@ -66,8 +55,11 @@ Place draw_place(Random& random) {
       return {side * random.log_uniform(1e-20, 10), face * random.log_uniform(nearest_on_the_face, 1)};
     case 4:
       return {side * random.uniform(0, 3), random.uniform(-1, 1)};
-    default:
+    case 5:
       return {side * random.log_uniform(1e-3, 700), random.uniform(-1, 1)};
+    default:
+      return {side * hard_alphas[random.index(hard_alphas.size())],
+              face * hard_depths[random.index(hard_depths.size())]};
   }
 }
 
@@ -78,6 +70,12 @@ double draw_ratio(Random& random) {
 void keep_off_the_load(double& alpha, double& depth) {
   depth = std::clamp(depth, -1.0, 1.0);
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
+}
+
+Place draw_place(Random& random) {
+  Place at = draw_anywhere(random);
+  keep_off_the_load(at.alpha, at.depth);
+  return at;
 }
 
 Quantity field_entry(std::string name, std::string definition) {
