@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double third = 1.0 / 3;
+constexpr double one_third = 1.0 / 3;
 
 double integral(const auto& integrand, double from, double to) {
   return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(integrand, from, to, 12, 1e-14);
@@ -41,14 +41,14 @@ double pinned(double eta) {
   const auto integrand = [eta](double z) {
     if (z == 0) return 0.0;
     const double a = (std::sinh(z) + z * std::cosh(z)) / denominator(z), d = -std::sinh(z) / denominator(z);
-    return -2 / pi * (a + 2 * (1 - third) * d) * std::sin(eta * z) / z;
+    return -2 / pi * (a + 2 * (1 - one_third) * d) * std::sin(eta * z) / z;
   };
   return integral(integrand, 0, far);
 }
 
 Settlement lost_pi() {
   constexpr double eta = 0.7;
-  const double sum = fast::I4(eta) + fast::I5(eta), last = 2 * (1 - third) / pi * fast::I4(eta);
+  const double sum = fast::I4(eta) + fast::I5(eta), last = 2 * (1 - one_third) / pi * fast::I4(eta);
   return {"the terms in eta of v_n E/(1 + nu), eta = 0.7, nu = 1/3", -sum + last, -sum / pi + last,
           pinned(eta), 1e-13};
 }
@@ -56,7 +56,7 @@ Settlement lost_pi() {
 Settlement one_factor_for_two_sums() {
   constexpr double eta = 0.7;
   // theta1 = 1, theta2 = 1 - 2 nu in units of (1 + nu)/E; the sums are the integrals over pi without their limits 1/4.
-  constexpr double theta1 = 1, theta2 = 1 - 2 * third, both = theta1 + theta2;
+  constexpr double theta1 = 1, theta2 = 1 - 2 * one_third, both = theta1 + theta2;
   const double fourth = fast::I4(eta) / pi - 0.25, fifth = fast::I5(eta) / pi - 0.25;
   const double constant = -(theta1 - theta2) / (4 * both);
   return {"F1(0.7), nu = 1/3", theta2 / both * (fourth - fifth) + constant,
