@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,14 @@ std::vector<Solved> without_friction(Arguments x, double digits) {
           contact.middle_pressure() / (4 * half_length), 0};
 }
 
+/// Of contacts so long that the rule's points would take for ever, or so long and gripped: nothing is confirmed.
+constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5;
+
 Numbers elastic_numbers(Arguments x) {
+  if (x[0] > (x[2] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
+    const Solved unknown = std::numeric_limits<double>::infinity();
+    return Numbers(elastic_names.size(), witness<Solved>("no rule for so long a contact", 0, unknown));
+  }
   if (x[2] == 0) {
     return compared("Kress's rule in Chebyshev's singular weight", without_friction(x, 24),
                     without_friction(x, 19));
