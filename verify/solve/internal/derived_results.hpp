@@ -1,5 +1,6 @@
 #pragma once
 #include <string_view>
+#include <vector>
 
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
@@ -28,6 +29,10 @@ class WithDerivedResults : public SolvedContact<Number> {
 
   [[nodiscard]] Number number(std::string_view name) const override;
   [[nodiscard]] Number at(std::string_view name, double y) const override { return contact_.at(name, y); }
+  [[nodiscard]] std::vector<Number> inside(std::string_view name,
+                                           const data::FieldPlaces& places) const override {
+    return contact_.inside(name, places);
+  }
   [[nodiscard]] ProfileExtent profile_extent() const override { return contact_.profile_extent(); }
   [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override;
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
