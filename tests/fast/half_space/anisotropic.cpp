@@ -102,7 +102,7 @@ TEST_CASE("anisotropic half-space: an axis of symmetry in the surface, by the cl
 }
 
 TEST_CASE(
-    "anisotropic half-space: a solid that is turned answers as it did, turned; opposite lines are the same") {
+    "anisotropic half-space: a solid that is turned answers as it did, turned, and opposite lines are the same") {
   const double angle = 0.7, speed = 1;
   const Direction motion = Direction::of_angle(0.2), turned_motion = Direction::of_angle(0.2 + angle);
   const AnisotropicHalfSpace before(triclinic(), motion, speed),

@@ -77,7 +77,7 @@ TEST_CASE(
   MESSAGE("largest departure of a resultant along the sheet: ", worst);
 }
 
-TEST_CASE("resultants over sections: int sigma_y = 0, -sign alpha under shear loads; int tau = 0") {
+TEST_CASE("resultants over sections: int sigma_y = 0, -sign alpha under shear loads, and int tau = 0") {
   double worst = 0;
   for (const double alpha : {0.3, 1.0, -1.2, 1.3, 5.0, -20.0}) {
     CAPTURE(alpha);
