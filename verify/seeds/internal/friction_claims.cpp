@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
@@ -147,10 +148,50 @@ ClaimOutcome sign_of_creep() {
   return outcome;
 }
 
+/// d ln W/d ln L
+double load_exponent(double length_over_thickness, Friction friction, double poisson) {
+  constexpr double step = 1e-3;
+  const auto load = [&](double length) {
+    // The roller's radius is that of the contact in the middle.
+    const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, poisson}};
+    return fast::converged_for_length(nip, friction, 2 * length, claims_accuracy).load().value;
+  };
+  return std::log(load(length_over_thickness * (1 + step)) / load(length_over_thickness * (1 - step))) /
+         (std::log1p(step) - std::log1p(-step));
+}
+
+ClaimOutcome load_as_cube() {
+  struct Sheet {
+    double length;
+    Friction friction;
+    double poisson;
+  };
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  double least = 10, most = 0;
+  for (const Sheet& sheet : {Sheet{0.01, Friction::none, third},
+                             {1, Friction::none, third},
+                             {100, Friction::none, third},
+                             {100, Friction::full, third},
+                             {100, Friction::full, 0.5}}) {
+    const double exponent = load_exponent(sheet.length, sheet.friction, sheet.poisson);
+    outcome.numbers.push_back({fmt::format("d ln W/d ln L, L/B = {}, nu = {:.3g}, {} friction", sheet.length,
+                                           sheet.poisson, sheet.friction == Friction::none ? "no" : "full"),
+                               exponent});
+    least = std::min(least, exponent);
+    most = std::max(most, exponent);
+  }
+  outcome.why = fmt::format("the exponent is {:.2f} to {:.2f}: 2 on thick sheets, 3 on springs, 5 in a film",
+                            least, most);
+  constexpr double agreement = 0.1;
+  if (least < 3 - agreement || most > 3 + agreement) outcome.verdict = ClaimVerdict::fails;
+  return outcome;
+}
+
 }  // namespace
 
 ClaimChecks friction_claims() {
-  return {{"thesis-creep-with-friction", creep_with_friction},
+  return {{"thesis-load-as-cube", load_as_cube},
+          {"thesis-creep-with-friction", creep_with_friction},
           {"thesis-friction-on-length", friction_on_length},
           {"thesis-friction-on-indentation", friction_on_indentation},
           {"thesis-length-without-friction", length_without_friction},
