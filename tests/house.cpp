@@ -62,9 +62,10 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"grade", {"support", "catalogue", "audit"}},
       {"witness", {"support", "solve"}},
       {"seeds", {"support", "catalogue"}},
+      {"figures", {"support", "catalogue", "replay"}},
       {"c_interface", {"support", "catalogue"}},
       {"golden", {"support", "catalogue", "audit"}},
-      {"cli", {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds"}}}},
+      {"cli", {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

@@ -43,6 +43,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "limits") return verify::limits_verb(line, out);
   if (line.verb == "claims") return verify::claims_verb(line, out);
   if (line.verb == "errata") return verify::errata_verb(line, out);
+  if (line.verb == "figures") return verify::figures_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);
   return verify::tables_verb(

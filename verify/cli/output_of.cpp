@@ -1,8 +1,11 @@
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
+#include <memory>
 
+#include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/output_of.hpp>
 
 namespace nipref::verify {
@@ -15,12 +18,29 @@ std::string quoted(const std::string& word) {
   return text + "' ";
 }
 
+using File = std::unique_ptr<FILE, int (*)(FILE*)>;
+
+/// A file without a name that holds the text.
+File file_with(std::string_view text) {
+  File file(std::tmpfile(), std::fclose);
+  if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
+      std::fflush(file.get()) != 0)
+    throw OutputError("temporary file");
+  return file;
+}
+
+/// By which another process opens it.
+std::string name_of(const File& file) {
+  return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(fileno(file.get()));
+}
+
 }  // namespace
 
-ProgramOutput output_of(const std::vector<std::string>& words) {
+ProgramOutput output_of(const std::vector<std::string>& words, std::string_view input) {
+  const File file = file_with(input);
   std::string command;
   for (const std::string& word : words) command += quoted(word);
-  FILE* const pipe = popen((command + "2>/dev/null").c_str(), "r");
+  FILE* const pipe = popen((command + "<" + name_of(file) + " 2>/dev/null").c_str(), "r");
   if (pipe == nullptr) return {-1, ""};
   std::string text;
   std::array<char, 4096> buffer{};

@@ -7,6 +7,7 @@
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
+#include <nipref/verify/support/internal/csv_field.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
@@ -44,14 +45,6 @@ std::vector<FinishedRow> finished_rows(const Sweep& sweep, bool quiet) {
     // What was finished by then is told.
   }
   return rows;
-}
-
-/// In quotes where a comma or a quote would be misread.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
 }
 
 std::string refusal_text(const FinishedRow& row) {

@@ -89,6 +89,10 @@ const OptionText all_flag{"all",
                           "check: recompute every row by ref, slow ones too; update: change every row"};
 const OptionText dirty_flag{"dirty", "update: though the program was built from no clean commit"};
 
+const OptionText figure_csv_option{"csv", "file for its numbers, a line for each point"};
+const OptionText figure_svg_option{"svg", "file for the figure, drawn by gnuplot"};
+const OptionText figure_list_flag{"list", "only list the figures"};
+
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
 const OptionText quiet_flag{"quiet", "tell no progress"};
@@ -170,6 +174,14 @@ const std::array all_verbs{
              {},
              {json_flag, no_times_flag},
              {"nipref errata", "nipref errata thesis-4.8 --json"}},
+    VerbText{"figures",
+             "The seeds' figures from our own solvers: the seed's method, what is printed, and what is true.",
+             "figure",
+             "the id of one, as --list shows them; without --csv and --svg its numbers are printed as CSV",
+             {figure_csv_option, figure_svg_option},
+             {figure_list_flag, json_flag, no_times_flag},
+             {"nipref figures --list", "nipref figures thesis-17 --svg thesis-17.svg",
+              "nipref figures brock2013-3 --csv contours.csv"}},
     VerbText{
         "audit",
         "Largest error of fast against ref, by a search for the worst argument.",

@@ -19,6 +19,7 @@ int golden_verb(const CommandLine& line, std::ostream& out);
 int limits_verb(const CommandLine& line, std::ostream& out);
 int claims_verb(const CommandLine& line, std::ostream& out);
 int errata_verb(const CommandLine& line, std::ostream& out);
+int figures_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
 

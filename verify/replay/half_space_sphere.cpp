@@ -3,60 +3,20 @@
 
 #include <cmath>
 #include <map>
-#include <memory>
 
 #include <nipref/fast/half_space/elliptic.hpp>
-#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/replay/internal/half_space_cells.hpp>
+#include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
 
 namespace nipref::verify {
 namespace {
 
 /// The paper's C11/mu_0, a slip for 0.18005, with which its c_plus and c_minus were made.
 constexpr double printed_d1 = 0.1803;
-
-/// The two bodies as the table's header states them, GPa and kg/m^3.
-struct Bodies {
-  data::IsotropicSolid sphere;
-  data::TransverselyIsotropicSolid half_space;
-  ScaledModuli scaled;
-
-  explicit Bodies(const data::Table& table) {
-    const auto value = [&](const char* name) { return table.parameter(name).value; };
-    const double c_d = value("c_D");
-    const double mu0 = value("mu0");
-    sphere = {mu0, (c_d * c_d - 2) / (2 * (c_d * c_d - 1)), value("rho0")};
-    half_space = {value("C11"), value("C33"), value("C13"), value("C55"), value("C66"), value("rho")};
-    scaled = {half_space.c11 / mu0,
-              half_space.c33 / mu0,
-              half_space.c13 / mu0,
-              half_space.c44 / mu0,
-              half_space.c66 / mu0,
-              std::sqrt(half_space.density / sphere.density),
-              c_d};
-  }
-
-  /// v_0, the sphere's shear wave speed.
-  [[nodiscard]] double speed_unit() const { return std::sqrt(sphere.shear / sphere.density); }
-
-  /// Both bodies together, by the angle from the motion; c0 is speed over that of the sphere's shear waves.
-  /// The patch moves in the sphere, as the paper has it.
-  [[nodiscard]] fast::SurfaceResponse in_contact(data::SymmetryAxis axis, fast::Direction motion,
-                                                 double c0) const {
-    const double speed = c0 * speed_unit();
-    const auto surface =
-        std::make_shared<const fast::TransverselyIsotropicHalfSpace>(half_space, axis, motion, speed);
-    return [=, sphere = sphere](fast::Direction from_motion) -> fast::LineResponse {
-      const fast::LineResponse lower = surface->along(from_motion.turned(motion));
-      const fast::LineResponse upper = fast::isotropic_response(sphere, speed, from_motion);
-      return fast::in_contact(lower, upper);
-    };
-  }
-};
 
 double key_of(const data::Table& table, std::size_t row) {
   return table.cell(row, table.columns.front().name).number->value;
@@ -109,7 +69,7 @@ class InPlaneSpans {
     return across / compliance(fast::Direction::of_degrees(theta_), 1);
   }
 
-  Bodies bodies_;
+  SphereOnHalfSpace bodies_;
   double theta_;
   mutable std::map<double, Contact> contacts_;  ///< one for each column
 };
@@ -144,7 +104,7 @@ data::Interval with_the_columns_unit(const data::Table& table, const std::string
 }  // namespace
 
 std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
-  const Bodies bodies(table);
+  const SphereOnHalfSpace bodies(table);
   std::vector<HalfSpaceCell> cells;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const double friction = key_of(table, row);
@@ -173,7 +133,7 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
 }
 
 std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
-  const Bodies bodies(table);
+  const SphereOnHalfSpace bodies(table);
   data::TransverselyIsotropicSolid with_printed_d1 = bodies.half_space;
   with_printed_d1.c11 = printed_d1 * bodies.sphere.shear;
   std::vector<HalfSpaceCell> cells;

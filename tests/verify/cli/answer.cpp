@@ -70,6 +70,8 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
       {"limits limit.hertz.load", "limits"},
       {"claims brock2013-no-root", "claims"},
       {"errata", "errata"},
+      {"figures thesis-15", "figures"},
+      {"figures --list", "figures_list"},
       {"bench I7", "bench"},
       {"bench root.re --against '" + program() + "'", "bench_against"},
       {"tables thesis-VII thesis-XI brock2013-1", "tables"},

@@ -1,0 +1,251 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+
+#include "support/run_nipref.hpp"
+#include "support/scratch_file.hpp"
+
+namespace {
+
+using namespace nipref;
+using verify::Figure;
+using verify::Series;
+
+Figure figure(const std::string& id) {
+  const auto plans = verify::figures();
+  const auto plan = std::ranges::find(plans, id, &verify::FigurePlan::id);
+  REQUIRE(plan != plans.end());
+  return verify::compute(*plan);
+}
+
+const Series& series_of(const verify::Panel& panel, const std::string& label, const std::string& role) {
+  const auto found = std::ranges::find_if(
+      panel.series, [&](const Series& one) { return one.label == label && one.role == role; });
+  REQUIRE(found != panel.series.end());
+  return *found;
+}
+
+/// Of a curve at a place that is, to rounding, among its own.
+double at(const Series& curve, double x) {
+  for (std::size_t i = 0; i < curve.x.size(); ++i) {
+    if (std::fabs(curve.x[i] - x) <= 1e-12 * std::fabs(x)) return curve.y[i];
+  }
+  FAIL("the curve has no such place");
+  return 0;
+}
+
+/// A panel's series of one label against the table it is of.
+struct Drawn {
+  std::string label, table, column, key;
+};
+
+void check_against_table(const verify::Panel& panel, const Drawn& drawn) {
+  CAPTURE(drawn.label);
+  verify::Replay replay = verify::replay_table(drawn.table);
+  verify::correct(replay);
+  const Series& curve = series_of(panel, drawn.label, "continuous contact");
+  const Series& replayed = series_of(panel, drawn.label, "thesis's method");
+  REQUIRE(replayed.y.size() == replay.table.rows.size());
+  std::size_t cells = 0;
+  for (const verify::ReplayedCell& cell : replay.cells) {
+    if (cell.column != drawn.column) continue;
+    CAPTURE(cell.row);
+    ++cells;
+    CHECK(replayed.y[cell.row] == cell.value);
+    const double place = replay.table.cell(cell.row, drawn.key).number->value;
+    CHECK(at(curve, place) == doctest::Approx(*cell.corrected).epsilon(2e-6));
+  }
+  CHECK(cells == replay.table.rows.size());
+  const Series& printed = series_of(panel, drawn.label, "printed");
+  CHECK(printed.x.size() > cells / 2);
+  for (std::size_t i = 0; i < printed.x.size(); ++i) {
+    CHECK(printed.low[i] <= printed.y[i]);
+    CHECK(printed.y[i] <= printed.high[i]);
+  }
+}
+
+/// Plots that a figure is drawn with: a series of bars takes two.
+std::size_t plots_of(const Figure& all) {
+  std::size_t plots = 0;
+  for (const verify::Panel& panel : all.panels) {
+    std::set<std::string> labels, roles;
+    for (const Series& series : panel.series) {
+      labels.insert(series.label);
+      roles.insert(series.role);
+      plots += series.mark == verify::Mark::bars ? 2 : 1;
+    }
+    for (const std::size_t entries : {labels.size(), roles.size()}) plots += entries > 1 ? entries : 0;
+  }
+  return plots;
+}
+
+std::size_t times_in(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t place = text.find(what); place != std::string::npos; place = text.find(what, place + 1))
+    ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("all figures of the seeds that hold curves are listed, each once") {
+  std::vector<std::string> expected;
+  for (const auto& [first, last] : {std::pair{7, 13}, {15, 15}, {17, 29}, {32, 38}, {41, 53}}) {
+    for (int number = first; number <= last; ++number) expected.push_back("thesis-" + std::to_string(number));
+  }
+  for (const char* paper : {"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2", "brock2013-3"})
+    expected.emplace_back(paper);
+  std::vector<std::string> listed;
+  for (const verify::FigurePlan& plan : verify::figures()) {
+    listed.push_back(plan.id);
+    CHECK_FALSE(plan.title.empty());
+    CHECK_FALSE(plan.parameters.empty());
+  }
+  CHECK(listed == expected);
+}
+
+TEST_CASE(
+    "figures of elastic nips hold the replayed cells of their tables, and their curves pass the corrected ones") {
+  check_against_table(figure("thesis-20").panels.front(), {"B = 0.005 in", "thesis-VI", "creep", "W"});
+  check_against_table(figure("thesis-22").panels.front(), {"B = 0.25 in", "thesis-VIII", "L/B", "W"});
+  const Figure limits = figure("thesis-25");
+  check_against_table(limits.panels[0], {"no slip", "thesis-VI", "L", "W"});
+  check_against_table(limits.panels[1], {"complete slip", "thesis-X", "d0", "W"});
+}
+
+TEST_CASE(
+    "figures of rolling nips hold the replayed cells of their tables, their curves pass the corrected ones") {
+  const verify::Panel panel = figure("thesis-51").panels.front();
+  check_against_table(panel, {"B = 0.0625 in", "thesis-XX", "muR", "F0_tau"});
+  for (const char* label : {"B = 1 in", "B = 0.25 in", "B = 0.0625 in", "B = 0.005 in"}) {
+    CAPTURE(label);
+    const Series& largest = series_of(panel, label, "largest");
+    const double highest = std::ranges::max(series_of(panel, label, "continuous contact").y);
+    CHECK(largest.y.front() >= highest * (1 - 1e-5));
+    CHECK(largest.y.front() < 1.05 * highest);
+  }
+}
+
+TEST_CASE(
+    "behind the papers' tables: the table's formula is as replayed, the rule's curve passes the corrected cells") {
+  const verify::Replay replay = verify::replay_table("brock2013-3");
+  const verify::Panel panel = figure("brock2013-3").panels[1];
+  for (const data::TableColumn& column : replay.table.columns) {
+    if (column.is_key) continue;
+    const std::string label = "c = " + column.name.substr(2);
+    CAPTURE(label);
+    for (const verify::ReplayedCell& cell : replay.cells) {
+      if (cell.column != column.name) continue;
+      const double phi = replay.table.cell(cell.row, "phi").number->value;
+      CAPTURE(phi);
+      CHECK(at(series_of(panel, label, "the table's formula"), phi) == cell.value);
+      if (phi != std::floor(phi)) continue;  // the curve goes by degrees
+      CHECK(at(series_of(panel, label, "the paper's rule, corrected"), phi) ==
+            doctest::Approx(*cell.corrected).epsilon(1e-12));
+      if (cell.exact)
+        CHECK(at(series_of(panel, label, "exact ellipse, no friction"), phi) ==
+              doctest::Approx(*cell.exact).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a contour's span along the motion is one, and it is closed") {
+  for (const char* id : {"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-3"}) {
+    CAPTURE(id);
+    const Figure all = figure(id);
+    for (const Series& contour : all.panels.front().series) {
+      CAPTURE(contour.label);
+      CHECK(contour.x.front() - contour.x[contour.x.size() / 2] == doctest::Approx(1));
+      CHECK(contour.x.back() == doctest::Approx(contour.x.front()));
+      CHECK(std::fabs(contour.y.back()) < 1e-12);
+    }
+  }
+}
+
+TEST_CASE("the printed solid creeps to 1.875 times its first strain, the defined one to twice it") {
+  const verify::Panel panel = figure("thesis-32").panels.front();
+  CHECK(series_of(panel, "theta1 + theta2", "solid as defined").y.back() == doctest::Approx(2).epsilon(2e-3));
+  CHECK(series_of(panel, "theta1 + theta2", "solid as printed (6.29)").y.back() ==
+        doctest::Approx(1.875).epsilon(2e-3));
+}
+
+TEST_CASE("a figure's CSV has numbers everywhere") {
+  // One of each kind; those of rolling sheets take seconds.
+  const std::set<std::string> kinds{"thesis-7",    "thesis-9",    "thesis-11",  "thesis-12", "thesis-13",
+                                    "thesis-15",   "thesis-21",   "thesis-26",  "thesis-27", "thesis-29",
+                                    "thesis-32",   "thesis-33",   "thesis-36",  "thesis-37", "brock2012-1",
+                                    "brock2012-2", "brock2013-1", "brock2013-2"};
+  for (const verify::FigurePlan& plan : verify::figures()) {
+    if (!kinds.contains(plan.id)) continue;
+    CAPTURE(plan.id);
+    const Figure all = verify::compute(plan);
+    std::size_t points = 0;
+    for (const verify::Panel& panel : all.panels) {
+      for (const Series& series : panel.series) {
+        CHECK_FALSE(series.x.empty());
+        REQUIRE(series.y.size() == series.x.size());
+        points += series.x.size();
+      }
+    }
+    std::istringstream csv(verify::figure_csv(all));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line == "panel,label,role,x,y,low,high");
+    std::size_t rows = 0;
+    for (; std::getline(csv, line); ++rows) {
+      for (int column = 0; column < 4; ++column) {
+        const std::size_t comma = line.rfind(',');
+        char* end = nullptr;
+        const double number = std::strtod(line.c_str() + comma + 1, &end);
+        if (*end != '\0' || end == line.c_str() + comma + 1 || !std::isfinite(number)) FAIL_CHECK(line);
+        line.resize(comma);
+      }
+    }
+    CHECK(rows == points);
+  }
+}
+
+TEST_CASE("figures are drawn as SVG with all their series, where gnuplot is there") {
+  if (std::system("command -v gnuplot >/dev/null") != 0) {
+    MESSAGE("skipped: gnuplot is not installed");
+    return;
+  }
+  for (const char* id : {"thesis-15", "thesis-28", "brock2013-3"}) {
+    CAPTURE(id);
+    const ScratchFile svg, csv;
+    const Outcome outcome =
+        run(std::string("figures ") + id + " --svg '" + svg.path() + "' --csv '" + csv.path() + "'");
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out.starts_with(id));
+    const Figure all = figure(id);
+    CHECK(times_in(svg.text(), "<title>gnuplot_plot_") == plots_of(all));
+    CHECK(svg.text().find(all.parameters.substr(0, 20)) != std::string::npos);
+    CHECK(csv.text() == verify::figure_csv(all));
+  }
+}
+
+TEST_CASE("without gnuplot a drawing is refused in one line that names it, and no file is written") {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nowhere", 1);
+  const ScratchFile svg("before");
+  check_call_refused("figures thesis-9 --svg '" + svg.path() + "'", "gnuplot");
+  setenv("PATH", path.c_str(), 1);
+  CHECK(svg.text() == "before");
+}
+
+TEST_CASE("a figure that is none, several, or none at all is refused") {
+  check_call_refused("figures thesis-14", "figure");
+  check_call_refused("figures thesis-9 thesis-8", "figure");
+  check_call_refused("figures", "--list");
+  check_call_refused("figures --list --csv x.csv", "list");
+}

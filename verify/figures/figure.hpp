@@ -1,0 +1,55 @@
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace nipref::verify {
+
+/// What is along an axis of a figure.
+struct FigureAxis {
+  std::string label;  ///< with its unit
+  bool logarithmic = false;
+};
+
+/// How the points of a series are drawn.
+enum class Mark {
+  line,         ///< a curve, in the dashes of its label
+  marked_line,  ///< a thin curve with open symbols here and there
+  points,       ///< open symbols
+  bars,         ///< filled symbols with bars from `low` to `high`
+  ranges,       ///< such bars alone
+  star          ///< one place
+};
+
+/// Points of one kind. In a figure series of equal label have one colour, dash and symbol, series of equal role one
+/// way to be drawn.
+struct Series {
+  std::string label;  ///< what it is of: "B = 1 in"
+  std::string role;   ///< where it is from: "continuous contact", "thesis's method", "printed"
+  Mark mark;
+  std::vector<double> x, y;
+  std::vector<double> low = {}, high = {};  ///< ends of the bars; both empty where there are none
+};
+
+/// One pair of axes.
+struct Panel {
+  FigureAxis x, y;
+  std::vector<Series> series;
+  bool equal_scales = false;  ///< a length is as long along either axis
+};
+
+/// A figure of a seed, not drawn yet.
+struct FigurePlan {
+  std::string id;          ///< "thesis-17": the seed and the number of its figure or table
+  std::string title;       ///< in our own words
+  std::string parameters;  ///< that its curves share
+  std::function<std::vector<Panel>()> compute;
+};
+
+/// A figure with all its numbers.
+struct Figure {
+  std::string id, title, parameters;
+  std::vector<Panel> panels;
+};
+
+}  // namespace nipref::verify

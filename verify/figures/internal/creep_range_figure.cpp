@@ -1,0 +1,66 @@
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/verify/figures/internal/groups.hpp>
+#include <nipref/verify/figures/internal/series.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+
+// Creep ratios that the thesis's conditions leave. (thesis 5.5)
+
+namespace nipref::verify {
+namespace {
+
+const std::string creep_sheet = "B = 0.005 in";
+constexpr double sheet_thickness = 0.005, creep_accuracy = 1e-6;
+
+/// m beta: elements a side times half an element over half the thickness.
+double length_of(double m_beta) { return 2 * m_beta * sheet_thickness; }
+
+/// Each range as a bar about its middle.
+Series allowed_ranges(const data::ElasticNip& nip, int elements, const std::vector<double>& m_beta) {
+  Series series{creep_sheet, "range that the conditions leave", Mark::ranges, {}, {}};
+  for (const double place : m_beta) {
+    for (const fast::CreepRange& range : fast::creep_ranges(nip, elements, length_of(place))) {
+      series.x.push_back(place);
+      series.y.push_back((range.lower + range.upper) / 2);
+      series.low.push_back(range.lower);
+      series.high.push_back(range.upper);
+    }
+  }
+  return series;
+}
+
+std::vector<Panel> creep_range_panels() {
+  const Replay replay = replay_table("thesis-VI");
+  const data::ElasticNip nip = nip_of_the_tables(replay.table);
+  const std::vector<double> m_beta = evenly(0.25, 5, 39);
+  std::vector<PlacedRow> rows;
+  for (std::size_t row = 0; row < replay.nips.size(); ++row) {
+    const double place = replay.nips[row].values.at("L/B") / 2;
+    rows.push_back({&replay, row, place, place});
+  }
+  return {{{"m beta = L/(2B)"},
+           {"creep ratio"},
+           {computed(creep_sheet, of_continuum, Mark::line, m_beta,
+                     [&](double place) {
+                       return fast::converged_for_length(nip, data::Friction::full, length_of(place),
+                                                         creep_accuracy)
+                           .creep_ratio()
+                           .value;
+                     }),
+            allowed_ranges(nip, line_load_table(replay.table.id).elements_per_side, m_beta),
+            printed_series(creep_sheet, rows, "creep")}}};
+}
+
+}  // namespace
+
+std::vector<FigurePlan> creep_range_figure() {
+  return {
+      {"thesis-15", "Creep ratios that the thesis's conditions leave",
+       "no tension, one sign of the shear on each side, |Q|/P that does not fall outwards; B = 0.005 in, R = 6 in, "
+       "no slip, m = 10",
+       creep_range_panels}};
+}
+
+}  // namespace nipref::verify
