@@ -44,7 +44,7 @@ TEST_CASE("golden values are what they were, every file to the last character, e
           verify::sha256(bytes));
     verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));
     // One is enough where a value takes seconds.
-    const verify::CheckOptions options{false, quantity.audit_points < 10 ? file.rows.size() : 40};
+    const verify::CheckOptions options{false, quantity.audit_points < 20 ? file.rows.size() : 40};
     const verify::CheckedGolden checked = verify::check_rows(quantity, file, options);
     CHECK(checked.recomputed >= 1);
     for (const verify::GoldenFailure& failure : checked.failures) FAIL_CHECK(failure.what);

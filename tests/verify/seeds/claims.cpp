@@ -15,7 +15,6 @@ using verify::ClaimVerdict;
 
 namespace {
 
-/// Checked once for all tests.
 const std::map<std::string, ClaimOutcome>& outcomes() {
   static const auto all = [] {
     std::map<std::string, ClaimOutcome> checked;
@@ -55,7 +54,8 @@ TEST_CASE("every check has its claim, and every claim says where it stands") {
   CHECK(checked == said);
 }
 
-TEST_CASE("claims are decided by their numbers: what falls, and what stands") {
+TEST_CASE(
+    "claims are decided by their numbers, which other programs found too: what falls, and what stands") {
   const std::map<std::string, ClaimVerdict> expected{
       {"thesis-creep-with-friction", ClaimVerdict::fails},
       {"thesis-one-reversal", ClaimVerdict::holds_in_a_range},
@@ -72,9 +72,7 @@ TEST_CASE("claims are decided by their numbers: what falls, and what stands") {
     CHECK(outcomes().at(id).verdict == verdict);
     CHECK_FALSE(outcomes().at(id).numbers.empty());
   }
-}
-
-TEST_CASE("numbers of the claims as they were found by other programs") {
+  // As other programs found them.
   CHECK(near(number("thesis-creep-with-friction", "chi_0, B = 0.25 in, W = 100"), -2.157e-4, 1e-7));
   CHECK(near(number("thesis-creep-with-friction", "chi_inf, B = 0.25 in, W = 100"), 1.609e-4, 1e-7));
   CHECK(near(number("thesis-one-reversal", "2Y/L"), 0.828, 1e-3));
