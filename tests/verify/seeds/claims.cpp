@@ -80,6 +80,9 @@ TEST_CASE(
              1e-6));
   CHECK(near(number("thesis-largest-resistance", "F0 tau/L of the largest mu_R, B = 0.005 in, W = 50"), 0.408,
              1e-3));
+  CHECK(near(number("thesis-largest-resistance", "F0 tau/L of the largest mu_R, B/L to 0"), 0.4505, 5e-5));
+  CHECK(near(number("thesis-largest-resistance", "largest mu_R R/L, B/L to 0"), 0.0766108, 5e-8));
+  CHECK(near(number("thesis-largest-resistance", "L1/L there"), 0.552197, 5e-6));
   CHECK(near(number("thesis-resistance-of-short-memory", "F0 tau/(2R)"), 8.33e-6, 1e-8));
   CHECK(near(number("brock2012-ellipse-at-rest", "axes of the exact"), 0.39989, 1e-5));
   CHECK(near(number("brock2012-strip", "exp(-pi/2P), nu = 1/3, c = 0.3"), 2.0e-8, 1e-9));

@@ -9,6 +9,7 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
 #include <nipref/verify/seeds/internal/thesis_nip.hpp>
+#include <nipref/verify/seeds/internal/thin_standard_solid.hpp>
 
 // The thesis's viscoelastic nips, with the solid as it is defined.
 
@@ -42,6 +43,13 @@ ClaimOutcome largest_resistance() {
       most = std::max(most, memory);
     }
   }
+  const double thinnest =
+      boost::math::tools::brent_find_minima(
+          [](double memory) { return -thin_standard_solid(memory).resistance; }, 0.1, 1.0, 40)
+          .first;
+  outcome.numbers.push_back({"F0 tau/L of the largest mu_R, B/L to 0", thinnest});
+  outcome.numbers.push_back({"largest mu_R R/L, B/L to 0", thin_standard_solid(thinnest).resistance});
+  outcome.numbers.push_back({"L1/L there", thin_standard_solid(thinnest).leading_share});
   outcome.why = fmt::format("it is largest at F0 tau between {:.4f} and {:.4f} in", least, most);
   if (least < 1e-2 || most > 1e-1) outcome.verdict = ClaimVerdict::holds_in_a_range;
   return outcome;
