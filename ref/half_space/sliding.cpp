@@ -52,11 +52,11 @@ LineMoment line_moment(const Float& omega, int power, int digits) {
   const Float ahead = -omega, behind = 1 + omega;
   const Float front = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = ahead * left;
-    return ahead * pow(x, power) * pow(ahead * right, behind) * pow(x + behind, ahead);
+    return ahead * (power == 1 ? x : Float(x * x)) * pow(ahead * right, behind) * pow(x + behind, ahead);
   });
   const Float back = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = behind * left;
-    return behind * pow(x, power) * pow(ahead + x, behind) * pow(behind * right, ahead);
+    return behind * (power == 1 ? x : Float(x * x)) * pow(ahead + x, behind) * pow(behind * right, ahead);
   });
   return {front, back};
 }

@@ -157,12 +157,15 @@ struct OtherOf {
 bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name) {
   if (name == "compliance" || name == "coupling") return false;
   if (name == "critical_speed") return !surface.all_lines_are_alike();
-  if (problem.rule == data::ContourRule::exact || name == "normal_force") return true;
+  if (problem.rule == data::ContourRule::exact || name == "normal_force" || name == "friction_force")
+    return true;
   return name != "span_ratio" && std::holds_alternative<data::GivenNormalForce>(problem.given);
 }
 
-/// Twofold integrals, which take the reference minutes next to the critical speed.
-bool is_too_dear(const data::HalfSpaceProblem& problem, std::string_view name) {
+/// Twofold integrals next to the critical speed, and any integral where each line has an eigenproblem of its own: they take
+/// the reference minutes.
+bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name) {
+  if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, name);
   return problem.rule != data::ContourRule::exact && (name == "centre_along" || name == "centre_across");
 }
 
@@ -173,7 +176,7 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
     const std::string_view name = result.what->name;
-    if (is_too_dear(problem, name) || (!dear && is_dear(problem, surface, name)))
+    if (is_too_dear(problem, surface, name) || (!dear && is_dear(problem, surface, name)))
       return std::optional<Other>();
     try {
       const LongEstimate number =
