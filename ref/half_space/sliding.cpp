@@ -44,19 +44,20 @@ struct SlidingLine {
   [[nodiscard]] Float Q() const { return pow(1 + omega, 1 + omega) * pow(-omega, -omega); }
 };
 
-/// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, ahead of the kink x = 0 and behind it.
+/// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, ahead of the kink x = 0 and behind it; power 1 or 2.
 struct LineMoment {
   Float front, back;
 };
 LineMoment line_moment(const Float& omega, int power, int digits) {
   const Float ahead = -omega, behind = 1 + omega;
+  const auto lever = [power](const Float& x) -> Float { return power == 1 ? x : Float(x * x); };
   const Float front = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = ahead * left;
-    return ahead * (power == 1 ? x : Float(x * x)) * pow(ahead * right, behind) * pow(x + behind, ahead);
+    return ahead * lever(x) * pow(ahead * right, behind) * pow(x + behind, ahead);
   });
   const Float back = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = behind * left;
-    return behind * (power == 1 ? x : Float(x * x)) * pow(ahead + x, behind) * pow(behind * right, ahead);
+    return behind * lever(x) * pow(ahead + x, behind) * pow(behind * right, ahead);
   });
   return {front, back};
 }
@@ -73,37 +74,43 @@ CrowdedDirections directions_for(const PeakOfCompliance& peak, const Indenter& b
   return {Exact(peak.degrees), std::min(width, slenderness), std::max(Float(1), slenderness)};
 }
 
-/// In force = factor span^3, stresses as `lines` count them.
-Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
-                    const Indenter& body, int digits, int working) {
+/// int curvature span^(power + 2)/h weight(line moments of |x|^power) over the lines, stresses as `lines` count them, the span
+/// along the motion 1. On a line of span L and curvature C the pressure is (C/h) L times that of span 1, and L = steepness
+/// h/(C Q).
+using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
+Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& directions,
+                         const Exact& friction, const Indenter& body, int digits, int working, int power,
+                         const LineWeight& weight) {
   const SlidingLine along(lines, friction, Exact(0.0));
   const Float steepness = to_float(body.along) * along.Q() / along.h;
-  // On a line of span L and curvature C the pressure is (C/h) L times that of span 1, and L = steepness h/(C Q).
   return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
     const SlidingLine line(lines, friction, degrees);
     const Float curvature = curvature_of(body, degrees);
     const Float span = steepness * line.h / (curvature * line.Q());
-    const auto [front, back] = line_moment(line.omega, 1, working);
-    return curvature * pow(span, 3) / line.h * (front + back);
+    return curvature * pow(span, power + 2) / line.h *
+           weight(line_moment(line.omega, power, working), degrees);
   });
 }
 
-/// Of the pressure's first moment in a direction, over that factor and in moment = factor span^4: as much as there is of
-/// it, added to what it is where all of it points the same way, so that what vanishes is integrated to digits of that.
+/// In force = factor span^3.
+Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
+                    const Indenter& body, int digits, int working) {
+  return pressure_integral(
+      lines, directions, friction, body, digits, working, 1,
+      [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
+}
+
+/// Of the pressure's first moment in a direction, in moment = factor span^4: as much as there is of it, added to what it is
+/// where all of it points the same way, so that what vanishes is integrated to digits of that.
 Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
                      const Indenter& body, int digits, int working,
                      const std::function<Float(const Exact& degrees)>& component, bool with_moment) {
-  const SlidingLine along(lines, friction, Exact(0.0));
-  const Float steepness = to_float(body.along) * along.Q() / along.h;
-  return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
-    const SlidingLine line(lines, friction, degrees);
-    const Float curvature = curvature_of(body, degrees);
-    const Float span = steepness * line.h / (curvature * line.Q());
-    const auto [front, back] = line_moment(line.omega, 2, working);
-    const Float all = front + back,
-                moment = with_moment ? Float((front - back) * component(degrees)) : Float(0);
-    return curvature * pow(span, 4) / line.h * (all + moment);
-  });
+  return pressure_integral(
+      lines, directions, friction, body, digits, working, 2,
+      [&](const LineMoment& moment, const Exact& degrees) -> Float {
+        const Float all = moment.front + moment.back;
+        return with_moment ? Float(all + (moment.front - moment.back) * component(degrees)) : all;
+      });
 }
 }  // namespace
 

@@ -54,7 +54,7 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"arguments", given},
           {"scale", scale.size},
           {"ulp_of_scale", scale.ulp},
-          {"caveat", caveat_of(request) != nullptr ? Json(caveat_of(request)) : Json()},
+          {"caveat", caveat_json(request)},
           {"results", results}};
 }
 

@@ -48,8 +48,7 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
   const Sweep sweep{"eval_sweep",
                     points,
                     columns_of(request),
-                    {{"quantity", quantity.name},
-                     {"caveat", caveat_of(request) != nullptr ? Json(caveat_of(request)) : Json()}},
+                    {{"quantity", quantity.name}, {"caveat", caveat_json(request)}},
                     [&](std::size_t i) {
                       const Assignments given = points.assignments(i, &AxisValue::exact);
                       return row_of(request, parse_arguments(quantity, given));

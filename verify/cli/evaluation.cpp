@@ -126,6 +126,11 @@ const char* caveat_of(const EvalRequest& request) {
              : nullptr;
 }
 
+Json caveat_json(const EvalRequest& request) {
+  const char* const caveat = caveat_of(request);
+  return caveat == nullptr ? Json() : Json(caveat);
+}
+
 std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments) {
   std::vector<EvalAnswer> answers;
   if (request.form != nullptr) answers.push_back(answer_of_seed(request, arguments));

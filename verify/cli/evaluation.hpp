@@ -35,6 +35,7 @@ EvalRequest request_of(const CommandLine& line);
 
 /// Of which arguments the numbers are, where not of just those that were asked for; null otherwise.
 const char* caveat_of(const EvalRequest& request);
+Json caveat_json(const EvalRequest& request);
 
 /// What was asked for at these arguments: of ref before fast. BadInput outside their domain.
 std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments);

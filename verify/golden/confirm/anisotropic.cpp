@@ -60,24 +60,20 @@ Witness critical_of_any(Arguments x) {
   return lowest_surface_wave(AnySolid<130>(x, 1), near.psi * 180 / std::numbers::pi, x[0], near.speed);
 }
 
-const std::map<std::string, Confirm, std::less<>>& anisotropic_methods() {
-  static const std::map<std::string, Confirm, std::less<>> methods{
-      {"anisotropic.compliance", entry_of(2, 2, Part::re)},
-      {"anisotropic.coupling", entry_of(2, 0, Part::minus_im)},
-      {"anisotropic.coupling_across", entry_of(2, 1, Part::minus_im)},
-      {"anisotropic.shear_compliance", entry_of(2, 0, Part::re)},
-      {"anisotropic.shear_compliance_across", entry_of(2, 1, Part::re)},
-      {"anisotropic.in_line", entry_of(0, 0, Part::re)},
-      {"anisotropic.across", entry_of(1, 1, Part::re)},
-      {"anisotropic.critical", critical_of_any}};
+const Methods& anisotropic_methods() {
+  static const Methods methods{{"anisotropic.compliance", entry_of(2, 2, Part::re)},
+                               {"anisotropic.coupling", entry_of(2, 0, Part::minus_im)},
+                               {"anisotropic.coupling_across", entry_of(2, 1, Part::minus_im)},
+                               {"anisotropic.shear_compliance", entry_of(2, 0, Part::re)},
+                               {"anisotropic.shear_compliance_across", entry_of(2, 1, Part::re)},
+                               {"anisotropic.in_line", entry_of(0, 0, Part::re)},
+                               {"anisotropic.across", entry_of(1, 1, Part::re)},
+                               {"anisotropic.critical", critical_of_any}};
   return methods;
 }
 
 }  // namespace
 
-Confirm of_anisotropic(std::string_view quantity) {
-  const auto found = anisotropic_methods().find(quantity);
-  return found == anisotropic_methods().end() ? Confirm() : found->second;
-}
+Confirm of_anisotropic(std::string_view quantity) { return found_in(anisotropic_methods(), quantity); }
 
 }  // namespace nipref::verify::confirm

@@ -10,6 +10,11 @@
 
 namespace nipref::verify {
 
+Confirm found_in(const Methods& methods, std::string_view quantity) {
+  const auto found = methods.find(quantity);
+  return found == methods.end() ? Confirm() : found->second;
+}
+
 Confirm confirmer_of(std::string_view quantity) {
   for (auto* const of_subject :
        {confirm::of_sheet, confirm::of_field, confirm::of_memory, confirm::of_isotropic,

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,6 +19,12 @@ struct Witness {
 };
 
 using Confirm = std::function<Witness(std::span<const double> point)>;
+
+/// Second methods by the names of their quantities.
+using Methods = std::map<std::string, Confirm, std::less<>>;
+
+/// The one for the quantity of that name; empty if it is not among them.
+Confirm found_in(const Methods& methods, std::string_view quantity);
 
 /// The second method for the quantity of that name; empty if there is none.
 Confirm confirmer_of(std::string_view quantity);

@@ -237,8 +237,8 @@ Confirm by_gauss_rule(Wave (*value)(Arguments, bool coarse)) {
   };
 }
 
-const std::map<std::string, Confirm, std::less<>>& all() {
-  static const std::map<std::string, Confirm, std::less<>> methods{
+const Methods& all() {
+  static const Methods methods{
       {"halfspace.compliance", [](Arguments x) { return closed(line_at(x).compliance); }},
       {"halfspace.coupling", [](Arguments x) { return closed(line_at(x).coupling); }},
       {"halfspace.condition", [](Arguments x) { return closed(condition(x)); }},
@@ -297,9 +297,6 @@ Wave SlidingShape::moment() const {
   return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
 }
 
-Confirm of_isotropic(std::string_view quantity) {
-  const auto found = all().find(quantity);
-  return found == all().end() ? Confirm() : found->second;
-}
+Confirm of_isotropic(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

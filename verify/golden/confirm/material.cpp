@@ -134,19 +134,17 @@ Wide imaginary_part(Arguments x, std::size_t at) { return modulus(x, at).imag();
 }  // namespace
 
 Confirm of_material(std::string_view quantity) {
-  static const std::map<std::string_view, Confirm> methods{
-      {"material.theta1", by_states(theta1)},
-      {"material.theta2", by_states(theta2)},
-      {"material.G", by_states(of<2, relaxation>)},
-      {"material.K", by_states(of<5, relaxation>)},
-      {"material.creep_shear", by_states(of<2, creep>)},
-      {"material.creep_bulk", by_states(of<5, creep>)},
-      {"material.storage_shear", by_states(of<2, real_part>)},
-      {"material.storage_bulk", by_states(of<5, real_part>)},
-      {"material.loss_shear", by_states(of<2, imaginary_part>)},
-      {"material.loss_bulk", by_states(of<5, imaginary_part>)}};
-  const auto found = methods.find(quantity);
-  return found == methods.end() ? Confirm() : found->second;
+  static const Methods methods{{"material.theta1", by_states(theta1)},
+                               {"material.theta2", by_states(theta2)},
+                               {"material.G", by_states(of<2, relaxation>)},
+                               {"material.K", by_states(of<5, relaxation>)},
+                               {"material.creep_shear", by_states(of<2, creep>)},
+                               {"material.creep_bulk", by_states(of<5, creep>)},
+                               {"material.storage_shear", by_states(of<2, real_part>)},
+                               {"material.storage_bulk", by_states(of<5, real_part>)},
+                               {"material.loss_shear", by_states(of<2, imaginary_part>)},
+                               {"material.loss_bulk", by_states(of<5, imaginary_part>)}};
+  return found_in(methods, quantity);
 }
 
 }  // namespace nipref::verify::confirm

@@ -177,8 +177,8 @@ Way started(double t, double T, Arguments x) {
 
 Way steady(double alpha) { return {alpha, std::nullopt}; }
 
-const std::map<std::string, Confirm, std::less<>>& all() {
-  static const std::map<std::string, Confirm, std::less<>> methods{
+const Methods& all() {
+  static const Methods methods{
       {"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
       {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
       {"J3", [](Arguments x) { return closed_form(-behind(x).imag()); }},
@@ -198,9 +198,6 @@ const std::map<std::string, Confirm, std::less<>>& all() {
 
 }  // namespace
 
-Confirm of_memory(std::string_view quantity) {
-  const auto found = all().find(quantity);
-  return found == all().end() ? Confirm() : found->second;
-}
+Confirm of_memory(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

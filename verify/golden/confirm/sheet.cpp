@@ -75,8 +75,8 @@ Witness F2(const Compliances& c, const mpq_class& eta) {
       Split{}.add(-1, kernel_I6_eta(eta)).add(mpq_class(c.theta1 / c.normal), kernel_I7(eta)));
 }
 
-const std::map<std::string, Confirm, std::less<>>& all() {
-  static const std::map<std::string, Confirm, std::less<>> methods{
+const Methods& all() {
+  static const Methods methods{
       {"root.re", [](Arguments x) { return of_root(root(x[0]).real()); }},
       {"root.im", [](Arguments x) { return of_root(root(x[0]).imag()); }},
       {"I1", [](Arguments x) { return kernel(kernel_I1(x[0])); }},
@@ -116,9 +116,6 @@ const std::map<std::string, Confirm, std::less<>>& all() {
 
 }  // namespace
 
-Confirm of_sheet(std::string_view quantity) {
-  const auto found = all().find(quantity);
-  return found == all().end() ? Confirm() : found->second;
-}
+Confirm of_sheet(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

@@ -267,8 +267,8 @@ Witness sphere_force(Arguments x) {
   return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", force, change + force * Wave("1e-60"));
 }
 
-const std::map<std::string, Confirm, std::less<>>& all() {
-  static const std::map<std::string, Confirm, std::less<>> methods{
+const Methods& all() {
+  static const Methods methods{
       {"ti.compliance", [](Arguments x) { return of_line(x, &LineAnswerByFormula::compliance); }},
       {"ti.coupling", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling); }},
       {"ti.coupling_across", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling_across); }},
@@ -285,9 +285,6 @@ const std::map<std::string, Confirm, std::less<>>& all() {
 
 }  // namespace
 
-Confirm of_transverse(std::string_view quantity) {
-  const auto found = all().find(quantity);
-  return found == all().end() ? Confirm() : found->second;
-}
+Confirm of_transverse(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

@@ -94,7 +94,8 @@ Settlement lost_exponential() {
   const auto symbol = [](double x) {
     return x == 0 ? 0.5 : 2 * std::sinh(x) * std::sinh(x) / (x * denominator(x));
   };
-  // The rest beyond `end` of the even integrand, which is 1/x there: by cosines none, 2 ln(...) without an end.
+  // Beyond `end` the symbol is 1/x to rounding. Without the exponential the integral grows like a logarithm; with it
+  // the rest is int_end^inf cos x/x dx = g(end) cos(end) - f(end) sin(end), by its auxiliary functions f and g.
   constexpr double end = 16;
   const auto cosine_rest = [](double x) {
     return integral([x](double t) { return std::exp(-x * t) * t / (1 + t * t); }, 0, far / x);
@@ -102,7 +103,6 @@ Settlement lost_exponential() {
   const double oscillating = integral([&](double x) { return symbol(x) * std::cos(alpha * x); }, 0, end);
   const double sine_part =
       integral([end](double t) { return std::exp(-end * t) / (1 + t * t); }, 0, far / end);
-  // int_end^inf cos x/x dx = -sin(end) f... by its auxiliary functions: g cos - f sin.
   const double tail = std::cos(end) * cosine_rest(end) - std::sin(end) * sine_part;
   const double without = integral(symbol, 0, end);
   const double truth = ref::I1(ref::Exact(alpha), 20).to_double();
