@@ -11,7 +11,9 @@ namespace {
 const Settlements& settlements() {
   static const Settlements all = [] {
     Settlements joined = thesis_settlements();
-    joined.merge(half_space_settlements());
+    for (auto* const part :
+         {&half_space_settlements, &inversion_settlements, &rolling_line_settlements, &transform_settlements})
+      joined.merge(part());
     return joined;
   }();
   return all;

@@ -14,7 +14,9 @@ using verify::Settlement;
 
 TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
   std::set<std::string_view> settled, listed;
-  for (auto* const part : {&verify::thesis_settlements, &verify::half_space_settlements}) {
+  for (auto* const part :
+       {&verify::thesis_settlements, &verify::half_space_settlements, &verify::inversion_settlements,
+        &verify::rolling_line_settlements, &verify::transform_settlements}) {
     for (const auto& [id, settle] : part()) settled.insert(id);
   }
   const std::vector<FormulaErratum> errata = verify::formula_errata();

@@ -5,6 +5,7 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/verify/seeds/internal/settlements.hpp>
 #include <nipref/verify/seeds/internal/thesis_nip.hpp>
@@ -119,12 +120,39 @@ Settlement parts() {
           integral(cosine, from, to), 1e-14};
 }
 
+/// A rigid rotation C of the sheet, u = C y and v = -C x, stretches nothing.
+Settlement rotation() { return {"dv/dy of a rotation C = 1", -1, 0, 0, 0}; }
+
+/// One residue A, B at a, b of (6.10) and one term e^-lambda t of the material, after the load has passed: what (6.19)
+/// leaves for T < 0, B J4 - A J3. Phi and Psi of (6.21) are those that the last sum of (6.23) needs.
+Settlement passed_load() {
+  constexpr double rate = 3, a = 1.25, b = 2, amplitude_a = 0.75, amplitude_b = 0.5, t = 0.75, start = -0.5;
+  constexpr double square = (rate - a) * (rate - a) + b * b;
+  const double phi = (amplitude_a * (rate - a) + amplitude_b * b) / square;
+  const double psi = (amplitude_a * b - amplitude_b * (rate - a)) / square;
+  const double late = std::exp(-a * (t - start)), early = std::exp(-rate * t + a * start);
+  const double angle = b * (t - start), first = b * start;
+  const auto sum = [&](double sign) {
+    return late * (phi * std::sin(angle) + sign * psi * std::cos(angle)) +
+           early * (phi * std::sin(first) + psi * std::cos(first));
+  };
+  const auto by_ref = [&](const auto& convolution) {
+    using ref::Exact;
+    return convolution(Exact(rate), Exact(a), Exact(b), Exact(t), Exact(start), 20).to_double();
+  };
+  const double truth = amplitude_b * by_ref(ref::J4) - amplitude_a * by_ref(ref::J3);
+  return {"one residue's memory, lambda = 3, a = 1.25, b = 2, A = 0.75, B = 0.5, t = 0.75, T = -0.5", sum(1),
+          sum(-1), truth, 1e-15};
+}
+
 }  // namespace
 
 Settlements thesis_settlements() {
   return {{"thesis-3.25a", shear_stress_function},
           {"thesis-4.8", lost_pi},
+          {"thesis-4.15b", rotation},
           {"thesis-4.24", one_factor_for_two_sums},
+          {"thesis-6.25", passed_load},
           {"thesis-6.29", interchanged_functions},
           {"thesis-7.17", sign_of_rolling_creep},
           {"thesis-AI.2", lost_exponential},
