@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,11 +32,20 @@ struct Series {
   std::vector<double> low = {}, high = {};  ///< ends of the bars; both empty where there are none
 };
 
+/// Lines of equal value over the rectangle of x and y, at all multiples of `step`.
+struct Contours {
+  std::string label;
+  std::vector<double> x, y;
+  std::vector<double> values;  ///< of all x at the first y, then at the next
+  double step;
+};
+
 /// One pair of axes.
 struct Panel {
   FigureAxis x, y;
   std::vector<Series> series;
   bool equal_scales = false;  ///< a length is as long along either axis
+  std::optional<Contours> contours = {};
 };
 
 /// A figure of a seed, not drawn yet.

@@ -9,7 +9,7 @@ namespace nipref::verify {
 std::vector<FigurePlan> figures() {
   std::vector<FigurePlan> all;
   for (const auto& group : {kernel_figures, creep_range_figure, elastic_load_figures, elastic_profile_figures,
-                            moving_load_figures, rolling_figures, half_space_figures})
+                            moving_load_figures, rolling_figures, stress_figures, half_space_figures})
     std::ranges::move(group(), std::back_inserter(all));
   return all;
 }

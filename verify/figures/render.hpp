@@ -6,7 +6,8 @@
 
 namespace nipref::verify {
 
-/// A line for each point: panel, label, role, x, y, low, high. Where there are no bars, low and high are y.
+/// A line for each point: panel, label, role, x, y, low, high, value. Where there are no bars, low and high are y; value
+/// is what contours are of, which have neither.
 std::string figure_csv(const Figure& figure);
 
 Json figure_json(const Figure& figure);

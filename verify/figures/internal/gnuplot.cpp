@@ -85,6 +85,34 @@ std::string data_of(const Series& series, std::size_t number) {
   return text + "END\n";
 }
 
+/// What finds a panel's lines of equal value; their levels stand beside them.
+std::string contour_commands(const Contours& contours) {
+  std::string text = "$grid << END\n";
+  for (std::size_t i = 0; i < contours.values.size(); ++i) {
+    const std::size_t column = i % contours.x.size();
+    if (i > 0 && column == 0) text += "\n";
+    text +=
+        fmt::format("{} {} {}\n", contours.x[column], contours.y[i / contours.x.size()], contours.values[i]);
+  }
+  return text +
+         fmt::format(
+             "END\nset contour base\nunset surface\nset cntrparam levels incremental -10,{},10\n"
+             "set table $contours\nsplot $grid using 1:2:3 with lines\nunset table\nunset contour\nset surface\n",
+             contours.step);
+}
+
+/// Negative ones are dashed, zero thick.
+std::vector<std::string> drawn_contours() {
+  const auto lines = [](std::string_view which, std::string_view how) {
+    return fmt::format("$contours using 1:({} ? $2 : NaN) with lines {} notitle", which, how);
+  };
+  return {
+      lines("$3 > 1e-9", "lw 1.2 dt 1 lc rgb \"#D55E00\""),
+      lines("$3 < -1e-9", "lw 1.2 dt (8,5) lc rgb \"#0072B2\""),
+      lines("abs($3) <= 1e-9", "lw 2.2 dt 1 lc rgb \"#000000\""),
+      "$contours using 1:2:(sprintf(\"%g\", abs($3) < 1e-9 ? 0 : $3)) every 60::25 with labels font \",11\" notitle"};
+}
+
 /// A line of the key without data.
 std::string key_line(const std::string& how, const std::string& name) {
   return fmt::format("keyentry {} title {}", how, quoted_for_gnuplot(name));
@@ -115,9 +143,17 @@ std::string panel_commands(const Panel& panel) {
   std::string text;
   for (std::size_t i = 0; i < panel.series.size(); ++i) text += data_of(panel.series[i], i);
   text += axis_commands('x', panel.x) + axis_commands('y', panel.y);
+  text += panel.contours ? fmt::format("set title {}\n", quoted_for_gnuplot(panel.contours->label))
+                         : "unset title\n";
   text += panel.equal_scales ? "set size ratio -1\n" : "set size noratio\n";
   const auto labels = each_once(panel.series, &Series::label);
   std::vector<std::string> parts;
+  if (panel.contours) {
+    text += contour_commands(*panel.contours) +
+            fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", panel.contours->x.front(),
+                        panel.contours->x.back(), panel.contours->y.front(), panel.contours->y.back());
+    parts = drawn_contours();
+  }
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
     const Series& series = panel.series[i];
     if (series.x.empty()) continue;
