@@ -21,7 +21,7 @@ Json erratum_json(const SettledErratum& one) {
           {"right", erratum.right},
           {"proof", erratum.proof},
           {"at", settlement.at},
-          {"printed_value", settlement.printed},
+          {"printed_value", settlement.printed ? Json(*settlement.printed) : Json()},
           {"right_value", settlement.right},
           {"truth", settlement.truth},
           {"allowed", settlement.allowed},
@@ -31,9 +31,10 @@ Json erratum_json(const SettledErratum& one) {
 std::string erratum_text(const SettledErratum& one) {
   const auto& [erratum, settlement] = one;
   return fmt::format(
-      "{}, {} {}\n  printed: {}\n  right:   {}\n  {}: {}\n    printed {:.12g}, right {:.12g}, truth {:.12g} by {}\n",
+      "{}, {} {}\n  printed: {}\n  right:   {}\n  {}: {}\n    printed {}, right {:.12g}, truth {:.12g} by {}\n",
       erratum.id, erratum.seed, erratum.equation, erratum.printed, erratum.right,
-      settlement.settled() ? "settled" : "NOT SETTLED", settlement.at, settlement.printed, settlement.right,
+      settlement.settled() ? "settled" : "NOT SETTLED", settlement.at,
+      settlement.printed ? fmt::format("{:.12g}", *settlement.printed) : "no number", settlement.right,
       settlement.truth, erratum.proof);
 }
 

@@ -22,7 +22,7 @@ const Settlements& settlements() {
 }  // namespace
 
 bool Settlement::settled() const {
-  return std::fabs(right - truth) <= allowed && !(std::fabs(printed - truth) <= allowed);
+  return std::fabs(right - truth) <= allowed && (!printed || std::fabs(*printed - truth) > allowed);
 }
 
 std::vector<FormulaErratum> formula_errata() {

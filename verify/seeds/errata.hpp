@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct FormulaErratum {
 
 /// The formula as printed and as it must be, at one place, against something that is neither.
 struct Settlement {
-  std::string at;  ///< where, and what is computed
-  double printed;  ///< may be NaN: no number at all
+  std::string at;                 ///< where, and what is computed
+  std::optional<double> printed;  ///< none: what is printed stands for nothing
   double right;
   double truth;
   double allowed;  ///< distance from the truth that rounding explains

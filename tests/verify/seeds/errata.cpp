@@ -26,21 +26,21 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
     for (const std::string& text : {erratum.equation, erratum.printed, erratum.right, erratum.proof})
       CHECK_FALSE(text.empty());
     const Settlement settlement = verify::settle(erratum);
-    CAPTURE(settlement.printed);
+    CAPTURE(settlement.printed.value_or(0));
     CAPTURE(settlement.right);
     CAPTURE(settlement.truth);
     CHECK(settlement.settled());
     // Not by a hair, or the truth would have to be known better.
-    CHECK_FALSE(std::fabs(settlement.printed - settlement.truth) <= 100 * settlement.allowed);
+    if (settlement.printed)
+      CHECK(std::fabs(*settlement.printed - settlement.truth) > 100 * settlement.allowed);
   }
   CHECK(settled == listed);
 }
 
 TEST_CASE("an erratum is open if the right formula is not the truth or the printed one is") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(Settlement{"", 2, 1, 1, 0.1}.settled());
-  CHECK(Settlement{"", nan, 1, 1, 0.1}.settled());
+  CHECK(Settlement{"", {}, 1, 1, 0.1}.settled());
   CHECK_FALSE(Settlement{"", 2, 1.5, 1, 0.1}.settled());
   CHECK_FALSE(Settlement{"", 1, 1, 1, 0.1}.settled());
-  CHECK_FALSE(Settlement{"", 2, nan, 1, 0.1}.settled());
+  CHECK_FALSE(Settlement{"", 2, std::numeric_limits<double>::quiet_NaN(), 1, 0.1}.settled());
 }

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <complex>
 #include <functional>
-#include <limits>
 #include <numbers>
 
 #include <nipref/verify/seeds/internal/principal_value.hpp>
@@ -66,8 +65,7 @@ Settlement shear_of_eigenfunction() {
   const Complex exponent{-0.5, -line.index}, sine = std::sin(pi * exponent), cosine = std::cos(pi * exponent);
   const Complex right = line.cx2 * line.dilatation_root * cosine / (line.n * sine);
   const Complex truth = line.n * line.shear_root * sine / ((line.m - line.rayleigh) * cosine);
-  return {on_the_line("Im H_+/g_+"), std::numeric_limits<double>::quiet_NaN(), right.imag(), truth.imag(),
-          quadrature_error};
+  return {on_the_line("Im H_+/g_+"), {}, right.imag(), truth.imag(), quadrature_error};
 }
 
 /// g_+ for G3 = 1, G = 0 from the two equations that are left of (42a): g_- is its conjugate.
