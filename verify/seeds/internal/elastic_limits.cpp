@@ -69,6 +69,8 @@ double edge_constant() {
   return quadrature.integrate(integrand) / pi;
 }
 
+/// Orders: without friction what the half-space leaves out is even, I1(a) + ln a + c = O(a^2). Without slip I3 and the
+/// like join, whose remainder is odd, O(a).
 std::vector<LimitRow> thick_limits() {
   const double c = logarithm_constant();
   const double epsilon = std::log(3 - 4 * sheet_poisson) / (2 * pi);

@@ -60,6 +60,10 @@ double long_memory_resistance(const data::ViscoelasticMaterial& material, double
 
 constexpr double memory_length = 2;  // L/B = 1
 
+/// Orders: of the resistance the term that the limit leaves out would be of order 3 in the memory, since reversing the
+/// motion reverses its sign; but over a length of memory at each end, where the pressure is like a root, it is another
+/// pressure. There p^2 is of order 1, which makes order 2 in the resistance, 1 in its distance. A long memory leaves out
+/// what it forgets within the nip, a part of order 1.
 std::vector<LimitRow> memory_limits() {
   return {
       {"limit.short_memory.resistance", "mu_R = F0 tau/(2 R), the solid with one relaxation time",
