@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/support/text.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -13,8 +16,17 @@ std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
 }
 
 std::string verdict_text(const AuditResult& result) {
-  if (!result.kept()) return "BROKEN";
-  return result.few_points() ? "kept, few" : "kept";
+  if (!result.kept()) return bad("BROKEN");
+  return good(result.few_points() ? "kept, few" : "kept");
+}
+
+/// "37 of 38 kept; closest to its promise: F1, 90 %"
+std::string summary(const std::vector<AuditResult>& results) {
+  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
+  const auto kept = std::ranges::count_if(results, &AuditResult::kept);
+  return fmt::format("{}; closest to its promise: {}, {:.0f} %\n",
+                     verdict(all_kept(results), fmt::format("{} of {} kept", kept, results.size())),
+                     closest->quantity->name, 100 * closest->allowance_used);
 }
 
 }  // namespace
@@ -25,7 +37,7 @@ std::string point_text(const Quantity& quantity, const Point& point) {
     const Argument& argument = quantity.arguments[i];
     text += argument.kind == ArgumentKind::choice
                 ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
-                : fmt::format(" {}={:a} ({:.6g})", argument.name, point[i], point[i]);
+                : fmt::format(" {}={:.6g} ({:a})", argument.name, point[i], point[i]);
   }
   return text;
 }
@@ -42,14 +54,14 @@ Json point_json(const Quantity& quantity, const Point& point) {
 }
 
 std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
-  std::string text = fmt::format("{:9} {:>9} {:>10} {:>10} {:>13} {:>6}  {:9} {}\n", "quantity", "points",
-                                 "max ulp", "mean ulp", "promise", "used", "verdict", "worst argument");
+  TextTable table({"verdict", "quantity", ">points", ">max ulp", ">mean ulp", ">promise", ">used"});
   for (const AuditResult& result : results) {
-    text += fmt::format("{:9} {:>9} {:>10.4g} {:>10.3g} {:>13} {:>5.0f}%  {:9}{}\n", result.quantity->name,
-                        result.points, result.max_error_ulp, result.spread.mean,
-                        promise_text(result, accuracy), 100 * result.allowance_used, verdict_text(result),
-                        point_text(*result.quantity, result.worst));
+    table.add({verdict_text(result), result.quantity->name, std::to_string(result.points),
+               fmt::format("{:.4g}", result.max_error_ulp), fmt::format("{:.3g}", result.spread.mean),
+               promise_text(result, accuracy), fmt::format("{:.0f}%", 100 * result.allowance_used)});
+    table.add_below("worst at" + point_text(*result.quantity, result.worst));
   }
+  std::string text = summary(results) + "\n" + table.text();
   if (std::ranges::any_of(results, &AuditResult::few_points)) {
     text += fmt::format("few: fewer than {} points, which say little; --density or --points looks at more\n",
                         enough_points);

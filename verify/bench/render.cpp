@@ -3,24 +3,42 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/text.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
-std::string bench_text(const std::vector<BenchRow>& rows) {
-  std::string text = fmt::format("{:22}{:30}{:28}{:>11}{:>20}{:>12}{:>11}{:>10}\n", "quantity", "arguments",
-                                 "method", "ns/value", "quartiles", "time ratio", "max ulp", "max rel");
-  const BenchRow* previous = nullptr;
+namespace {
+
+/// How far the quartiles are from the median.
+std::string quartiles_text(const BenchRow& row) {
+  const auto percent = [&](double quartile) { return 100 * (quartile / row.nanoseconds - 1); };
+  return fmt::format("{:+.0f}..{:+.0f}%", percent(row.quartile_1), percent(row.quartile_3));
+}
+
+/// The rows of one quantity and range.
+std::string group_text(std::span<const BenchRow> rows) {
+  TextTable table({" method", ">ns/value", ">quartiles", ">ratio", ">max ulp", ">max rel"});
   for (const BenchRow& row : rows) {
-    const bool same =
-        previous != nullptr && previous->quantity == row.quantity && previous->arguments == row.arguments;
-    text += fmt::format("{:22}{:30}{:28}{:>11.4g}{:>20}{:>12}{:>11}{:>10}{}\n", same ? "" : row.quantity,
-                        same ? "" : row.arguments, row.method, row.nanoseconds,
-                        fmt::format("{:.4g}..{:.4g}", row.quartile_1, row.quartile_3), or_dash(row.ratio, 3),
-                        or_dash(row.max_error_ulp, 3), or_dash(row.max_relative_error, 2),
-                        row.pareto_optimal ? " *" : "");
-    previous = &row;
+    table.add({(row.pareto_optimal ? "*" : " ") + row.method, fmt::format("{:.3g}", row.nanoseconds),
+               quartiles_text(row), or_dash(row.ratio, 3), or_dash(row.max_error_ulp, 3),
+               or_dash(row.max_relative_error, 2)});
+  }
+  return fmt::format("\n{} {}\n", rows.front().quantity, rows.front().arguments) + table.text();
+}
+
+}  // namespace
+
+std::string bench_text(const std::vector<BenchRow>& rows) {
+  std::string text;
+  for (std::size_t first = 0, last = 0; first < rows.size(); first = last) {
+    while (last < rows.size() && rows[last].quantity == rows[first].quantity &&
+           rows[last].arguments == rows[first].arguments)
+      ++last;
+    text += group_text(std::span(rows).subspan(first, last - first));
   }
   return text;
 }
@@ -28,8 +46,9 @@ std::string bench_text(const std::vector<BenchRow>& rows) {
 std::string ratios_text(const std::vector<BenchRatio>& ratios) {
   std::string text;
   for (const BenchRatio& ratio : ratios) {
-    text += fmt::format("{:46} {:>8.1f} times, asked for {:>5g}: {}\n", ratio.what, ratio.measured,
-                        ratio.target, ratio.met() ? "met" : "MISSED");
+    text += fmt::format("{}  {:>8.1f} times, asked for {:>5g}: {}\n",
+                        verdict(ratio.met(), ratio.met() ? "met   " : "MISSED"), ratio.measured, ratio.target,
+                        ratio.what);
   }
   if (!std::ranges::all_of(ratios, &BenchRatio::met))
     text += "A missed ratio of times fails the run with --strict only: times depend on the machine.\n";

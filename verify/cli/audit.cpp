@@ -8,6 +8,7 @@
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -61,8 +62,8 @@ int audit_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("audit", audits_json(results, of_contacts, options.accuracy), line.no_times);
   } else {
-    if (!results.empty()) out << audit_text(results, options.accuracy);
-    if (with_contacts) out << "\n" << contact_audits_text(of_contacts);
+    if (!results.empty()) out << folded(audit_text(results, options.accuracy));
+    if (with_contacts) out << "\n" << folded(contact_audits_text(of_contacts));
     if (results.empty() && !with_contacts) out << "nothing that was changed has a part in a quantity\n";
     out << interruption_text();
   }

@@ -6,19 +6,19 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
 
 std::string balance_text(const EnergyBalance& balance) {
-  constexpr auto row = "{:<24} {:<24} {:<12} {:<12} {}\n";
-  return balance.title + "\n" +
-         fmt::format(row, "work W mu_R", "loss", "difference", "errors", "force per unit width") +
-         fmt::format(row, fmt::format("{:.16g}", balance.work.value),
-                     fmt::format("{:.16g}", balance.loss.value), fmt::format("{:.1e}", balance.difference()),
-                     upward_text(balance.allowed()),
-                     balance.meets() ? "they meet" : "they differ by more than their errors") +
-         fmt::format("{:.2g} s\n", balance.seconds);
+  return folded(fmt::format(
+      "{}\n{}\n  work W mu_R  {:.16g}\n  loss         {:.16g}\n  difference {:.1e}, errors {}; force per unit "
+      "width\n{:.2g} s\n",
+      balance.title,
+      verdict(balance.meets(), balance.meets() ? "they meet" : "they differ by more than their errors"),
+      balance.work.value, balance.loss.value, balance.difference(), upward_text(balance.allowed()),
+      balance.seconds));
 }
 
 Json estimate_json(const fast::Estimate& number) {

@@ -10,15 +10,16 @@
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr auto notes =
-    "\nMedians and quartiles of interleaved rounds, one thread. time ratio: over fast at full accuracy, or over ref.\n"
+    "\nMedians and quartiles of interleaved rounds, one thread. ratio: of times, over fast at full accuracy, or over ref.\n"
     "*: none of the ways to the same values was as quick and more right, or as right and quicker.\n"
-    "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits:\n"
-    "10^-N of the scale) and relative to the value.\n"
+    "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits 10^-N of the scale) and "
+    "relative to the value.\n"
     "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n";
 
 /// What this run was asked for, to ask the same of an older program.
@@ -72,8 +73,8 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("bench", bench_json(report), line.no_times);
   } else {
-    out << bench_text(report.rows) << notes << machine_text() << "\n\n"
-        << ratios_text(report.ratios) << interruption_text();
+    out << folded(ratios_text(report.ratios) + bench_text(report.rows) + notes + machine_text() + "\n" +
+                  interruption_text());
   }
   return all_met(report, line.has("strict")) ? 0 : 1;
 }

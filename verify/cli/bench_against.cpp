@@ -10,6 +10,7 @@
 #include <nipref/verify/cli/bench_against.hpp>
 #include <nipref/verify/cli/output_of.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -86,15 +87,15 @@ std::vector<AgainstRow> bench_against(const std::string& old_program, const std:
 }
 
 std::string against_text(const std::vector<AgainstRow>& rows) {
-  std::string text =
-      fmt::format("{:12}{:32}{:26}{:>10}{:>10}{:>8}{:>14}{:>10}{:>10}\n", "quantity", "arguments", "method",
-                  "old ns", "new ns", "ratio", "of rounds", "old ulp", "new ulp");
-  for (const AgainstRow& row : rows)
-    text += fmt::format("{:12}{:32}{:26}{:>10.4g}{:>10.4g}{:>8.3g}{:>14}{:>10}{:>10}\n", row.quantity,
-                        row.range, row.method, row.old_nanoseconds, row.new_nanoseconds, row.ratio,
-                        fmt::format("{:.2f}..{:.2f}", row.least_ratio, row.largest_ratio),
-                        or_dash(row.old_ulp, 3), or_dash(row.new_ulp, 3));
-  return text;
+  TextTable table({"method", ">old ns", ">new ns", ">ratio", ">of rounds", ">old ulp", ">new ulp"});
+  for (const AgainstRow& row : rows) {
+    table.add({row.method, fmt::format("{:.4g}", row.old_nanoseconds),
+               fmt::format("{:.4g}", row.new_nanoseconds), fmt::format("{:.3g}", row.ratio),
+               fmt::format("{:.2f}..{:.2f}", row.least_ratio, row.largest_ratio), or_dash(row.old_ulp, 3),
+               or_dash(row.new_ulp, 3)});
+    table.add_below(row.quantity + " " + row.range);
+  }
+  return table.text();
 }
 
 Json against_json(const std::vector<AgainstRow>& rows) {

@@ -9,6 +9,7 @@
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -32,12 +33,15 @@ Json claim_json(const CheckedClaim& checked) {
 
 std::string claim_text(const CheckedClaim& checked) {
   const auto& [claim, outcome] = checked;
-  std::string text =
-      fmt::format("{}, {} {}: {}\n  {}{}{}\n", claim.id, claim.seed, claim.place, claim.statement,
-                  name_of(outcome.verdict), outcome.why.empty() ? "" : ": ", outcome.why);
+  std::string text = fmt::format("{}: {}, {} {}\n  {}\n",
+                                 verdict(outcome.verdict != ClaimVerdict::fails, name_of(outcome.verdict)),
+                                 claim.id, claim.seed, claim.place, claim.statement);
+  if (!outcome.why.empty()) text += "  " + outcome.why + "\n";
   for (const ClaimNumber& number : outcome.numbers)
-    text += fmt::format("    {:<72} {:.9g}{}\n", number.what, number.value,
-                        number.error ? " +- " + upward_text(*number.error) : "");
+    text += fmt::format(
+        "    {:<28} {}\n",
+        fmt::format("{:.9g}{}", number.value, number.error ? " +- " + upward_text(*number.error) : ""),
+        number.what);
   return text;
 }
 
@@ -53,12 +57,14 @@ int claims_verb(const CommandLine& line, std::ostream& out) {
     out << answer_text("claims", {{"claims", json_list(checked, claim_json)}}, line.no_times);
     return 0;
   }
-  for (const CheckedClaim& one : checked) out << claim_text(one) << "\n";
+  std::string text;
   for (const ClaimVerdict verdict :
        {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails})
-    out << fmt::format("{}: {}\n", name_of(verdict), std::ranges::count_if(checked, [&](const auto& one) {
-                         return one.second.verdict == verdict;
-                       }));
+    text += fmt::format("{}: {}\n", name_of(verdict), std::ranges::count_if(checked, [&](const auto& one) {
+                          return one.second.verdict == verdict;
+                        }));
+  for (const CheckedClaim& one : checked) text += "\n" + claim_text(one);
+  out << folded(text);
   return 0;
 }
 

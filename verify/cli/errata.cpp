@@ -6,6 +6,7 @@
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -33,7 +34,7 @@ std::string erratum_text(const SettledErratum& one) {
   return fmt::format(
       "{}, {} {}\n  printed: {}\n  right:   {}\n  {}: {}\n    printed {}, right {:.12g}, truth {:.12g} by {}\n",
       erratum.id, erratum.seed, erratum.equation, erratum.printed, erratum.right,
-      settlement.settled() ? "settled" : "NOT SETTLED", settlement.at,
+      verdict(settlement.settled(), settlement.settled() ? "settled" : "NOT SETTLED"), settlement.at,
       settlement.printed ? fmt::format("{:.12g}", *settlement.printed) : "no number", settlement.right,
       settlement.truth, erratum.proof);
 }
@@ -52,9 +53,10 @@ int errata_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("errata", {{"errata", json_list(all, erratum_json)}}, line.no_times);
   } else {
-    for (const SettledErratum& one : all) out << erratum_text(one) << "\n";
-    out << fmt::format("{} errata of formulas, {} not settled; those of tables: nipref tables\n", all.size(),
-                       open);
+    std::string text = fmt::format("{} errata of formulas, {} not settled; those of tables: nipref tables\n",
+                                   all.size(), open);
+    for (const SettledErratum& one : all) text += "\n" + erratum_text(one);
+    out << folded(text);
   }
   return open == 0 ? 0 : 1;
 }

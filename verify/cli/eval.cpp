@@ -14,6 +14,7 @@
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -58,24 +59,25 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"results", results}};
 }
 
-void print_text(const EvalRequest& request, const ParsedArguments& arguments,
-                const std::vector<EvalAnswer>& answers, std::ostream& out) {
-  out << fmt::format("{} = {}\n", request.quantity->name, request.quantity->definition);
+std::string answers_text(const EvalRequest& request, const ParsedArguments& arguments,
+                         const std::vector<EvalAnswer>& answers) {
+  std::string text = fmt::format("{} = {}\n", request.quantity->name, request.quantity->definition);
   for (std::size_t i = 0; i < arguments.text.size(); ++i) {
-    out << fmt::format("  {} = {}\n", request.quantity->arguments[i].name, arguments.text[i]);
+    text += fmt::format("  {} = {}\n", request.quantity->arguments[i].name, arguments.text[i]);
   }
   for (const EvalAnswer& answer : answers) {
-    out << fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
-                       answer.seconds, answer.value);
+    text += fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
+                        answer.seconds, answer.value);
     if (answer.error)
-      out << fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
+      text += fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
   }
   const Scale scale = scale_of(request, arguments, answers.front());
   if (scale.size)
-    out << fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
-                       request.quantity->scale, *scale.ulp);
-  if (request.form != nullptr) out << fmt::format("not the quantity itself: {}\n", request.form->differs);
-  if (const char* caveat = caveat_of(request)) out << caveat << "\n";
+    text += fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
+                        request.quantity->scale, *scale.ulp);
+  if (request.form != nullptr) text += fmt::format("not the quantity itself: {}\n", request.form->differs);
+  if (const char* caveat = caveat_of(request)) text += std::string(caveat) + "\n";
+  return folded(text);
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("eval", to_json(request, arguments, answers), line.no_times);
   } else {
-    print_text(request, arguments, answers, out);
+    out << answers_text(request, arguments, answers);
   }
   return 0;
 }

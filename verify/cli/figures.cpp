@@ -10,6 +10,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figures.hpp>
 #include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -23,7 +24,7 @@ int list_figures(const std::vector<FigurePlan>& plans, const CommandLine& line, 
     return 0;
   }
   for (const FigurePlan& plan : plans)
-    out << fmt::format("{:<12} {}\n{:13}{}\n", plan.id, plan.title, "", plan.parameters);
+    out << folded(fmt::format("{:<18} {}\n{:20}{}\n", plan.id, plan.title, "", plan.parameters));
   return 0;
 }
 
@@ -58,7 +59,7 @@ int figures_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("figures", {{"figure", figure_json(figure)}}, line.no_times);
   } else {
-    out << (csv || svg ? figure_text(figure) : figure_csv(figure));
+    out << (csv || svg ? folded(figure_text(figure)) : figure_csv(figure));
   }
   return 0;
 }

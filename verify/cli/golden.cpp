@@ -15,6 +15,7 @@
 #include <nipref/verify/golden/checksums.hpp>
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -41,7 +42,7 @@ int answer(const CommandLine& line, std::ostream& out, const std::string& text, 
   if (line.json) {
     out << answer_text("golden", json, line.no_times);
   } else {
-    out << text << interruption_text();
+    out << folded(text) << interruption_text();
   }
   return kept ? 0 : 1;
 }

@@ -13,6 +13,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -131,7 +132,7 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
     out << answer_text("grade", {{"rows", json_list(all, graded_json)}}, line.no_times);
   } else {
     for (const Graded& graded : all)
-      out << graded_text(graded) << (line.has("ctest") ? measurements(graded) : "");
+      out << folded(graded_text(graded)) << (line.has("ctest") ? measurements(graded) : "");
     out << interruption_text();
   }
   return kept ? 0 : 1;

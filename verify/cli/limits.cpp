@@ -8,6 +8,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/limits.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -42,7 +43,8 @@ std::string row_text(const LimitRow& row) {
                         sample.found.value, sample.limit, sample.distance());
   const double measured = row.measured_order();
   return text + fmt::format("  {}: the distance must fall {}, and {}\n",
-                            row.approached() ? "approached" : "MISSED", order_text(row),
+                            verdict(row.approached(), row.approached() ? "approached" : "MISSED"),
+                            order_text(row),
                             std::isinf(measured) ? "is below the solver's error at last"
                                                  : fmt::format("falls with {:.3f}", measured));
 }
@@ -56,8 +58,9 @@ int limits_verb(const CommandLine& line, std::ostream& out) {
   if (line.json) {
     out << answer_text("limits", {{"rows", json_list(rows, row_json)}}, line.no_times);
   } else {
-    for (const LimitRow& row : rows) out << row_text(row) << "\n";
-    out << fmt::format("{} limits, {} missed\n", rows.size(), missed);
+    std::string text = fmt::format("{} limits, {} missed\n", rows.size(), missed);
+    for (const LimitRow& row : rows) text += "\n" + row_text(row);
+    out << folded(text);
   }
   return missed == 0 ? 0 : 1;
 }

@@ -5,6 +5,7 @@
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -34,14 +35,9 @@ std::string arguments_text(const Quantity& quantity) {
   return text.substr(1);
 }
 
-/// Two lines of the list.
+/// What it is, and what it takes.
 std::string brief_text(const Quantity& quantity) {
-  std::string text = fmt::format("{:8} {:31} {}\n{:40} {}; scale: {}; audit: {} points\n", quantity.name,
-                                 arguments_text(quantity), quantity.definition, "", quantity.source,
-                                 quantity.scale, quantity.audit_points);
-  for (const SeedForm& form : quantity.seed_forms)
-    text += fmt::format("{:40} form={}: {}\n", "", form.name, form.differs);
-  return text;
+  return fmt::format("{}  {}\n    {}\n", quantity.name, arguments_text(quantity), quantity.definition);
 }
 
 std::string full_text(const Quantity& quantity) {
@@ -70,10 +66,13 @@ int list_verb(const CommandLine& line, std::ostream& out) {
     out << answer_text("list", {{"quantities", of_selected}}, line.no_times);
     return 0;
   }
-  for (const Quantity* quantity : selected)
-    out << (line.words.empty() ? brief_text(*quantity) : full_text(*quantity));
-  out << "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: half "
-         "thickness of the sheet\n";
+  const bool full = line.has("full") || !line.words.empty();
+  std::string text;
+  for (const Quantity* quantity : selected) text += full ? full_text(*quantity) : brief_text(*quantity);
+  out << folded(
+      text +
+      "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: "
+      "half thickness of the sheet\n");
   return 0;
 }
 

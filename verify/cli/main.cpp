@@ -12,6 +12,7 @@
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace {
 
@@ -24,11 +25,11 @@ constexpr int status_interrupted = 130;
 
 int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.help) {
-    out << *line.help;
+    out << verify::folded(*line.help);
     return 0;
   }
   if (line.version) {
-    out << (line.json ? verify::version_answer_text() : verify::version_text());
+    out << (line.json ? verify::version_answer_text() : verify::folded(verify::version_text()));
     return 0;
   }
   if (const auto isa = line.option("isa")) fast::use_instruction_set(*isa);
@@ -46,8 +47,12 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "figures") return verify::figures_verb(line, out);
   if (line.verb == "bench") return verify::bench_verb(line, out);
   if (line.verb == "report") return verify::report_verb(line, out);
-  return verify::tables_verb(
-      {.ids = line.words, .list = line.has("list"), .json = line.json, .quiet = line.has("quiet")}, out);
+  return verify::tables_verb({.ids = line.words,
+                              .list = line.has("list"),
+                              .full = line.has("full"),
+                              .json = line.json,
+                              .quiet = line.has("quiet")},
+                             out);
 }
 
 /// Whatever was in the input, the message stays one line, which is given back. There is nobody to tell if this fails.
@@ -88,7 +93,8 @@ Result result_of(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) try {
   verify::occupy_standard_descriptors();
-  const Result result = result_of(argc, argv);
+  Result result = result_of(argc, argv);
+  if (!verify::standard_output_shows_colours()) result.output = verify::plain(result.output);
   if (!result.output.empty()) verify::write_to_standard_output(result.output);
   return verify::interrupted() ? status_interrupted : result.status;
 } catch (const verify::OutputError& error) {

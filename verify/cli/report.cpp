@@ -54,7 +54,7 @@ void print_as_text(const BenchReport& speed, const Audits& audits, const Witness
       << witness_text(witness) << "\nSpeed against error (all ranges: nipref bench)\n\n"
       << bench_text(essential_rows(speed.rows)) << "\n"
       << ratios_text(speed.ratios) << "\nTables of the seeds, replayed\n\n"
-      << tables_text(tables, true) << interruption_text();
+      << tables_text(tables, false) << interruption_text();
 }
 
 }  // namespace

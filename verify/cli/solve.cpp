@@ -11,7 +11,8 @@ namespace {
 /// 1 if something is not as accurate as was asked.
 template <class Number>
 int print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
-  out << (line.json ? answer_text("solve", solution_json(solution), line.no_times) : solution_text(solution));
+  out << (line.json ? answer_text("solve", solution_json(solution), line.no_times)
+                    : solution_text(solution, line.has("full")));
   return solution.missed().empty() ? 0 : 1;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 
 #include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/standard_output.hpp>
@@ -23,6 +24,13 @@ void occupy_standard_descriptors() {
   occupy(STDIN_FILENO, O_RDONLY);
   occupy(STDOUT_FILENO, O_RDONLY);  // for writing it is as good as closed
   occupy(STDERR_FILENO, O_WRONLY);
+}
+
+bool standard_output_shows_colours() {
+  const char* const unwanted = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return (unwanted == nullptr || *unwanted == '\0') && terminal != nullptr &&
+         std::string_view(terminal) != "dumb" && isatty(STDOUT_FILENO) == 1;
 }
 
 void write_to_standard_output(std::string_view text) {

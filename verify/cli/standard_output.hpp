@@ -8,6 +8,10 @@ namespace nipref::verify {
 /// nothing comes: written to, standard output says that it is none, and standard error says nothing.
 void occupy_standard_descriptors();
 
+/// Whether what is written there is seen on a terminal that shows colours, and the user wants them: NO_COLOR unset or
+/// empty (no-color.org).
+bool standard_output_shows_colours();
+
 /// Writes all of `text` to standard output and closes that. OutputError (output_file.hpp) if any of it could
 /// not be written. A reader that has gone ends the program by SIGPIPE, as is usual.
 void write_to_standard_output(std::string_view text);

@@ -78,7 +78,7 @@ int tables_verb(const TablesRequest& request, std::ostream& out) {
   if (request.json) {
     out << answer_text("tables", tables_json(replays));
   } else {
-    out << tables_text(replays, false) << interruption_text();
+    out << tables_text(replays, request.full) << interruption_text();
   }
   return fall_short(replays) ? 1 : 0;
 }

@@ -11,8 +11,9 @@ namespace nipref::verify {
 /// What `nipref tables` was asked for.
 struct TablesRequest {
   std::vector<std::string>
-      ids;    ///< or what data::find_table_id takes for one; empty: all tables that can be replayed
-  bool list;  ///< only say which tables there are and what they hold
+      ids;            ///< or what data::find_table_id takes for one; empty: all tables that can be replayed
+  bool list;          ///< only say which tables there are and what they hold
+  bool full = false;  ///< cells that match too
   bool json;
   bool quiet = false;  ///< no progress is told
 };

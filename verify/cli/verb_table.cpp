@@ -93,6 +93,7 @@ const OptionText figure_csv_option{"csv", "file for its numbers, a line for each
 const OptionText figure_svg_option{"svg", "file for the figure, drawn by gnuplot"};
 const OptionText figure_list_flag{"list", "only list the figures"};
 
+const OptionText full_flag{"full", "all there is to say"};
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
 const OptionText quiet_flag{"quiet", "tell no progress"};
@@ -108,7 +109,7 @@ const std::array all_verbs{
              "quantity",
              "names of quantities (default: all, in brief)",
              {},
-             {json_flag, no_times_flag},
+             {full_flag, json_flag, no_times_flag},
              {"nipref list", "nipref list I1 vs"}},
     VerbText{
         "eval",
@@ -130,7 +131,7 @@ const std::array all_verbs{
         "what it has there. key=a,b,c and key=lo..hi[:log|:linear|:bits], here or in the scene's table [sweep], give "
         "all combinations, a row each, as CSV",
         {solve_path_option, solve_digits_option, sweep_points_text},
-        {quiet_flag, json_flag, no_times_flag},
+        {full_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref solve thick-full-friction",
          "nipref solve scene.toml load.per_length=200 material.poisson=0.3",
          "nipref solve thick-frictionless load.per_length=1..1000:log --points 50"},
@@ -151,7 +152,7 @@ const std::array all_verbs{
              "table",
              "ids or, where it is clear, what is behind their hyphens: thesis-VII, VII (default: all)",
              {},
-             {list_flag, quiet_flag, json_flag, no_times_flag},
+             {list_flag, full_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref tables --list", "nipref tables VII brock2013-1"}},
     VerbText{"limits",
              "How the contacts' solvers approach limits that are known in closed form, and with which power.",

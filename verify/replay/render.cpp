@@ -4,8 +4,13 @@
 #include <cmath>
 #include <iterator>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/support/text.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -77,17 +82,23 @@ std::string row_label(const Replay& replay, std::size_t row) {
   return label;
 }
 
-void append_full(std::string& text, const Replay& replay) {
-  auto out = std::back_inserter(text);
-  fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", "row", "column", "printed",
-                 "replayed range", "corrected", "verdict", "note");
+std::string coloured(Verdict of_cell) {
+  if (of_cell == Verdict::input) return std::string(name(of_cell));
+  return verdict(of_cell == Verdict::match, name(of_cell));
+}
+
+void append_cells(std::string& text, const Replay& replay, bool all) {
+  TextTable table({"  verdict", "row", "column", ">printed", ">replayed range", ">corrected"});
   for (const ReplayedCell& cell : replay.cells) {
-    const std::string range = fmt::format("{} .. {}", scaled(replay, cell, cell.range.lower),
-                                          scaled(replay, cell, cell.range.upper));
-    fmt::format_to(out, "{:>8} {:>7} {:>10} {:>22} {:>12} {:>12}  {}\n", row_label(replay, cell.row),
-                   cell.column, printed_cell(replay, cell).printed, range,
-                   scaled(replay, cell, cell.corrected).value_or("-"), name(cell.verdict), cell.note);
+    if (!all && (cell.verdict == Verdict::input || cell.verdict == Verdict::match)) continue;
+    table.add({"  " + coloured(cell.verdict), row_label(replay, cell.row), cell.column,
+               printed_cell(replay, cell).printed,
+               fmt::format("{}..{}", scaled(replay, cell, cell.range.lower),
+                           scaled(replay, cell, cell.range.upper)),
+               scaled(replay, cell, cell.corrected).value_or("-")});
+    if (!cell.note.empty()) table.add_below(cell.note);
   }
+  if (!table.empty()) text += table.text();
 }
 
 /// What the weaknesses of the seed's method cost.
@@ -116,16 +127,6 @@ Json costs_json(const Replay& replay) {
     costs.set(cost.weakness, columns);
   }
   return costs;
-}
-
-void append_exceptions(std::string& text, const Replay& replay) {
-  for (const ReplayedCell& cell : replay.cells) {
-    if (cell.verdict == Verdict::input || cell.verdict == Verdict::match) continue;
-    fmt::format_to(std::back_inserter(text), "  {} {} printed {}, replayed {} .. {}: {}. {}\n",
-                   row_label(replay, cell.row), cell.column, printed_cell(replay, cell).printed,
-                   scaled(replay, cell, cell.range.lower), scaled(replay, cell, cell.range.upper),
-                   name(cell.verdict), cell.note);
-  }
 }
 
 Json cell_json(const Replay& replay, const ReplayedCell& cell) {
@@ -167,21 +168,21 @@ Json table_json(const Replay& replay) {
 
 }  // namespace
 
-std::string tables_text(const std::vector<Replay>& replays, bool compact) {
-  std::string text;
+std::string tables_text(const std::vector<Replay>& replays, bool all_cells) {
+  const Counts counts = count(replays);
+  std::string text = fmt::format(
+      "{} cells (inputs not counted): {} match, {} misprint, {} seed-error, {} unexplained, of which {} have no "
+      "number\n",
+      counts.cells, counts.match, counts.misprint, counts.seed_error, counts.unexplained,
+      counts.without_number);
   for (const Replay& replay : replays) {
-    fmt::format_to(std::back_inserter(text), "{}: {}\n  {}\n", replay.table.id, replay.table.title,
-                   replay.method);
-    compact ? append_exceptions(text, replay) : append_full(text, replay);
+    fmt::format_to(std::back_inserter(text), "\n{}: {}\n  {} of {} cells match\n  {}\n", replay.table.id,
+                   replay.table.title, replay.count(Verdict::match),
+                   replay.cells.size() - replay.count(Verdict::input), replay.method);
+    append_cells(text, replay, all_cells);
     append_costs(text, replay);
   }
-  const Counts counts = count(replays);
-  fmt::format_to(std::back_inserter(text),
-                 "{} cells (inputs not counted): {} match, {} misprint, {} seed-error, {} unexplained, of "
-                 "which {} have no number\n",
-                 counts.cells, counts.match, counts.misprint, counts.seed_error, counts.unexplained,
-                 counts.without_number);
-  return text;
+  return folded(text);
 }
 
 Json tables_json(const std::vector<Replay>& replays) {
@@ -197,23 +198,26 @@ Json tables_json(const std::vector<Replay>& replays) {
 }
 
 std::string table_list_text(const std::vector<data::TableSummary>& summaries) {
-  std::string text =
-      fmt::format("{:13} {:>4} {:>7} {:>5} {:>5} {:>8} {:>5} {:>5} {:>10}  {}\n", "table", "rows", "columns",
-                  "cells", "empty", "identity", "trend", "glyph", "unreadable", "title");
+  TextTable table(
+      {"table", ">rows", ">columns", ">cells", ">empty", ">identity", ">trend", ">glyph", ">unreadable"});
+  const auto add = [&](const data::TableSummary& row, const std::string& columns) {
+    std::vector<std::string> cells{row.id, std::to_string(row.rows), columns, std::to_string(row.cells),
+                                   std::to_string(row.empty)};
+    for (const std::size_t of_kind : row.errata) cells.push_back(std::to_string(of_kind));
+    table.add(std::move(cells));
+  };
   data::TableSummary sum{};
-  for (const data::TableSummary& table : summaries) {
-    fmt::format_to(std::back_inserter(text), "{:13} {:>4} {:>7} {:>5} {:>5} {:>8} {:>5} {:>5} {:>10}  {}\n",
-                   table.id, table.rows, table.columns, table.cells, table.empty, table.errata[0],
-                   table.errata[1], table.errata[2], table.errata[3], table.title);
-    sum.rows += table.rows;
-    sum.cells += table.cells;
-    sum.empty += table.empty;
-    for (std::size_t kind = 0; kind < sum.errata.size(); ++kind) sum.errata[kind] += table.errata[kind];
+  sum.id = "sum";
+  for (const data::TableSummary& one : summaries) {
+    add(one, std::to_string(one.columns));
+    table.add_below(one.title);
+    sum.rows += one.rows;
+    sum.cells += one.cells;
+    sum.empty += one.empty;
+    for (std::size_t kind = 0; kind < sum.errata.size(); ++kind) sum.errata[kind] += one.errata[kind];
   }
-  fmt::format_to(std::back_inserter(text), "{:13} {:>4} {:>7} {:>5} {:>5} {:>8} {:>5} {:>5} {:>10}\n", "sum",
-                 sum.rows, "", sum.cells, sum.empty, sum.errata[0], sum.errata[1], sum.errata[2],
-                 sum.errata[3]);
-  return text;
+  add(sum, "");
+  return table.text();
 }
 
 Json table_list_json(const std::vector<data::TableSummary>& summaries) {

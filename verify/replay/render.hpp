@@ -8,9 +8,9 @@
 
 namespace nipref::verify {
 
-/// Every table, a line for each cell with its replayed and its corrected value, then how far the seed's
-/// discretisation is from the truth; `compact` lists only cells that do not match.
-std::string tables_text(const std::vector<Replay>& replays, bool compact);
+/// Counts of verdicts; then every table, a line for each cell that does not match, or for `all_cells`, with its replayed
+/// and its corrected value, and how far the seed's discretisation is from the truth.
+std::string tables_text(const std::vector<Replay>& replays, bool all_cells);
 
 /// What `tables` answers, and what stands for it in a report.
 Json tables_json(const std::vector<Replay>& replays);

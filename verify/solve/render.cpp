@@ -7,6 +7,7 @@
 
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -53,11 +54,11 @@ std::string work_text(const fast::Work& work) {
 }
 
 template <class Number>
-void append_number(const typename SceneSolution<Number>::Result& result, std::string& text) {
+void append_number(const typename SceneSolution<Number>::Result& result, bool full, std::string& text) {
   const Number& number = result.numbers.front();
-  fmt::format_to(std::back_inserter(text), "  {:<21} {:<22} {} {:<8} {:<12}  {}\n", result.what->name,
-                 value_text(number), error_word(number), error_text(number), result.what->unit,
-                 result.what->meaning);
+  fmt::format_to(std::back_inserter(text), "  {:<23} {:<22} {} {:<8} {}\n", result.what->name,
+                 value_text(number), error_word(number), error_text(number), result.what->unit);
+  if (full) text += fmt::format("    {}\n", result.what->meaning);
 }
 
 template <class Number>
@@ -79,8 +80,10 @@ void append_field(const typename SceneSolution<Number>::Result& result, const da
   fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
                  result.what->unit);
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "    depth = {:<12} Y = {:<22} {:<22} {} {}\n",
-                   field.depths[i / field.positions.size()], field.positions[i % field.positions.size()],
+    const std::size_t position = i % field.positions.size();
+    if (position == 0)
+      fmt::format_to(std::back_inserter(text), "    depth = {}\n", field.depths[i / field.positions.size()]);
+    fmt::format_to(std::back_inserter(text), "      Y = {:<20} {:<22} {} {}\n", field.positions[position],
                    value_text(result.numbers[i]), error_word(result.numbers[i]),
                    error_text(result.numbers[i]));
   }
@@ -100,25 +103,28 @@ std::string value_text(const LongEstimate& number) { return number.value; }
 std::string error_text(const LongEstimate& number) { return number.error; }
 
 template <class Number>
-std::string solution_text(const SceneSolution<Number>& solution) {
+std::string solution_text(const SceneSolution<Number>& solution, bool full) {
   std::string text = solution.title + "\n";
+  const auto missed = solution.missed();
+  if (missed.empty()) {
+    text += good(fmt::format("accuracy {:g} is met", solution.accuracy)) + "\n";
+  } else {
+    text += bad(fmt::format("accuracy {:g} is missed", solution.accuracy)) +
+            fmt::format(" by {}: the best there is\n", fmt::join(missed, ", "));
+  }
   for (const auto& result : solution.results) {
     if (result.what->is_field) {
       append_field<Number>(result, solution.field, text);
     } else if (result.what->is_profile) {
       append_profile<Number>(result, solution.positions, text);
     } else {
-      append_number<Number>(result, text);
+      append_number<Number>(result, full, text);
     }
-  }
-  if (const auto missed = solution.missed(); !missed.empty()) {
-    text += fmt::format("accuracy {:g} is missed by {}: the best there is\n", solution.accuracy,
-                        fmt::join(missed, ", "));
   }
   text += fmt::format("work: {}\n", work_text(solution.work));
   if (!is_empty(solution.error_work))
     text += fmt::format("for the error estimates: {}\n", work_text(solution.error_work));
-  return text + fmt::format("{:.2g} s\n", solution.seconds);
+  return folded(text + fmt::format("{:.2g} s\n", solution.seconds));
 }
 
 template <class Number>
@@ -142,8 +148,8 @@ Json solution_json(const SceneSolution<Number>& solution) {
           {"times", {{"seconds", solution.seconds}}}};
 }
 
-template std::string solution_text(const SceneSolution<fast::Estimate>&);
-template std::string solution_text(const SceneSolution<LongEstimate>&);
+template std::string solution_text(const SceneSolution<fast::Estimate>&, bool);
+template std::string solution_text(const SceneSolution<LongEstimate>&, bool);
 template Json solution_json(const SceneSolution<fast::Estimate>&);
 template Json solution_json(const SceneSolution<LongEstimate>&);
 

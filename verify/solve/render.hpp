@@ -12,10 +12,11 @@ std::string error_text(const fast::Estimate& number);
 std::string value_text(const LongEstimate& number);
 std::string error_text(const LongEstimate& number);
 
-/// For people: numbers with units and error estimates, profiles as a table, the work in one line.
+/// For people: whether the accuracy is met, numbers with errors and units, in `full` with their meanings, profiles as a
+/// table, the work in one line.
 /// Instantiated for fast::Estimate and LongEstimate.
 template <class Number>
-std::string solution_text(const SceneSolution<Number>& solution);
+std::string solution_text(const SceneSolution<Number>& solution, bool full = false);
 
 /// What `solve` answers. The reference's numbers are text.
 template <class Number>

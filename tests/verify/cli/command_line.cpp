@@ -9,6 +9,7 @@
 #include <nipref/verify/support/internal/upward_text.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/unfolded.hpp"
 
 namespace {
 
@@ -158,7 +159,7 @@ TEST_CASE("eval says, to people and machines, that fast answers for the doubles 
   CHECK(caveat("").get<std::string>().find("nearest double") != std::string::npos);
   CHECK(caveat("path=fast") == caveat(""));
   CHECK(caveat("path=ref").is_null());
-  CHECK(run("eval I1 alpha=0.73").out.find(caveat("").get<std::string>()) != std::string::npos);
+  CHECK(unfolded(run("eval I1 alpha=0.73").out).find(caveat("").get<std::string>()) != std::string::npos);
 }
 
 TEST_CASE("an audit's random scenes are asked for with contacts only, and counted in whole numbers") {

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/support/text.hpp>
 
 #include "support/run_nipref.hpp"
+#include "support/unfolded.hpp"
 
 // What is meant is done, and help says what there is.
 
@@ -53,7 +56,7 @@ TEST_CASE("each verb's help has what its names are, two examples and the exit st
     REQUIRE(first != std::string::npos);
     CHECK(help.find(one, first + one.size()) != std::string::npos);
     for (const char* status : {"0 all well", "1 a check", "2 bad input", "4 output", "130 interrupted"})
-      CHECK(says(help, status));
+      CHECK(says(unfolded(help), status));
     if (verb != "report") CHECK(says(help, "Positionals:"));
   }
 }
@@ -78,7 +81,8 @@ TEST_CASE("list tells all about one quantity, and each quantity's own number of 
   CHECK(two[0].at("name") == "I1");
   CHECK(two[0].at("audit_points") == 20000);
   CHECK(two[1].at("audit_points") == nipref::verify::find_quantity("ti.span_ratio").audit_points);
-  CHECK(says(run("list").out, "audit: 6 points"));
+  CHECK(says(run("list --full").out, "audit: 6 points"));
+  CHECK_FALSE(says(run("list").out, "audit: "));
 }
 
 TEST_CASE("the help of audit names the least and the largest number of points of the catalogue") {
@@ -123,7 +127,8 @@ TEST_CASE("key=value pairs stand for what a scene has, and its title says so") {
   CHECK(length(same) == length(plain));
   CHECK(length(more) > length(plain));
   CHECK(says(more.at("title"), ", with load.per_length = 200"));
-  CHECK(says(run("solve thick-full-friction load.per_length=200").out, ", with load.per_length = 200"));
+  CHECK(says(unfolded(run("solve thick-full-friction load.per_length=200").out),
+             ", with load.per_length = 200"));
   CHECK(run("solve thick-full-friction load.per_length=-5e0").err ==
         "nipref: load.per_length = -5e0: must be finite and > 0\n");
 }
@@ -148,4 +153,36 @@ TEST_CASE("a density scales each quantity's own number of points, and few points
   CHECK(says(few, "kept, few"));
   CHECK(says(few, "fewer than 100 points"));
   CHECK_FALSE(says(run("audit I3 --points 500").out, "few"));
+}
+
+TEST_CASE("what verbs say to people fits eighty columns, whatever the names, and has no colours in a file") {
+  for (const char* words : {"help",
+                            "help grade",
+                            "help bench",
+                            "--version",
+                            "list",
+                            "list --full",
+                            "list Un",
+                            "Un t=1 T=0.5",
+                            "eval ti.span_ratio speed=0.2 friction=0.1 --digits 16",
+                            "solve inside-full-friction --full",
+                            "solve half-space-sphere-in-plane-axis",
+                            "balance viscoelastic-short-memory",
+                            "tables --list",
+                            "tables V brock2013-3 --full",
+                            "limits limit.hertz.load",
+                            "claims brock2012-strip",
+                            "errata",
+                            "figures --list",
+                            "audit ti.span_ratio F1 --quick --quiet",
+                            "golden list"}) {
+    CAPTURE(words);
+    const Outcome outcome = run(words);
+    CHECK(outcome.status == 0);
+    CHECK(outcome.out == nipref::verify::plain(outcome.out));
+    std::istringstream lines(outcome.out);
+    for (std::string line; std::getline(lines, line);) {
+      if (nipref::verify::width_of(line) > nipref::verify::text_width) FAIL_CHECK(line);
+    }
+  }
 }

@@ -346,11 +346,11 @@ TEST_CASE("faults are told in a few lines, with where the others lie") {
   for (int i = 0; i < 100; ++i) faults.push_back({FaultKind::crash, Point{i / 4.0}, "SIGSEGV"});
   const std::string text = verify::faults_text(quantity, faults);
   CHECK(text ==
-        "  crash at alpha=0x0p+0 (0): SIGSEGV\n"
-        "  crash at alpha=0x1p-2 (0.25): SIGSEGV\n"
-        "  crash at alpha=0x1p-1 (0.5): SIGSEGV\n"
-        "  crash at alpha=0x1.8p-1 (0.75): SIGSEGV\n"
-        "  crash: and 96 more, all in alpha=0x0p+0 (0) ... alpha=0x1.8cp+4 (24.75)\n"
+        "  crash at alpha=0 (0x0p+0): SIGSEGV\n"
+        "  crash at alpha=0.25 (0x1p-2): SIGSEGV\n"
+        "  crash at alpha=0.5 (0x1p-1): SIGSEGV\n"
+        "  crash at alpha=0.75 (0x1.8p-1): SIGSEGV\n"
+        "  crash: and 96 more, all in alpha=0 (0x0p+0) ... alpha=24.75 (0x1.8cp+4)\n"
         "  environment changed: leaves another rounding mode, in open\n");
   CHECK(verify::faults_json(quantity, faults).text().find("\"count\": 100") != std::string::npos);
 }

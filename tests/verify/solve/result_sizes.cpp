@@ -7,9 +7,11 @@
 
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 #include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/text.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/solved_scene.hpp"
+#include "support/unfolded.hpp"
 
 using namespace nipref;
 
@@ -72,8 +74,8 @@ TEST_CASE("a result meets the accuracy if each of its errors is no larger than i
   CHECK(solution.results[1].met() == false);
   solution.results[3].numbers.front().error = std::nan("");
   CHECK(solution.results[3].met() == false);
-  CHECK(verify::solution_text(solution).find(
-            "accuracy 1e-06 is missed by load, pressure: the best there is") != std::string::npos);
+  CHECK(unfolded(verify::plain(verify::solution_text(solution)))
+            .find("accuracy 1e-06 is missed by load, pressure: the best there is") != std::string::npos);
   const auto results = nlohmann::json::parse(verify::solution_json(solution).text()).at("results");
   CHECK(results["contact_length"]["met"] == true);
   CHECK(results["load"]["met"] == false);

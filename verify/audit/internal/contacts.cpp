@@ -15,6 +15,8 @@
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/text.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -125,9 +127,9 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
   return audit;
 }
 
-const char* verdict(const ContactAudit& audit) {
+std::string verdict_of(const ContactAudit& audit) {
   if (!audit.kept()) return "no truth";
-  return *audit.kept() ? "kept" : "BROKEN";
+  return verdict(*audit.kept(), *audit.kept() ? "kept" : "BROKEN");
 }
 
 }  // namespace
@@ -148,17 +150,19 @@ std::vector<ContactAudit> audit_contacts(const std::function<void(const std::str
 }
 
 std::string contact_audit_text(const std::vector<ContactAudit>& audits) {
-  std::string text = fmt::format("{:28}{:>8}{:>9}{:>9}{:>11}{:>12}{:>11}{:>11}{:>11}{:>11}  {}\n", "contact",
-                                 "L/B", "poisson", "unknowns", "condition", "oscillation", "error", "allowed",
-                                 "kernels", "discret.", "verdict");
+  TextTable table(
+      {"verdict", "contact", ">L/B", ">poisson", ">unknowns", ">condition", ">error", ">allowed"});
   for (const ContactAudit& audit : audits) {
-    text +=
-        fmt::format("{:28}{:>8g}{:>9.3g}{:>9}{:>11}{:>12}{:>11}{:>11.2g}{:>11}{:>11}  {}\n", audit.system,
-                    audit.ratio, audit.poisson, audit.unknowns, or_dash(audit.condition, 2),
-                    or_dash(audit.oscillation, 2), or_dash(audit.error, 2), audit.allowed,
-                    or_dash(audit.kernel_error, 2), or_dash(audit.discretisation_error, 2), verdict(audit));
+    table.add({verdict_of(audit), audit.system, fmt::format("{:g}", audit.ratio),
+               fmt::format("{:.3g}", audit.poisson), fmt::format("{}", audit.unknowns),
+               or_dash(audit.condition, 2), or_dash(audit.error, 2), fmt::format("{:.2g}", audit.allowed)});
+    if (audit.oscillation)
+      table.add_below(fmt::format("oscillation of the shear {:.2g}", *audit.oscillation));
+    if (audit.kernel_error)
+      table.add_below(fmt::format("of the error by its kernels {}, discretisation {}",
+                                  or_dash(audit.kernel_error, 2), or_dash(audit.discretisation_error, 2)));
   }
-  return text;
+  return table.text();
 }
 
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {

@@ -2,16 +2,11 @@
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/text.hpp>
+#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {
-
-std::string row(const SceneTally& tally) {
-  return fmt::format("{:30}{:>7}{:>8}{:>9}{:>10}{:>12}{:>11.3g}{:>10}{:>8}{:>8}{:>10.2g}  {}\n", tally.kind,
-                     tally.scenes, tally.refused, tally.numbers, tally.unchecked, tally.uncovered,
-                     tally.worst.largest_ratio, or_dash(tally.median_overestimate, 3), tally.missed_said,
-                     tally.missed_unsaid, tally.slowest.seconds, tally.kept() ? "kept" : "BROKEN");
-}
 
 std::string worst_text(const SceneTally& tally) {
   std::string text;
@@ -34,10 +29,16 @@ Json failure_json(const SceneTally& tally) {
 }  // namespace
 
 std::string scene_tally_text(const std::vector<SceneTally>& tallies) {
-  std::string text = fmt::format("{:30}{:>7}{:>8}{:>9}{:>10}{:>12}{:>11}{:>10}{:>8}{:>8}{:>10}  {}\n",
-                                 "random scenes", "scenes", "refused", "numbers", "unchecked", "not covered",
-                                 "err/est", "est/err", "missed", "unsaid", "slowest/s", "verdict");
-  for (const SceneTally& tally : tallies) text += row(tally);
+  TextTable table({"verdict", "random scenes", ">numbers", ">uncovered", ">err/est", ">est/err"});
+  for (const SceneTally& tally : tallies) {
+    table.add({verdict(tally.kept(), tally.kept() ? "kept" : "BROKEN"), std::string(tally.kind),
+               fmt::format("{}", tally.numbers), fmt::format("{}", tally.uncovered),
+               fmt::format("{:.3g}", tally.worst.largest_ratio), or_dash(tally.median_overestimate, 3)});
+    table.add_below(fmt::format(
+        "{} scenes, {} refused; {} unchecked; accuracy missed {}, unsaid {}; slowest {:.2g} s", tally.scenes,
+        tally.refused, tally.unchecked, tally.missed_said, tally.missed_unsaid, tally.slowest.seconds));
+  }
+  std::string text = table.text();
   for (const SceneTally& tally : tallies) {
     if (!tally.kept()) text += worst_text(tally);
   }

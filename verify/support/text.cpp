@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <nipref/verify/support/text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr std::string_view green = "\x1b[32m", red = "\x1b[31m", as_before = "\x1b[0m";
+
+/// Where a line goes on: below what follows the last gap of two spaces in its first half.
+std::size_t hanging_indent(std::string_view line) {
+  const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+  std::size_t indent = start + 4;
+  for (std::size_t gap = line.find("  ", start); gap < text_width / 2; gap = line.find("  ", indent)) {
+    const std::size_t next = line.find_first_not_of(' ', gap);
+    if (next == std::string_view::npos || next > text_width / 2) break;
+    indent = next;
+  }
+  return indent;
+}
+
+void append_folded(std::string& text, std::string_view line) {
+  if (width_of(line) <= text_width) {
+    text += line;
+    return;
+  }
+  const std::size_t indent = hanging_indent(plain(line));
+  std::size_t used = 0;
+  for (std::size_t at = 0; at < line.size();) {
+    // A word with the spaces before it.
+    const std::size_t word = std::min(line.find_first_not_of(' ', at), line.size());
+    const std::size_t end = std::min(line.find(' ', word), line.size());
+    const std::size_t width = width_of(line.substr(word, end - word));
+    if (used > indent && used + (word - at) + width > text_width) {
+      text += fmt::format("\n{:{}}", "", indent);
+      used = indent;
+    } else {
+      text += line.substr(at, word - at);
+      used += word - at;
+    }
+    text += line.substr(word, end - word);
+    used += width;
+    at = end;
+  }
+}
+
+}  // namespace
+
+std::string good(std::string_view text) { return fmt::format("{}{}{}", green, text, as_before); }
+std::string bad(std::string_view text) { return fmt::format("{}{}{}", red, text, as_before); }
+
+std::string plain(std::string_view text) {
+  std::string without;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '\x1b') {
+      at = std::min(text.find('m', at), text.size());
+    } else {
+      without += text[at];
+    }
+  }
+  return without;
+}
+
+std::size_t width_of(std::string_view text) {
+  const std::string seen = plain(text);
+  // Of UTF-8 only first bytes take a column.
+  return static_cast<std::size_t>(std::ranges::count_if(
+      seen, [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; }));
+}
+
+std::string folded(std::string_view text) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    append_folded(all, text.substr(at, end - at));
+    if (end < text.size()) all += '\n';
+    at = end + 1;
+  }
+  return all;
+}
+
+}  // namespace nipref::verify
