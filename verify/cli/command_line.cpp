@@ -15,11 +15,6 @@ namespace {
 
 using data::BadInput;
 
-constexpr auto statuses =
-    "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 incomplete, 4 output could not be written, "
-    "70 internal error, 130 interrupted.\n"
-    "An error is one line on standard error; with --json it is an answer on standard output as well.";
-
 /// `nipref help eval` and `nipref I1 alpha=0.73` mean `nipref eval --help` and `nipref eval I1 alpha=0.73`.
 std::vector<std::string> as_meant(std::vector<std::string> words) {
   if (words.empty()) return words;
@@ -51,7 +46,7 @@ struct Raw {
 };
 
 std::string footer_of(const VerbText& verb) {
-  return fmt::format("\nExamples:\n  {}\n\n{}", fmt::join(verb.examples, "\n  "), statuses);
+  return fmt::format("\nExamples:\n  {}\n\n{}", fmt::join(verb.examples, "\n  "), exit_statuses());
 }
 
 void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
@@ -113,14 +108,11 @@ bool asks_for_json(int argc, const char* const* argv) {
 CommandLine parse_command_line(int argc, const char* const* argv) {
   std::vector<std::string> words = as_meant({argv + std::min(argc, 1), argv + argc});
   refuse_what_is_unknown(words);
-  CLI::App app(
-      "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) "
-      "and fast (double).\n'nipref help VERB' says what a verb takes.",
-      "nipref");
+  CLI::App app(std::string(program_meaning()), "nipref");
   app.require_subcommand(1);
   app.set_version_flag("--version", "", "what it was built from and with; --version --json for machines");
   app.footer(std::string("\nExamples:\n  nipref I1 alpha=0.73\n  nipref solve thick-full-friction\n\n") +
-             statuses);
+             std::string(exit_statuses()));
   std::map<std::string, Raw> raws;
   for (const VerbText& verb : verbs()) declare(app, verb, raws[verb.name]);
 

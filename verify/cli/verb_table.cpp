@@ -255,6 +255,17 @@ std::vector<std::string_view> names_of(std::span<const VerbText> verbs) {
 
 }  // namespace
 
+std::string_view program_meaning() {
+  return "Verification reference for rolling contact: two independent paths, ref (16 to 1000 digits with bounds) and "
+         "fast (double).\n'nipref help VERB' says what a verb takes.";
+}
+
+std::string_view exit_statuses() {
+  return "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 incomplete, 4 output could not be written, 70 "
+         "internal error, 130 interrupted.\n"
+         "An error is one line on standard error; with --json it is an answer on standard output as well.";
+}
+
 std::span<const VerbText> verbs() { return all_verbs; }
 
 const VerbText& find_verb(const std::string& name) {

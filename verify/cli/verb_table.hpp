@@ -23,6 +23,11 @@ struct VerbText {
   bool takes_assignments = false;  ///< name=value pairs that are no options
 };
 
+/// What the program is.
+std::string_view program_meaning();
+/// What its exit statuses say.
+std::string_view exit_statuses();
+
 /// All of them.
 std::span<const VerbText> verbs();
 
