@@ -62,7 +62,7 @@ struct ConvergedElasticNip::Implementation {
                              e > 0 ? scale : 0);
     };
     Estimate estimate = at(e);
-    for (const double beside : {0.8 * e, 1.25 * e})
+    for (const double beside : {0.8 * e, 0.9 * e, 1.25 * e})
       estimate.error = std::max(estimate.error, at(beside).error);
     const double unsure = given_length ? 0 : half_length_estimate().error;
     for (const double moved : {e - unsure, e + unsure})
@@ -149,7 +149,8 @@ Estimate ConvergedElasticNip::pressure(double y) const {
 }
 
 Estimate ConvergedElasticNip::shear(double y) const {
-  if (implementation_->surface.friction == data::Friction::none) {
+  // In the middle it changes its sign.
+  if (implementation_->surface.friction == data::Friction::none || y == 0) {
     checked_position(y);
     return {0, 0};
   }

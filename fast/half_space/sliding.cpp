@@ -36,6 +36,7 @@ struct SlidingContact::Shape {
 
   struct Moments {
     double absolute, signed_square;
+    double uncancelled;  ///< the size of what signed_square is the rest of
   };
 
   /// With f = (1-s)^trailing s^leading/Q and y = s - trailing, both over 0 < s < 1: int f |y| ds and
@@ -49,7 +50,8 @@ struct SlidingContact::Shape {
         total * (2 * boost::math::ibeta(1 + leading, 1 + trailing, trailing, in_double) - 1);
     const double boundary = leading * trailing * std::pow(leading / trailing, skew);
     const double absolute = 2 * (skew * difference + boundary) / 3;
-    return {absolute, -(leading * trailing * difference + 3 * skew * absolute) / 4};
+    return {absolute, -(leading * trailing * difference + 3 * skew * absolute) / 4,
+            (leading * trailing * total + 3 * std::fabs(skew) * absolute) / 4};
   }
 };
 
@@ -100,14 +102,16 @@ SlidingContact::Shape SlidingContact::shape(Direction psi) const {
 void SlidingContact::integrate() {
   const auto terms = [&](Direction from_motion) {
     const Shape line = shape(from_motion.turned(motion_));
-    const auto [absolute, signed_square] = line.moments();
-    const double ratio = steepness_ / line.steepness();
-    const double moment = ratio * ratio * ratio * signed_square;
-    return std::array{ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine};
+    const auto [absolute, signed_square, uncancelled] = line.moments();
+    const double ratio = steepness_ / line.steepness(), cube = ratio * ratio * ratio;
+    const double moment = cube * signed_square;
+    return std::array{ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine,
+                      cube * uncancelled};
   };
-  const auto [force, along, across] = half_turn_integral<3>(terms);
+  const auto [force, along, across, uncancelled] = half_turn_integral<4>(terms);
+  const double rounded = rounding() * uncancelled.value / force.value;
   const auto over_force = [&](const Estimate& moment) {
-    return Estimate{moment.value / force.value, moment.error / force.value + 4 * rounding()};
+    return Estimate{moment.value / force.value, moment.error / force.value + rounded + 4 * rounding()};
   };
   force_factor_ = {steepness_ * force.value, steepness_ * (force.error + 2 * rounding() * force.value)};
   moment_along_ = over_force(along);

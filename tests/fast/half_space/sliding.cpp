@@ -147,6 +147,20 @@ TEST_CASE("sliding: at rest without friction a sphere carries pi/4 of Hertz at t
   CHECK(std::fabs(contact.centre_along().value) < 1e-16);
 }
 
+TEST_CASE(
+    "sliding: without friction the centre is the point of first touch, to its error, next to a critical line too") {
+  for (const double off : {1e-1, 1e-3, 1e-5}) {
+    CAPTURE(off);
+    const fast::SurfaceResponse response = [off](Direction psi) {
+      const double along = psi.cosine * std::cos(0.3) - psi.sine * std::sin(0.3);
+      return fast::LineResponse{1 / (1 + off - along * along), 0.2, 0.1};
+    };
+    const auto contact = sliding_for_span(response, die, 0, along_x1, 0.3);
+    for (const fast::Estimate centre : {contact.centre_along(), contact.centre_across()})
+      CHECK(std::fabs(centre.value) <= centre.error);
+  }
+}
+
 TEST_CASE("sliding: an axis in the surface, oblique to the motion, and its mirror image") {
   const data::TransverselyIsotropicSolid solid{3.1, 20.7, 1.4, 1.9, 0.8, 1};
   const auto contact = [&](double theta) {
