@@ -187,7 +187,11 @@ class Ladder {
     double left = 0, kept = 1;
     for (std::size_t i = last; i > 0 && i + 3 > last; --i) {
       double of_one = kept_since(i - 1);
-      if (rate == Rate::own && i > 1) of_one = std::max(of_one, kept_of_own(step(i), step(i - 1)));
+      if (rate == Rate::own) {
+        // Two differences in succession may be far apart by chance: then the one before must do.
+        of_one = std::pow(of_one, 0.9);
+        if (i > 1) of_one = std::max(of_one, kept_of_own(step(i), step(i - 1)));
+      }
       kept *= of_one;
       left = std::max(left, (step(i) - rounded) * kept);
     }
@@ -200,8 +204,8 @@ class Ladder {
     if (tail(i + 1) <= fastest * tail(i)) return std::pow(fastest, 0.95);
     return tail(i + 1) < tail(i) ? std::pow(tail(i + 1) / tail(i), 0.95) : 1;
   }
-  /// The same by two differences in succession: they fall geometrically in the number of terms, of which half as many
-  /// again are added next time; this, too, tells it but roughly.
+  /// The same by two differences in succession: they fall geometrically in the number of terms, of which half
+  /// as many again are added next time; this, too, tells it but roughly.
   static double kept_of_own(double difference, double before) {
     return difference < before ? std::pow(difference / before, 0.95 * 1.5) : 1;
   }
