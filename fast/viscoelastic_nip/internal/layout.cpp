@@ -8,15 +8,21 @@ namespace nipref::fast {
 
 double ViscoelasticPanel::xi(double x) const { return at_end() ? std::sqrt(x) : x; }
 
-ViscoelasticLayout::ViscoelasticLayout(double half_length, int panels, int terms)
+ViscoelasticLayout::ViscoelasticLayout(double half_length, const std::vector<int>& pieces, int terms)
     : half_length_(half_length), terms_(terms) {
-  const auto append = [&](Half half, int i) {
-    const double right = std::ldexp(half_length, i + 1 - panels);
-    const double left = i == 0 ? 0 : right / 2;
-    panels_.push_back({half, left, right - left});
-  };
-  for (int i = 0; i < panels; ++i) append(Half::leading, i);
-  for (int i = panels - 1; i >= 0; --i) append(Half::trailing, i);
+  const auto panels = static_cast<int>(pieces.size() / 2);
+  for (int p = 0; p < 2 * panels; ++p) {
+    const Half half = p < panels ? Half::leading : Half::trailing;
+    const int i = half == Half::leading ? p : 2 * panels - 1 - p;
+    const double right = std::ldexp(half_length, i + 1 - panels), left = i == 0 ? 0 : right / 2;
+    const int count = pieces[static_cast<std::size_t>(p)];
+    // From left to twice that: differences between neighbours are exact, and leave no gap.
+    const auto cut = [&](int k) { return k == count ? right : left + (right - left) * k / count; };
+    for (int k = 0; k < count; ++k) {
+      const int at = half == Half::leading ? k : count - 1 - k;
+      panels_.push_back({half, cut(at), cut(at + 1) - cut(at)});
+    }
+  }
 }
 
 void ViscoelasticLayout::pressure_basis(const ViscoelasticPanel& panel, double xi,

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <vector>
 
 namespace nipref::fast {
@@ -27,11 +28,16 @@ struct ViscoelasticPanel {
   [[nodiscard]] double slope(double xi) const { return at_end() ? 2 * xi : 1; }  ///< dx/dxi
 };
 
-/// A contact of half length A (half-thicknesses), cut into panels that double away from both ends.
+/// A contact of half length A (half-thicknesses), cut into panels that double away from both ends, and some of them
+/// into pieces.
 class ViscoelasticLayout {
  public:
   /// `panels` on each half; `terms` pressure coefficients on each panel.
-  ViscoelasticLayout(double half_length, int panels, int terms);
+  ViscoelasticLayout(double half_length, int panels, int terms)
+      : ViscoelasticLayout(half_length, std::vector<int>(2 * static_cast<std::size_t>(panels), 1), terms) {}
+  /// `pieces`: of equal length, of each panel downstream, as many panels on each half; 1 of those at the ends.
+  /// Each piece is a panel of its own.
+  ViscoelasticLayout(double half_length, const std::vector<int>& pieces, int terms);
 
   [[nodiscard]] double half_length() const { return half_length_; }
   [[nodiscard]] int terms() const { return terms_; }

@@ -16,6 +16,45 @@ double compliance_over(double half_length, const ViscoelasticCompliances& materi
   return sum;
 }
 
+/// How many pieces of a panel of this width hold what is left of e^(-rate d) at d = `from`. Pressure that sets in like a
+/// square root leaves a swing of (rate edge)^(-1/2) of it at the edge, which fades on its way; over half a piece of c
+/// radians its coefficients are Bessel's J_n(c) < (c/2)^n/n!. They are to fall by `fall` a term from the pressure's own,
+/// nearly as on panels that double where nothing swings. Seen from the trailing end nothing sets in.
+int pieces_for(const MemoryTerm& term, double edge, double from, double width, int terms) {
+  constexpr double fall = 4;
+  const double radians = width / 2 * std::fabs(term.rate.imag());
+  const double faded = std::max(0.0, std::log(std::abs(term.rate) * edge) / 2) + term.rate.real() * from;
+  if (radians <= 1 || faded > terms * std::log(fall)) return 1;
+  const double held = 2 / fall * std::pow(std::tgamma(terms + 1) * std::exp(faded), 1.0 / terms);
+  return static_cast<int>(std::ceil(std::min(radians / held, 1e4)));
+}
+
+/// Of the panels of a contact of this half length.
+std::vector<int> pieces(double half_length, int panels, int terms, const std::vector<MemoryTerm>& memory) {
+  const ViscoelasticLayout uncut(half_length, panels, terms);
+  std::vector<int> counts;
+  for (const ViscoelasticPanel& panel : uncut.panels()) {
+    int count = 1;
+    const double from =
+        uncut.downstream({panel.half, panel.half == Half::leading ? panel.left : panel.left + panel.width});
+    for (const MemoryTerm& term : memory) {
+      if (!panel.at_end())
+        count = std::max(count, pieces_for(term, std::min(half_length, 1.0), from, panel.width, terms));
+    }
+    counts.push_back(count);
+  }
+  return counts;
+}
+
+/// Of a swing that is longer than can be afforded the beginning is resolved.
+void keep_first(int affordable, std::vector<int>& pieces) {
+  int spare = affordable - static_cast<int>(pieces.size());
+  for (int& count : pieces) {
+    count = 1 + std::clamp(spare, 0, count - 1);
+    spare -= count - 1;
+  }
+}
+
 }  // namespace
 
 /// The panels at the ends take at most the distance in which the sheet's kernel changes, and twice that in which a
@@ -28,7 +67,10 @@ ViscoelasticNipLevels::Resolution ViscoelasticNipLevels::resolution(double near,
     longest = std::min(longest, 2 / (std::abs(term.rate) + std::abs(term.amplitude)));
   const int panels = 1 + std::clamp(static_cast<int>(std::ceil(std::log2(near / longest))), 0, 36);
   const int terms = static_cast<int>(std::ceil(4 * std::pow(1.5, level)));
-  return {panels, terms, std::pow(fastest_on_panels(near), -terms)};
+  Resolution resolution{pieces(near, panels, terms, material_.normal), terms,
+                        std::pow(fastest_on_panels(near), -terms)};
+  if (level <= 2) keep_first(most_unknowns / terms, resolution.pieces);
+  return resolution;
 }
 
 std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_length,
@@ -36,7 +78,7 @@ std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_l
                                                                    double tolerance,
                                                                    CountedKernels& kernels) const {
   return std::make_unique<ViscoelasticPressure>(
-      ViscoelasticLayout(half_length, resolution.panels, resolution.terms), material_, tolerance, kernels);
+      ViscoelasticLayout(half_length, resolution.pieces, resolution.terms), material_, tolerance, kernels);
 }
 
 std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const ViscoelasticPressure& last,

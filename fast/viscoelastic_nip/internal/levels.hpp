@@ -1,5 +1,6 @@
 #pragma once
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -14,8 +15,8 @@ class ViscoelasticNipLevels {
  public:
   using Contact = ViscoelasticPressure;
   struct Resolution {
-    int panels;  ///< on each half
-    int terms;   ///< on each
+    std::vector<int> pieces;  ///< of the panels, see ViscoelasticLayout
+    int terms;                ///< on each
     double least;
   };
   static constexpr int most = 7;
@@ -24,9 +25,12 @@ class ViscoelasticNipLevels {
   explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 
   [[nodiscard]] Resolution resolution(double near, int level) const;
-  /// Only relaxation lengths below a millionth of the contact ask for more unknowns, and in vain: rounding.
+  /// Only relaxation lengths below a millionth of the contact ask for more, and in vain: rounding; and memories that
+  /// swing many times before they fade, whose first levels do with as many.
+  static constexpr int most_unknowns = 1600;
   [[nodiscard]] static bool is_affordable(const Resolution& resolution) {
-    return 2 * resolution.panels * resolution.terms <= 1600;
+    return std::reduce(resolution.pieces.begin(), resolution.pieces.end()) * resolution.terms <=
+           most_unknowns;
   }
   [[nodiscard]] std::unique_ptr<ViscoelasticPressure> solve(double half_length, const Resolution& resolution,
                                                             double tolerance, CountedKernels& kernels) const;

@@ -2,9 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <vector>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/short_memories.hpp>
 
 using namespace nipref;
 
@@ -57,4 +60,30 @@ TEST_CASE(
   };
   const fast::Estimate one = displacement(1, 1), other = displacement(35, 7);
   CHECK(std::fabs(one.value - other.value) <= one.error + other.error);
+}
+
+TEST_CASE(
+    "behind the leading end a memory that swings far faster than it fades is resolved until it has faded") {
+  // Panels that only double hold many of its waves there: few terms leave them all out, and agree.
+  const double square = 100 * 100 + 1000 * 1000, relaxed = 1.03 * square;
+  const data::ViscoelasticNip nip{1000, 2,
+                                  data::operator_solid({.p = {relaxed, 200, 1},
+                                                        .q = {square, 200, 1},
+                                                        .p_dilatation = {relaxed, 200, 1},
+                                                        .q_dilatation = {4 * square, 800, 4}}),
+                                  1};
+  const auto asked = fast::converged_for_length(nip, 2, 1e-4);
+
+  const fast::EffectiveSheet sheet = fast::effective_sheet(nip, 1, 1e-4);
+  const std::vector<int> pieces{1, 1, 1, 1, 1, 1, 1, 2, 3, 6, 12, 20, 4,
+                                1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,  1,  1};
+  fast::Work work;
+  fast::CountedKernels kernels(fast::Accuracy{}, work);
+  const fast::ViscoelasticPressure truth(fast::ViscoelasticLayout(1, pieces, 10), sheet.material, 1e-16,
+                                         kernels);
+  const double unit = 1 / (2 * nip.roller_radius * sheet.compliance);
+  for (const double behind : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3}) {
+    const fast::Estimate found = asked.pressure(truth.leading_length() - behind);
+    CHECK(std::fabs(found.value - unit * truth.pressure({fast::Half::leading, behind})) <= found.error);
+  }
 }
