@@ -86,6 +86,11 @@ FieldOfContact field_of_pressure(const ViscoelasticPressure& contact) {
   return {TractionField(contact.half_length(), traction), contact.offset()};
 }
 
+/// What is further than half the contact from one end, counted from the other.
+ContactPlace across(double half_length, Half half, double e) {
+  return {half == Half::leading ? Half::trailing : Half::leading, 2 * half_length - e};
+}
+
 /// `neglected`: what the sheet's short memories do to the pressure, relative.
 ContactField<ViscoelasticNipLadder> field_of_rolling(const ConvergedViscoelasticNip& nip,
                                                      const ViscoelasticNipLadder& ladder,
@@ -157,14 +162,13 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const double half_length = implementation_->half_length();
   const double middle = ladder.last().pressure({Half::leading, half_length});
   const auto at = [&](double e) {
-    return ladder.estimate(
-        [&, e](const ViscoelasticPressure& contact) {
-          return pressure(contact, {place.half, e});
-        },
-        e > 0 ? middle : 0);
+    const ContactPlace there =
+        e <= half_length ? ContactPlace{place.half, e} : across(half_length, place.half, e);
+    return ladder.estimate([&](const ViscoelasticPressure& contact) { return pressure(contact, there); },
+                           e > 0 ? middle : 0);
   };
   Estimate solved = at(place.e);
-  for (const double beside : {0.8 * place.e, 1.25 * place.e})
+  for (const double beside : {0.8 * place.e, std::min(1.25 * place.e, half_length), 1.25 * place.e})
     solved.error = std::max(solved.error, at(beside).error);
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
