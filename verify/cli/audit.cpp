@@ -2,6 +2,7 @@
 
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/changed.hpp>
@@ -31,6 +32,16 @@ void refuse_options_of_contacts(const CommandLine& line) {
     refuse_option(line, name, "has an effect on contacts only: must be left out");
 }
 
+/// Ranges of arguments that one of the quantities does not have, or that are none.
+void refuse_ranges(const CommandLine& line, const Selection& selected) {
+  if (line.assignments.empty()) return;
+  if (selected.has(contacts) || line.has("changed"))
+    throw data::BadInput(line.assignments.front().first, line.assignments.front().second,
+                         "has an effect on quantities that are named only: must be left out");
+  for (const Quantity* quantity : selected.quantities)
+    static_cast<void>(parse_ranges(*quantity, line.assignments));
+}
+
 /// Quantities and contacts that changed files have a part in.
 Selection changed_selection(const CommandLine& line) {
   if (!line.words.empty()) refuse_option(line, "changed", "must be left out beside names");
@@ -54,10 +65,12 @@ int audit_verb(const CommandLine& line, std::ostream& out) {
   if (!with_contacts) refuse_options_of_contacts(line);
   static_cast<void>(scenes_option(line));  // refused before anything is done
   const AuditOptions options = audit_options(line);
+  refuse_ranges(line, selected);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   progress.begin("audit", selected.quantities.size() + (with_contacts ? 2 : 0));
-  const std::vector<AuditResult> results = audit_all(selected.quantities, options, progress);
+  const std::vector<AuditResult> results =
+      audit_all(selected.quantities, options, progress, line.assignments);
   const ContactAudits of_contacts = with_contacts ? audit_all_contacts(line, progress) : ContactAudits{};
   if (line.json) {
     out << answer_text("audit", audits_json(results, of_contacts, options.accuracy), line.no_times);

@@ -37,13 +37,15 @@ AuditOptions audit_options(const CommandLine& line) {
 }
 
 std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantities, AuditOptions options,
-                                   Progress& progress) {
+                                   Progress& progress, const Assignments& ranges) {
   std::vector<AuditResult> results;
   for (const Quantity* quantity : quantities) {
     if (interrupted()) break;
     progress.next(quantity->name);
     const auto expected = static_cast<double>(options.points_of(*quantity));
-    options.more_points = golden_points(*quantity, {}, options.points_of(*quantity) / golden_share);
+    if (!ranges.empty()) options.ranges = parse_ranges(*quantity, ranges);
+    options.more_points =
+        golden_points(*quantity, options.ranges, options.points_of(*quantity) / golden_share);
     options.progress = [&](std::size_t done) { progress.at(static_cast<double>(done) / expected); };
     try {
       results.push_back(audit(*quantity, options));

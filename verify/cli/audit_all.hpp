@@ -15,9 +15,10 @@ namespace nipref::verify {
 /// --thorough, and --rtol. BadInput for what is out of its domain, and for two of the first four.
 AuditOptions audit_options(const CommandLine& line);
 
-/// Audits one quantity after the other. Those that are finished, if the process is interrupted.
+/// Audits one quantity after the other, in these ranges of its arguments (see ranges.hpp). Those that are finished, if the
+/// process is interrupted.
 std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantities, AuditOptions options,
-                                   Progress& progress);
+                                   Progress& progress, const Assignments& ranges = {});
 
 /// Of whole contacts: hard cases, and random scenes.
 struct ContactAudits {

@@ -187,12 +187,13 @@ const std::array all_verbs{
         "audit",
         "Largest error of fast against ref, by a search for the worst argument.",
         "quantity",
-        "names of quantities, or contacts for hard cases of whole contacts and random scenes (default: all "
-        "of it)",
+        "names of quantities, and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their "
+        "whole domain; or contacts for hard cases of whole contacts and random scenes (default: all of it)",
         {points_text, density_option, rtol_option, scenes_option, seed_option, since_option, isa_option},
         {changed_flag, quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref audit --changed --quick", "nipref audit I1 I6 --points 1e6",
-         "nipref audit contacts --scenes 20000 --seed 7"}},
+         "nipref audit I6 alpha=1e-6..20:log eta=2", "nipref audit contacts --scenes 20000 --seed 7"},
+        true},
     VerbText{
         "points",
         "Arguments for somebody else's program, as CSV; it adds a column of values for grade.",

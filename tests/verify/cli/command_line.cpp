@@ -59,7 +59,9 @@ constexpr BadCall bad_calls[] = {
     {"audit I9", "quantity", "I9"},
     {"audit contact", "quantity = contact: did you mean contacts?", "or one of contacts"},
     {"audit I1 points=0", "points", "0"},
-    {"audit I1 alpha=3", "alpha", "3"},
+    {"audit contacts alpha=3", "alpha = 3", "quantities that are named only"},
+    {"audit I1 F1 alpha=3..4", "alpha = 3..4", "F1 takes eta, poisson"},
+    {"audit I1 alpha=4..3", "alpha = 4..3", "lower end first"},
     {"balance", "scene", "(missing)"},
     {"balance a.toml b.toml", "argument = b.toml", "balance takes one scene"},
     {"balance viscoelastic-operators --digits 20", "digits = 20: has no effect", "path=ref"},
@@ -74,7 +76,7 @@ constexpr BadCall bad_calls[] = {
     {"eval halfspace.complaince poisson=0.3", "quantity", "did you mean halfspace.compliance"},
     {"eval I1 alhpa=1", "alhpa = 1: unknown argument", "did you mean alpha?"},
     {"eval I1 alpha=1 --digts 30", "--digts", "did you mean --digits? eval takes"},
-    {"audit I1 pionts=30", "pionts = 30", "did you mean points?"},
+    {"golden check pionts=30", "pionts = 30", "did you mean points?"},
     {"eval I1 alpha=1 --path ref --rtol 1e-3", "rtol = 1e-3: has no effect", "path=ref"},
     {"eval I1 alpha=1 path=fast digits=20", "digits = 20: has no effect", "path=fast"},
     {"eval rolling.span_ratio poisson=0.3 speed=0.1 form=table rtol=1e-3", "rtol = 1e-3: has no effect",
@@ -160,6 +162,16 @@ TEST_CASE("eval says, to people and machines, that fast answers for the doubles 
   CHECK(caveat("path=fast") == caveat(""));
   CHECK(caveat("path=ref").is_null());
   CHECK(unfolded(run("eval I1 alpha=0.73").out).find(caveat("").get<std::string>()) != std::string::npos);
+}
+
+TEST_CASE("an audit looks at the ranges that it is given, in the grammar of sweeps and of grade") {
+  const json row =
+      json::parse(run("audit I6 alpha=3..4:bits eta=2 --points 300 --quiet --json").out)["rows"][0];
+  CHECK(row.at("points") > 250);
+  const double alpha = std::strtod(row["worst"]["alpha"].get<std::string>().c_str(), nullptr);
+  CHECK(alpha >= 3);
+  CHECK(alpha <= 4);
+  CHECK(row["worst"]["eta"] == "0x1p+1");
 }
 
 TEST_CASE("an audit's random scenes are asked for with contacts only, and counted in whole numbers") {
