@@ -144,8 +144,9 @@ void tell_overrides(Scene& scene, const SceneOverrides& overrides) {
 std::string closest_example(const std::string& name, const std::filesystem::path& folder) {
   std::vector<std::string> names;
   std::error_code none_there;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, none_there))
-    names.push_back(entry.path().stem().string());
+  for (const auto& entry : std::filesystem::directory_iterator(folder, none_there)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  }
   std::ranges::sort(names);
   return did_you_mean(name, {names.begin(), names.end()}, 3);
 }
