@@ -10,6 +10,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/internal/solved_contact.hpp>
+#include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
@@ -40,6 +41,33 @@ bool length_is_allowed(const data::ElasticNip& nip, double length) {
 
 Interval operator*(const mpq_class& unit, const Interval& x) {
   return Interval(Exact(unit), x.precision()) * x;
+}
+
+/// 2A sum_m c_m sin((2m + 1) theta) by Clenshaw's sum; e = 1 - cos theta from either end, in half lengths.
+Float pressure_of(const std::vector<Float>& coefficients, const Float& half_length, const Float& e) {
+  const Float square = e * (2 - e), twofold = 2 - 4 * square;  // sin^2 theta, 2 cos 2 theta
+  Float now, last;
+  for (std::size_t m = coefficients.size(); m-- > 0;)
+    last = std::exchange(now, coefficients[m] + twofold * now - last);
+  return 2 * half_length * sqrt(square) * (now + last);
+}
+
+FieldSource field_source(const ProvenExpansion& expansion, const Float& half_length) {
+  const auto tractions = [&expansion, half_length](const Float& left, const Float& right) -> FaceTraction {
+    return {pressure_of(expansion.coefficients, half_length, std::min(left, right) / half_length), 0};
+  };
+  return {0, half_length, tractions};
+}
+
+/// Both ends of what the half length may be. Where pressures miss up to a radius r, a half-plane's stresses miss r at
+/// most and the sheet's, with both of them and what the faces reflect, not four times that.
+ContactField field_of(const ContactFunctionals& contact, int digits) {
+  const ProvenExpansion& expansion = contact.expansion();
+  const Interval& A = contact.half_length();
+  const Float lower = -upper_end(-A), upper = upper_end(A);
+  const Float missed = 4 * 2 * upper * upper_end(expansion.radius);
+  return {field_source(expansion, lower), field_source(expansion, upper),
+          pressure_of(expansion.coefficients, upper, 1), missed, digits};
 }
 
 }  // namespace
@@ -135,6 +163,24 @@ Enclosure ConvergedElasticNip::tangential_displacement(double y) const {
     const Interval v = contact.tangential_displacement(implementation_->place(y), beta);
     return y < 0 ? -v : v;
   });
+}
+
+std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
+  const auto& [units, length, contact] = *implementation_;
+  const WorkingDigits working(contact.working_digits());
+  const ContactField field = field_of(*contact, contact.digits());
+  std::vector<InnerStresses> stresses;
+  for (const InnerPoint& point : points)
+    stresses.push_back(
+        field.at(checked_place(point, to_float(Exact(units.length))), true, to_float(Exact(units.pressure))));
+  return stresses;
+}
+
+GreatestShear ConvergedElasticNip::greatest_shear() const {
+  const auto& [units, length, contact] = *implementation_;
+  const WorkingDigits working(contact.working_digits());
+  return field_of(*contact, contact.digits())
+      .greatest(true, to_float(Exact(units.pressure)), to_float(Exact(units.length)));
 }
 
 int ConvergedElasticNip::terms() const { return implementation_->contact->terms(); }

@@ -1,7 +1,10 @@
 #pragma once
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
@@ -34,6 +37,10 @@ class ConvergedElasticNip {
   [[nodiscard]] Enclosure pressure(double y) const;                 ///< unit of stress; 0 outside the contact
   [[nodiscard]] Enclosure normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Enclosure tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  /// Inside the sheet, see InnerStresses; not proven: what two quadratures differ by and what the coefficients' radius
+  /// makes. Y within 450 sheet thicknesses.
+  [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
+  [[nodiscard]] GreatestShear greatest_shear() const;
   [[nodiscard]] int terms() const;                                  ///< of the expansion
   [[nodiscard]] long kernel_values() const;                         ///< of I1, taken so far
   [[nodiscard]] long coupling_values() const;                       ///< of I3, taken so far

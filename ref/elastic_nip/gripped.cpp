@@ -13,6 +13,7 @@
 #include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
+#include <nipref/ref/nip/internal/contact_field.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -152,6 +153,18 @@ Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) 
 
 }  // namespace
 
+namespace {
+
+FieldSource field_source(const GripExpansion& contact) {
+  const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
+    const GripTraction here = contact.traction(std::min(left, right) / contact.half_length());
+    return {here.pressure, left < right ? -here.shear : here.shear};
+  };
+  return {0, contact.half_length(), tractions};
+}
+
+}  // namespace
+
 struct GrippedElasticNip::Implementation {
   NipUnits units;
   std::optional<double> length;  ///< where it is given
@@ -179,6 +192,10 @@ struct GrippedElasticNip::Implementation {
   template <class Result>
   [[nodiscard]] Estimated number(const mpq_class& unit, const Result& result, const Float& least = 0) const {
     return estimated(unit, result(*coarse), result(*fine), least);
+  }
+
+  [[nodiscard]] ContactField field() const {
+    return {field_source(*coarse), field_source(*fine), fine->traction(1).pressure, 0, precision.digits};
   }
 
   /// Of |y| from the end, in half lengths.
@@ -298,6 +315,24 @@ Estimated GrippedElasticNip::tangential_displacement(double y) const {
                                        [](const GripExpansion& contact, const Float& before_end) {
                                          return contact.creep() * contact.half_length() * (1 - before_end);
                                        });
+}
+
+std::vector<InnerStresses> GrippedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
+  const WorkingDigits working(implementation_->precision.working);
+  const NipUnits& units = implementation_->units;
+  const ContactField field = implementation_->field();
+  std::vector<InnerStresses> stresses;
+  for (const InnerPoint& point : points)
+    stresses.push_back(
+        field.at(checked_place(point, to_float(Exact(units.length))), true, to_float(Exact(units.pressure))));
+  return stresses;
+}
+
+GreatestShear GrippedElasticNip::greatest_shear() const {
+  const WorkingDigits working(implementation_->precision.working);
+  const NipUnits& units = implementation_->units;
+  return implementation_->field().greatest(true, to_float(Exact(units.pressure)),
+                                           to_float(Exact(units.length)));
 }
 
 int GrippedElasticNip::terms() const { return implementation_->fine->terms(); }

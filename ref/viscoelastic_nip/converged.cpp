@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
 
@@ -73,6 +74,13 @@ struct RollingUnits {
         lever(length / nip.roller_radius) {}
 };
 
+FieldSource field_source(const RollingPressure& contact) {
+  const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
+    return {contact.pressure(right, left), 0};
+  };
+  return {contact.offset(), contact.half_length(), tractions};
+}
+
 Estimated estimated_of(const Float& unit, const FloatEstimate& estimate, int digits) {
   return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
 }
@@ -100,6 +108,12 @@ struct ConvergedViscoelasticNip::Implementation {
   void check_place(double y) const {
     if (!std::isfinite(y) || abs(y / units.length) > farthest_rolling)
       throw BadInput("y", y, "must be within 300 sheet thicknesses of the middle on the reference path");
+  }
+  [[nodiscard]] ContactField field() const {
+    const RollingPressure& fine = contact.fine();
+    const Float scale = fine.load() / fine.half_length();
+    return {field_source(contact.coarse()), field_source(fine), scale, scale * contact.difference(),
+            contact.digits()};
   }
   /// Of Y, from the leading end.
   [[nodiscard]] Float downstream(const RollingPressure& of, double y) const {
@@ -217,6 +231,23 @@ Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
     return of.normal_displacement(implementation_->downstream(of, y),
                                   implementation_->contact.normal_kernel());
   });
+}
+
+std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
+    std::span<const InnerPoint> points) const {
+  const auto& [units, contact] = *implementation_;
+  const WorkingDigits working(contact.working_digits());
+  const ContactField field = implementation_->field();
+  std::vector<InnerStresses> stresses;
+  for (const InnerPoint& point : points)
+    stresses.push_back(field.at(checked_place(point, units.length), false, units.pressure));
+  return stresses;
+}
+
+GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  const RollingUnits& units = implementation_->units;
+  return implementation_->field().greatest(false, units.pressure, units.length);
 }
 
 int ConvergedViscoelasticNip::unknowns() const { return implementation_->contact.fine().unknowns(); }

@@ -1,7 +1,10 @@
 #pragma once
 #include <memory>
+#include <span>
+#include <vector>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
+#include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/number/estimated.hpp>
 
 namespace nipref::ref {
@@ -42,6 +45,9 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] Estimated creep_ratio() const;
   [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Estimated tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses.
+  [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
+  [[nodiscard]] GreatestShear greatest_shear() const;
   [[nodiscard]] int unknowns() const;                               ///< of the finer discretisation
   [[nodiscard]] long normal_kernel_values() const;                  ///< of I1, taken so far
   [[nodiscard]] long tangential_kernel_values() const;              ///< of I3

@@ -50,6 +50,18 @@ struct ViscoelasticLineLoads::Implementation {
   [[nodiscard]] Interval element_width(const LoadsOnLength& contact) const {
     return interval_of(contact.leading_length) / static_cast<long>(problem.leading);
   }
+  /// Of the loads `counted` by their positions, in force.
+  template <class Counted>
+  [[nodiscard]] Interval moment(const LoadsOnLength& contact, const Counted& counted) const {
+    Interval total(precision_here());
+    for (int j = 0; j < problem.loads(); ++j) {
+      const mpq_class position = contact.grid.position(j);
+      if (counted(position))
+        total =
+            total + contact.loads[static_cast<std::size_t>(j)] * Interval(Exact(position), precision_here());
+    }
+    return total * half_thickness_of(problem) * force_unit(problem);
+  }
   /// The sum of each load's displacement(t, T, t0) for the point that is at Y at the time t.
   template <class Displacement>
   [[nodiscard]] Interval sum(const LoadsOnLength& contact, const mpq_class& y,
@@ -194,13 +206,22 @@ Estimated ViscoelasticLineLoads::peak_pressure() const {
 Estimated ViscoelasticLineLoads::rolling_resistance() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
-    Interval moment(precision_here());
-    for (int j = 0; j < all.problem.loads(); ++j)
-      moment = moment + contact.loads[static_cast<std::size_t>(j)] *
-                            Interval(Exact(contact.grid.position(j)), precision_here());
-    moment = moment * half_thickness_of(all.problem) * force_unit(all.problem);
-    return moment /
+    return all.moment(contact, [](const mpq_class&) { return true; }) /
            (load_of(all.problem, contact) * Interval(all.problem.nip.roller_radius, precision_here()));
+  });
+}
+
+Estimated ViscoelasticLineLoads::leading_moment() const {
+  const auto& all = *implementation_;
+  return all.of([&](const LoadsOnLength& contact) {
+    return all.moment(contact, [](const mpq_class& position) { return position > 0; });
+  });
+}
+
+Estimated ViscoelasticLineLoads::trailing_moment() const {
+  const auto& all = *implementation_;
+  return all.of([&](const LoadsOnLength& contact) {
+    return all.moment(contact, [](const mpq_class& position) { return position < 0; });
   });
 }
 

@@ -40,6 +40,9 @@ class ViscoelasticLineLoads {
   [[nodiscard]] Estimated load() const;
   [[nodiscard]] Estimated peak_pressure() const;
   [[nodiscard]] Estimated rolling_resistance() const;
+  /// Of the loads ahead of the line through the rollers' centres about it, and of those behind. (thesis 7.13)
+  [[nodiscard]] Estimated leading_moment() const;
+  [[nodiscard]] Estimated trailing_moment() const;
   [[nodiscard]] Estimated creep_ratio() const;  ///< (thesis 7.16, 7.17)
 
   // At Y, from the line through the rollers' centres, positive ahead; BadInput "y" as in fast's.

@@ -72,7 +72,7 @@ class Converged : public SolvedContact<Estimate> {
   ConvergedElasticNip contact_;
   double roller_radius_, asked_;
   mutable std::optional<double> middle_;
-  Inside<ConvergedElasticNip> inside_;
+  Inside<ConvergedElasticNip, FastInside> inside_;
 };
 
 struct SolveElasticConverged {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -6,7 +7,9 @@
 #include <variant>
 
 #include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -46,16 +49,27 @@ const std::map<std::string_view, std::function<Enclosure(const ConvergedElasticN
 
 class RefConverged : public SolvedContact<LongEstimate> {
  public:
-  explicit RefConverged(ConvergedElasticNip contact) : contact_(std::move(contact)) {}
+  RefConverged(ConvergedElasticNip contact, int digits) : contact_(std::move(contact)), digits_(digits) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (const auto found = inside_.number(contact_, name)) return *found;
     return long_estimate(numbers.at(name)(contact_));
   }
   [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
     return long_estimate(profiles.at(name)(contact_, y));
   }
+  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+                                                 const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, name, places);
+  }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().to_double() / 2};
+  }
+  /// Of stresses inside; other errors are measured by the results themselves.
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+    const double half = contact_.contact_length().to_double() / 2;
+    return inside_result_size(name, y, {1, -half, half, std::pow(10.0, -digits_)},
+                              [&] { return contact_.pressure(0).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
@@ -67,6 +81,8 @@ class RefConverged : public SolvedContact<LongEstimate> {
 
  private:
   ConvergedElasticNip contact_;
+  int digits_;
+  Inside<ConvergedElasticNip, RefInside> inside_;
 };
 
 struct Solve {
@@ -86,7 +102,7 @@ struct Solve {
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
                                                                  int digits) {
   if (problem.friction == data::Friction::full) return solve_ref_gripped(problem, digits);
-  return std::make_unique<RefConverged>(std::visit(Solve{problem.nip, digits}, problem.given));
+  return std::make_unique<RefConverged>(std::visit(Solve{problem.nip, digits}, problem.given), digits);
 }
 
 }  // namespace nipref::verify

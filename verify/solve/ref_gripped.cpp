@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -6,7 +7,9 @@
 #include <variant>
 
 #include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -43,17 +46,28 @@ const std::map<std::string_view, Estimated (GrippedElasticNip::*)(double) const>
 
 class RefGripped : public SolvedContact<LongEstimate> {
  public:
-  explicit RefGripped(GrippedElasticNip contact) : contact_(std::move(contact)) {}
+  RefGripped(GrippedElasticNip contact, int digits) : contact_(std::move(contact)), digits_(digits) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (const auto found = inside_.number(contact_, name)) return *found;
     if (name == "rolling_resistance") return long_estimate(ref::exact_zero(16));
     return long_estimate(gripped_numbers.at(name)(contact_));
   }
   [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
     return long_estimate(std::invoke(gripped_profiles.at(name), contact_, y));
   }
+  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+                                                 const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, name, places);
+  }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().to_double() / 2};
+  }
+  /// Of stresses inside; other errors are measured by the results themselves.
+  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+    const double half = contact_.contact_length().to_double() / 2;
+    return inside_result_size(name, y, {1, -half, half, std::pow(10.0, -digits_)},
+                              [&] { return contact_.pressure(0).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
@@ -66,6 +80,8 @@ class RefGripped : public SolvedContact<LongEstimate> {
 
  private:
   GrippedElasticNip contact_;
+  int digits_;
+  Inside<GrippedElasticNip, RefInside> inside_;
 };
 
 struct SolveGripped {
@@ -84,7 +100,7 @@ struct SolveGripped {
 
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::ElasticNipProblem& problem,
                                                                int digits) {
-  return std::make_unique<RefGripped>(std::visit(SolveGripped{problem.nip, digits}, problem.given));
+  return std::make_unique<RefGripped>(std::visit(SolveGripped{problem.nip, digits}, problem.given), digits);
 }
 
 }  // namespace nipref::verify

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 
@@ -44,12 +45,17 @@ class RefRolling : public SolvedContact<LongEstimate> {
       : contact_(std::move(contact)), roller_radius_(roller_radius), digits_(digits) {}
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
+    if (const auto found = inside_.number(contact_, name)) return *found;
     if (name == "peak_shear") return no_shear();
     return long_estimate(std::invoke(rolling_numbers.at(name), contact_));
   }
   [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
     if (name == "shear") return no_shear();
     return long_estimate(std::invoke(rolling_profiles.at(name), contact_, y));
+  }
+  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+                                                 const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, name, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().to_double(), contact_.leading_length().to_double()};
@@ -69,6 +75,7 @@ class RefRolling : public SolvedContact<LongEstimate> {
 
  private:
   RollingNip contact_;
+  Inside<RollingNip, RefInside> inside_;
   double roller_radius_;
   int digits_;
 };
@@ -91,6 +98,9 @@ void check_ref_rolling(const data::Scene& scene) {
   std::vector<std::string_view> known{"peak_shear", "shear"};
   for (const auto& number : rolling_numbers) known.push_back(number.first);
   for (const auto& profile : rolling_profiles) known.push_back(profile.first);
+  for (const data::SceneResult& result : data::scene_results()) {
+    if (result.is_inside) known.push_back(result.name);
+  }
   check_wanted_of_ref(scene, known);
 }
 

@@ -21,6 +21,8 @@ const std::map<std::string_view, RefEstimate> rolling_line_load_numbers{
     {"edge_displacement", &RefViscoelasticLineLoads::leading_displacement},
     {"trailing_displacement", &RefViscoelasticLineLoads::trailing_displacement},
     {"rolling_resistance", &RefViscoelasticLineLoads::rolling_resistance},
+    {"leading_moment", &RefViscoelasticLineLoads::leading_moment},
+    {"trailing_moment", &RefViscoelasticLineLoads::trailing_moment},
     {"creep_ratio", &RefViscoelasticLineLoads::creep_ratio},
     {"peak_pressure", &RefViscoelasticLineLoads::peak_pressure},
 };

@@ -76,7 +76,7 @@ class Rolling : public SolvedContact<Estimate> {
   ConvergedViscoelasticNip contact_;
   double roller_radius_, asked_;
   mutable std::optional<double> middle_;
-  Inside<ConvergedViscoelasticNip> inside_;
+  Inside<ConvergedViscoelasticNip, FastInside> inside_;
 };
 
 struct SolveViscoelasticConverged {

@@ -21,6 +21,7 @@ class ContactFunctionals {
   ContactFunctionals(ProvenExpansion expansion, SmoothKernel& kernel, double nats);
 
   [[nodiscard]] const Interval& half_length() const { return expansion_.half_length; }
+  [[nodiscard]] const ProvenExpansion& expansion() const { return expansion_; }
   [[nodiscard]] int terms() const { return static_cast<int>(size()); }
   [[nodiscard]] long coupling_values() const { return coupling_values_; }  ///< of I3, taken so far
   [[nodiscard]] Interval load() const;                                     ///< pi A^2 c_0

@@ -98,6 +98,7 @@ Float acos(const Float& x) { return apply<mpfr_acos>(x); }
 Float atan(const Float& x) { return apply<mpfr_atan>(x); }
 Float sinh(const Float& x) { return apply<mpfr_sinh>(x); }
 Float cosh(const Float& x) { return apply<mpfr_cosh>(x); }
+Float asinh(const Float& x) { return apply<mpfr_asinh>(x); }
 Float atanh(const Float& x) { return apply<mpfr_atanh>(x); }
 Float hypot(const Float& x, const Float& y) { return apply<mpfr_hypot>(x, y); }
 Float pow(const Float& x, const Float& y) { return apply<mpfr_pow>(x, y); }

@@ -68,6 +68,7 @@ Float acos(const Float& x);
 Float atan(const Float& x);
 Float sinh(const Float& x);
 Float cosh(const Float& x);
+Float asinh(const Float& x);
 Float atanh(const Float& x);
 Float hypot(const Float& x, const Float& y);
 Float pow(const Float& x, const Float& y);

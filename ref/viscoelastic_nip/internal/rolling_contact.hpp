@@ -27,6 +27,9 @@ class RollingContact {
   [[nodiscard]] int digits() const { return digits_; }
   [[nodiscard]] int working_digits() const;
   [[nodiscard]] const RollingPressure& fine() const { return *fine_; }
+  [[nodiscard]] const RollingPressure& coarse() const { return *coarse_; }
+  /// What they differ by anywhere, relative to the largest value of the kind.
+  [[nodiscard]] const Float& difference() const { return difference_; }
   [[nodiscard]] RollingKernel& normal_kernel() const { return *normal_; }
   [[nodiscard]] RollingKernel& tangential_kernel() const { return *tangential_; }
   /// Twice the difference of the two, and what they differ by anywhere, relative to `scale`, the largest value

@@ -230,11 +230,15 @@ void RollingPressure::integrate(const UnitRule& rule) {
 }
 
 Float RollingPressure::pressure(const Float& d) const {
-  if (d <= 0 || d >= 2 * half_length_) return 0;
+  return d <= 0 || d >= 2 * half_length_ ? Float(0) : pressure(d, 2 * half_length_ - d);
+}
+
+Float RollingPressure::pressure(const Float& d, const Float& left) const {
   std::size_t panel = 0;
   while (panel + 1 < layout_.panels.size() && d >= layout_.panels[panel + 1].left) ++panel;
   const RollingPanel& here = layout_.panels[panel];
-  return in_panel(panel, d - here.left, here.left + here.width - d);
+  const bool last = panel + 1 == layout_.panels.size();
+  return in_panel(panel, d - here.left, last ? left : here.left + here.width - d);
 }
 
 /// The neighbours of the largest sample bracket the place where p is the same h = 2^{-bits/4} before and behind,

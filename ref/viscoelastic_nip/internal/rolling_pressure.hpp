@@ -5,7 +5,7 @@
 #include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 
@@ -50,6 +50,8 @@ class RollingPressure {
   /// Of the pressure about the middle of the contact, positive if more of it is on the leading side.
   [[nodiscard]] const Float& moment() const { return moment_; }
   [[nodiscard]] Float pressure(const Float& d) const;  ///< 0 outside the contact
+  /// The same between the ends, by the distances from the leading one and from the other.
+  [[nodiscard]] Float pressure(const Float& d, const Float& left) const;
   [[nodiscard]] Float peak_pressure() const;
   /// Displacement at any d by the normal kernel, inside the contact by the roller.
   [[nodiscard]] Float normal_displacement(const Float& d, RollingKernel& kernel) const;

@@ -72,7 +72,20 @@ TEST_CASE("an elastic nip has equal moments and loses nothing") {
   CHECK(ahead.value == doctest::Approx(hertz).scale(0).epsilon(0.05));
 }
 
-TEST_CASE("the reference has the products, to its digits, and says that it has no moments") {
+TEST_CASE("the reference has the moments of rolling line loads, whose sum is the eccentric load") {
+  const data::Scene scene = resisting("viscoelastic-started");
+  const auto by_ref = verify::solve_by_ref(scene, 16);
+  const auto value = [&](const char* name) { return std::stold(by_ref[name].value); };
+  CHECK(value("leading_moment") > 0);
+  CHECK(value("trailing_moment") < 0);
+  const long double both = value("leading_moment") + value("trailing_moment");
+  CHECK(std::fabs(both - value("eccentricity") * value("load")) < 1e-15L * value("leading_moment"));
+  for (const char* const name : {"leading_moment", "trailing_moment"})
+    CHECK(std::stod(by_ref[name].error) < 1e-15 * static_cast<double>(value("leading_moment")));
+}
+
+TEST_CASE(
+    "the reference has the products, to its digits, and says that it has no moments of the continuous contact") {
   data::Scene scene = resisting("viscoelastic-comparable-memory");
   CHECK_THROWS_WITH_AS((void)verify::solve_by_ref(scene, 16),
                        doctest::Contains("leading_moment: must be wanted of the fast"), data::BadInput);

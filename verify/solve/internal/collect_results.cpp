@@ -61,13 +61,15 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
 
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
                                         const SceneSolution<LongEstimate>::Result& result,
-                                        const std::vector<double>& positions, const std::vector<double>&) {
+                                        const std::vector<double>& positions,
+                                        const std::vector<double>& along_field) {
   long double largest = 0;
   for (const LongEstimate& number : result.numbers)
     largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    const double place = result.what->is_profile ? positions[i] : 0;
+    double place = result.what->is_profile ? positions[i] : 0;
+    if (result.what->is_field) place = along_field[i % along_field.size()];
     const long double least = contact.least_size(result.what->name, place).value_or(0);
     allowed.push_back(accuracy * std::max(largest, least));
   }

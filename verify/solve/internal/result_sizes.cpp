@@ -16,6 +16,18 @@ double size_next_to_end(double y, const NipSize& nip, double half) {
 
 }  // namespace
 
+std::optional<double> inside_result_size(std::string_view name, double y, const NipSize& nip,
+                                         const std::function<double()>& pressure_in_the_middle) {
+  const double half = (nip.last - nip.first) / 2;
+  if (name.starts_with("stress_") || name == "highest_stress" || name == "lowest_stress" ||
+      name == "maximum_shear")
+    return pressure_in_the_middle() * size_next_to_end(y, nip, half);
+  const double place = (1e-6 + 10 * std::sqrt(nip.accuracy)) / nip.accuracy;
+  if (name == "greatest_shear_position") return half * place;
+  if (name == "greatest_shear_depth") return place;
+  return {};
+}
+
 double nip_result_size(std::string_view name, double y, const NipSize& nip,
                        const std::function<double()>& pressure_in_the_middle) {
   const double half = (nip.last - nip.first) / 2, slope = half / nip.roller_radius;
@@ -27,13 +39,7 @@ double nip_result_size(std::string_view name, double y, const NipSize& nip,
   if (name == "pressure") return pressure_in_the_middle() * size_next_to_end(y, nip, half);
   if (name == "shear") return 0.1 * pressure_in_the_middle() * size_next_to_end(y, nip, half);
   if (name == "peak_shear") return 0.1 * pressure_in_the_middle();
-  if (name.starts_with("stress_") || name == "highest_stress" || name == "lowest_stress" ||
-      name == "maximum_shear")
-    return pressure_in_the_middle() * size_next_to_end(y, nip, half);
-  // A maximum is flat: its place is known to the root of what its value is.
-  const double place = (1e-6 + 10 * std::sqrt(nip.accuracy)) / nip.accuracy;
-  if (name == "greatest_shear_position") return half * place;
-  if (name == "greatest_shear_depth") return place;
+  if (const auto inside = inside_result_size(name, y, nip, pressure_in_the_middle)) return *inside;
   if (name == "rolling_resistance") return slope * std::min(1.0, 1e-14 / nip.accuracy);
   return 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <functional>
+#include <optional>
 #include <string_view>
 
 namespace nipref::verify {
@@ -22,6 +23,11 @@ struct NipSize {
 /// `pressure_in_the_middle` is asked only where it is needed.
 double nip_result_size(std::string_view name, double y, const NipSize& nip,
                        const std::function<double()>& pressure_in_the_middle);
+
+/// The part of it that is about the stresses inside the sheet; nothing for other results. Stresses are measured like the
+/// pressure; a maximum is flat, so that its place is known to the root of what its value is.
+std::optional<double> inside_result_size(std::string_view name, double y, const NipSize& nip,
+                                         const std::function<double()>& pressure_in_the_middle);
 
 /// Of a traction over its size at the point of first touch, x between the ends first and last: 1, and more next to an
 /// end, as above.

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <nipref/ref/viscoelastic_nip/internal/unit_rule.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
 
 namespace nipref::ref {
 

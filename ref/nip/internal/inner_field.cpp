@@ -1,0 +1,272 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/nip/internal/inner_field.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// Halvings of the double exponential rule's step: the last has some 6000 nodes, five do where nothing is singular.
+constexpr int first_judged_level = 3, most_levels = 10;
+
+struct SineAndCosine {
+  Float sine, cosine;
+
+  explicit SineAndCosine(const Float& x) { mpfr_sin_cos(sine.get(), cosine.get(), x.get(), MPFR_RNDN); }
+};
+
+double nats_of(int digits) { return digits * std::numbers::ln10; }
+
+/// 1/(1 + e^{-pi sinh t}).
+struct UnitPlace {
+  Float from_left, from_right, slope;
+
+  explicit UnitPlace(const Float& t) {
+    const Float growth = exp(pi() * sinh(t));
+    from_right = 1 / (1 + growth);
+    from_left = growth * from_right;
+    slope = pi() * cosh(t) * from_left * from_right;
+  }
+};
+
+/// u from `start` over `length`; where d is shorter than that u = d sinh w, w even.
+class Way {
+ public:
+  Way(Float start, Float length, const Float& bend) : start_(std::move(start)), length_(std::move(length)) {
+    is_bent_ = bend < length_;
+    if (!is_bent_) return;
+    bend_ = bend;
+    first_ = asinh(start_ / bend);
+    last_ = asinh((start_ + length_) / bend);
+    // Of their difference, which may cancel.
+    span_ = 2 * asinh(length_ / (2 * bend * cosh((first_ + last_) / 2)));
+  }
+
+  struct Point {
+    Float from_start, to_end, slope;
+  };
+  [[nodiscard]] Point at(const Float& from_left, const Float& from_right) const {
+    if (!is_bent_) return {length_ * from_left, length_ * from_right, length_};
+    const Float after = span_ * from_left / 2, before = span_ * from_right / 2;
+    return {2 * bend_ * cosh(first_ + after) * sinh(after), 2 * bend_ * cosh(last_ - before) * sinh(before),
+            bend_ * span_ * cosh(first_ + 2 * after)};
+  }
+  [[nodiscard]] const Float& start() const { return start_; }
+
+ private:
+  Float start_, length_;
+  bool is_bent_;
+  Float bend_, first_, last_, span_;
+};
+
+/// 1 or -1 where a source is on the left or the right of the place.
+enum Side { left_of_place = 1, right_of_place = -1 };
+
+}  // namespace
+
+struct InnerField::Place {
+  Float from_left, from_right;  ///< of the contact's ends, negative outside
+  Float distance;               ///< d >= 0
+  int face;                     ///< x = 1 or -1
+  bool is_inside;
+
+  /// Of a unit source at u = side * way.
+  void add(const FaceTraction& here, const Float& way, Side side, const Float& weight,
+           FloatStresses& sum) const {
+    const Float u = side == left_of_place ? way : -way;
+    const Float square = u * u + distance * distance;
+    const Float along = (distance * here.pressure + u * here.shear) * weight / (square * square);
+    const Float share = along * distance;
+    sum.across -= share * distance;
+    sum.along -= along * u * u;
+    sum.shear += face * (share * u);
+  }
+};
+
+struct InnerField::Segment {
+  Way way;
+  bool left, right;                 ///< where there are sources
+  Float beyond_left, beyond_right;  ///< how much farther the contact goes on there than the segment
+};
+
+InnerField::InnerField(const Float& middle, const Float& half_length, Tractions tractions,
+                       FieldFineness fineness)
+    : middle_(middle),
+      half_length_(half_length),
+      tractions_(std::move(tractions)),
+      fineness_(std::move(fineness)) {}
+
+const std::vector<InnerField::UnitNode>& InnerField::level(int number) const {
+  while (std::ssize(levels_) <= number) {
+    const auto made = static_cast<int>(levels_.size());
+    auto nodes = std::make_unique<std::vector<UnitNode>>();
+    const double step = std::ldexp(1 / fineness_.fineness, -made);
+    // Far enough for the end itself, on a face: there the shear over the distance is as 1/sqrt.
+    const double last = std::asinh(2 * (nats_of(fineness_.digits) + 4) / std::numbers::pi);
+    const int stride = made == 0 ? 1 : 2;
+    for (int i = made == 0 ? 0 : 1; i * step < last; i += stride) {
+      const UnitPlace place(Float(step) * i);
+      nodes->push_back({place.from_left, place.from_right, place.slope});
+      if (i > 0) nodes->push_back({place.from_right, place.from_left, place.slope});
+    }
+    levels_.push_back(std::move(nodes));
+  }
+  return *levels_[static_cast<std::size_t>(number)];
+}
+
+/// Level after level until the sum hardly changes.
+void InnerField::add_segment(const Segment& segment, const Place& place, FloatStresses& sum) const {
+  const Float enough = fineness_.scale * pow(Float(10), -fineness_.digits);
+  FloatStresses total, before;
+  for (int number = 0; number < most_levels; ++number) {
+    for (const UnitNode& node : level(number)) {
+      const Way::Point point = segment.way.at(node.from_left, node.from_right);
+      const Float way = segment.way.start() + point.from_start, weight = node.slope * point.slope;
+      if (segment.left) {
+        const Float from_end = segment.beyond_left + point.to_end;
+        const Float other = place.is_inside ? place.from_right + way : point.from_start;
+        place.add(tractions_(from_end, other), way, left_of_place, weight, total);
+      }
+      if (segment.right) {
+        const Float from_end = segment.beyond_right + point.to_end;
+        const Float other = place.is_inside ? place.from_left + way : point.from_start;
+        place.add(tractions_(other, from_end), way, right_of_place, weight, total);
+      }
+    }
+    const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
+    const FloatStresses now{factor * total.across, factor * total.along, factor * total.shear};
+    const Float change = std::max(
+        {abs(now.across - before.across), abs(now.along - before.along), abs(now.shear - before.shear)});
+    before = now;
+    if (number >= first_judged_level && change <= enough) break;
+  }
+  sum.across += before.across;
+  sum.along += before.along;
+  sum.shear += before.shear;
+}
+
+FloatStresses InnerField::half_plane(const Float& alpha, const Float& depth, int face) const {
+  const Float from_middle = alpha - middle_;
+  Place place{half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false};
+  const Float near = std::min(place.from_left, place.from_right),
+              far = std::max(place.from_left, place.from_right);
+  const bool more_right = place.from_right > place.from_left;
+  place.is_inside = near >= 0;
+  FloatStresses sum;
+  const Float size = abs(near);
+  const Float bend = place.distance > 0 ? place.distance : size > 0 ? size : far;
+  if (!place.is_inside) {
+    add_segment({Way(size, far - size, bend), !more_right, more_right, 0, 0}, place, sum);
+    return sum;
+  }
+  if (near > 0) {
+    add_segment({Way(0, near, bend), true, true, place.from_left - near, place.from_right - near}, place,
+                sum);
+    if (place.distance == 0) {
+      const FaceTraction here = tractions_(place.from_left, place.from_right);
+      sum.across -= here.pressure;
+      sum.along -= here.pressure;
+      sum.shear += face * here.shear;
+    }
+  }
+  if (far > near) add_segment({Way(near, far - near, bend), !more_right, more_right, 0, 0}, place, sum);
+  return sum;
+}
+
+/// By the double exponential rule on all of the contact. With t = tanh((pi/2) sinh x) and |Im x| < 1/2 |Im t| < 0.94, so
+/// that e^{i z A t} has grown e^{0.94 z A}, of which e^{-2z} takes its part.
+const std::vector<InnerField::Charge>& InnerField::charges() const {
+  if (!charges_.empty()) return charges_;
+  const double nats = nats_of(fineness_.digits + 2), A = static_cast<double>(half_length_);
+  const double growth = std::max(0.0, 0.94 * A - 2) * nats / 2;
+  const double step = std::numbers::pi / ((nats + growth) * fineness_.fineness);
+  const double last = std::asinh((nats + 8) / std::numbers::pi);
+  const int half = static_cast<int>(std::ceil(last / step));
+  for (int i = -half; i <= half; ++i) {
+    const UnitPlace place(Float(step) * i);
+    const Float length = 2 * half_length_, weight = length * place.slope * step;
+    const FaceTraction here = tractions_(length * place.from_left, length * place.from_right);
+    charges_.push_back(
+        {half_length_ * (place.from_left - place.from_right), {weight * here.pressure, weight * here.shear}});
+  }
+  return charges_;
+}
+
+/// On panels of length 2: Gauss's rule gains a factor of 4.45 with each node for the poles of 1/D at 1.125 +- 2.106 i,
+/// after it has resolved the waves.
+const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const {
+  const double A = static_cast<double>(half_length_), off = std::fabs(static_cast<double>(alpha - middle_));
+  const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(off / (A + 0.5)))));
+  const auto found = waves_.find(doublings);
+  if (found != waves_.end()) return found->second;
+  const double nats = nats_of(fineness_.digits + 2);
+  const double frequency = A + std::ldexp(A + 0.5, doublings);
+  const int panels = static_cast<int>(std::ceil((nats + 12) / 4));
+  const UnitRule rule =
+      gauss_rule(4 + static_cast<int>(std::ceil(fineness_.fineness * (nats / 2.98 + 0.7 * frequency))));
+  std::vector<Wave>& made = waves_[doublings];
+  for (int panel = 0; panel < panels; ++panel) {
+    for (std::size_t i = 0; i < rule.size(); ++i) {
+      Wave wave;
+      wave.z = 2 * (panel + rule.from_left[i]);
+      wave.weight = 2 * rule.weight[i] / pi();
+      wave.fall = exp(-wave.z);
+      const Float s = sinh(wave.z), c = cosh(wave.z), over = 1 / (s * c + wave.z);
+      wave.sinh_part = s * over;
+      wave.cosh_part = c * over;
+      for (const Charge& charge : charges()) {
+        const SineAndCosine at(wave.z * charge.place);
+        wave.cosine.pressure += at.cosine * charge.weighted.pressure;
+        wave.sine.pressure += at.sine * charge.weighted.pressure;
+        wave.cosine.shear += at.cosine * charge.weighted.shear;
+        wave.sine.shear += at.sine * charge.weighted.shear;
+      }
+      made.push_back(std::move(wave));
+    }
+  }
+  return made;
+}
+
+void InnerField::add_beside(const Float& alpha, const Float& s, FloatStresses& sum) const {
+  const Float from_middle = alpha - middle_;
+  const Float upper = 1 - s, lower = 1 + s;
+  for (const Wave& wave : waves(alpha)) {
+    const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
+    const Float growth = exp(s * z), inverse = 1 / growth;
+    const Float C = (growth + inverse) / 2, S = (growth - inverse) / 2;
+    // Of the half-planes below either face.
+    const Float near = wave.fall * growth, far = wave.fall * inverse;
+    const Float z_near = z * upper * near, z_far = z * lower * far;
+    const Float even = near + far, odd = near - far, z_even = z_near + z_far, z_odd = z_near - z_far;
+    const Float zaC = z * a * C, zbC = z * b * C, szaS = s * z * a * S, szbS = s * z * b * S;
+    const Float zaS = z * a * S, zbS = z * b * S, szaC = s * zaC, szbC = s * zbC;
+
+    const SineAndCosine at(z * from_middle);
+    const FaceTraction &c = wave.cosine, &i = wave.sine;
+    const Float p_even = at.cosine * c.pressure + at.sine * i.pressure;
+    const Float p_odd = at.sine * c.pressure - at.cosine * i.pressure;
+    const Float q_even = at.cosine * c.shear + at.sine * i.shear;
+    const Float q_odd = at.sine * c.shear - at.cosine * i.shear;
+
+    sum.across +=
+        wave.weight * ((even + z_even - a * C - zbC + szaS) * p_even + (z_even - zaC + szbS) * q_odd);
+    sum.along += wave.weight * ((zbC - a * C - szaS + even - z_even) * p_even +
+                                (zaC - 2 * (b * C) - szbS + 2 * even - z_even) * q_odd);
+    sum.shear += wave.weight * ((zbS - szaC - z_odd) * p_odd + (b * S - zaS + szbC - odd + z_odd) * q_even);
+  }
+}
+
+FloatStresses InnerField::at(const Float& alpha, const Float& depth) const {
+  FloatStresses sum = half_plane(alpha, depth, 1);
+  const FloatStresses lower = half_plane(alpha, depth, -1);
+  sum.across += lower.across;
+  sum.along += lower.along;
+  sum.shear += lower.shear;
+  add_beside(alpha, depth, sum);
+  return sum;
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,136 @@
+// The stresses inside the sheet by quadrature and Fourier transforms of the tractions: against line loads' proven fields
+// summed over the contact, a half-plane in closed form, and the resultants.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+
+#include <nipref/ref/nip/internal/inner_field.hpp>
+#include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/sheet/field.hpp>
+
+using namespace nipref;
+using ref::Float;
+using ref::FloatStresses;
+using ref::InnerField;
+
+TEST_SUITE_BEGIN("ref's field of a contact");
+
+namespace {
+
+using Tractions = InnerField::Tractions;
+
+double largest_difference(const FloatStresses& a, const FloatStresses& b) {
+  return static_cast<double>(
+      std::max({abs(a.across - b.across), abs(a.along - b.along), abs(a.shear - b.shear)}));
+}
+
+/// (left right)^(1/2) times polynomials that are neither even nor odd, the shear's force not 0.
+ref::FaceTraction lopsided(const Float& left, const Float& right) {
+  const Float root = sqrt(left * right);
+  return {root * (1 + left / 3), root * (left - right / 5)};
+}
+
+/// Each load's own field, by Gauss's rule in the angle: t = -cos(pi x).
+FloatStresses summed(const Float& half_length, const Tractions& tractions, double alpha, double depth) {
+  FloatStresses sum;
+  const ref::UnitRule rule = ref::gauss_rule(40);
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Float angle = ref::pi() * rule.from_left[i];
+    const Float half = sin(angle / 2), other = cos(angle / 2);
+    const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
+    const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
+    const ref::FaceTraction here = tractions(left, right);
+    const ref::Exact from = to_exact(alpha + half_length - left), at(depth);
+    for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
+      const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
+      sum.across += force * to_float(ref::sheet_across(from, at, load, 20).value);
+      sum.along += force * to_float(ref::sheet_along(from, at, load, 20).value);
+      sum.shear += force * to_float(ref::sheet_shear(from, at, load, 20).value);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("it is the sum of the proven fields of its line loads, pressure and shear, on both sides") {
+  const ref::WorkingDigits working(32);
+  for (const double half_length : {0.25, 1.0}) {
+    const InnerField field(0, half_length, lopsided, {18, 1, 1});
+    for (const double alpha : {0.0, 0.3, -3.5}) {
+      // Far enough from the faces for forty loads.
+      const double depth = half_length < 1 ? 0.25 : 0.0;
+      CAPTURE(half_length);
+      CAPTURE(alpha);
+      CHECK(largest_difference(field.at(alpha, depth), summed(half_length, lopsided, alpha, depth)) < 1e-16);
+      FloatStresses mirrored = field.at(alpha, -depth);
+      mirrored.shear = -mirrored.shear;
+      CHECK(largest_difference(mirrored, field.at(alpha, depth)) < 1e-17);
+    }
+  }
+}
+
+TEST_CASE("under a short contact it is Hertz's half-plane in closed form, from the face to deep") {
+  const ref::WorkingDigits working(40);
+  const double a = 0x1p-56;  // the other face sees a load of this size
+  const auto hertz = [&](const Float& left, const Float& right) -> ref::FaceTraction {
+    return {sqrt(left * right) / a, 0};
+  };
+  const InnerField field(0, a, hertz, {22, 1, 1});
+  // sigma_x + sigma_y = -2 Im F, F = i (Z - sqrt(Z^2 - 1)) and so on: Muskhelishvili's function of an ellipse of pressure.
+  for (const double y : {0.0, 0.5, 0.9999999, 1.25, -0.75}) {
+    for (const double d : {0.0, 0x1p-10, 0.75, 4.0}) {
+      CAPTURE(y);
+      CAPTURE(d);
+      using Complex = std::complex<long double>;
+      const Complex Z(y, static_cast<long double>(d));
+      const Complex root = std::sqrt(Z - 1.0L) * std::sqrt(Z + 1.0L);
+      const Complex F = Z - root, slope = 1.0L - Z / root;  // int p/(Z - s) ds over pi, and its derivative
+      const long double across = F.imag() - (d == 0 ? 0 : d * slope.real()),
+                        along = F.imag() + (d == 0 ? 0 : d * slope.real()),
+                        shear = d == 0 ? 0 : d * slope.imag();
+      const FloatStresses here = field.at(Float(y) * a, 1 - Float(d) * a);
+      CHECK(static_cast<double>(here.across) == doctest::Approx(static_cast<double>(across)).epsilon(1e-14));
+      CHECK(static_cast<double>(here.along) == doctest::Approx(static_cast<double>(along)).epsilon(1e-14));
+      CHECK(std::fabs(static_cast<double>(here.shear) - static_cast<double>(shear)) < 1e-14);
+    }
+  }
+}
+
+TEST_CASE("fields of different fineness and of more digits agree, beside the ends and faces too") {
+  const ref::WorkingDigits working(40);
+  const InnerField field(0.125, 0.5, lopsided, {18, 1, 1}), finer(0.125, 0.5, lopsided, {24, 1.3, 1});
+  for (const double alpha : {0.625, 0.62499999999, 0.7, 0.125, -0.3, 40.0}) {
+    for (const double depth : {1.0, 1 - 1e-13, -0.9999, 0.5, 0.0}) {
+      CAPTURE(alpha);
+      CAPTURE(depth);
+      CHECK(largest_difference(field.at(alpha, depth), finer.at(alpha, depth)) < 1e-17);
+    }
+  }
+}
+
+TEST_CASE("on a face it has the tractions, and far away it is nothing but what the shear pulls") {
+  const ref::WorkingDigits working(32);
+  const InnerField field(0, 0.5, lopsided, {18, 1, 1});
+  const ref::FaceTraction there = lopsided(Float(0.75), Float(0.25));
+  for (const int face : {1, -1}) {
+    const FloatStresses here = field.at(0.25, face);
+    CHECK(static_cast<double>(abs(here.across + there.pressure)) < 1e-17);
+    CHECK(static_cast<double>(abs(here.shear - face * there.shear)) < 1e-17);
+  }
+  // Both faces' shear, over both halves of the sheet: half of it pushes on either side.
+  Float force = 0;
+  const ref::UnitRule rule = ref::gauss_rule(30);
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const Float angle = ref::pi() * rule.from_left[i], sine = sin(angle / 2), cosine = cos(angle / 2);
+    force += rule.weight[i] * ref::pi() / 2 * sin(angle) * lopsided(sine * sine, cosine * cosine).shear;
+  }
+  for (const int side : {1, -1}) {
+    const FloatStresses far = field.at(25 * side, 0.5);
+    CHECK(static_cast<double>(abs(far.along + side * force / 2)) < 1e-15);
+    CHECK(static_cast<double>(abs(far.across)) < 1e-15);
+  }
+}
+
+TEST_SUITE_END();
