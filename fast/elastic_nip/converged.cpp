@@ -69,6 +69,7 @@ struct ConvergedElasticNip::Implementation {
       estimate.error += std::fabs(traction(ladder.last(), moved) - estimate.value);
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
   }
+  [[nodiscard]] ContactField<ElasticNipLadder> field() const;
   /// Twice the ladder's: it finds levels alike by chance more often where the place of the maximum moves.
   [[nodiscard]] Estimate peak(double (*largest)(const HalfContact&)) const {
     const Estimate estimate = ladder.estimate(largest);
@@ -79,25 +80,23 @@ struct ConvergedElasticNip::Implementation {
 namespace {
 
 FieldOfContact field_of_half_contact(const HalfContact& contact) {
+  // The shear of a solution is not quite 0 in the middle, where that of both halves would jump, and the stress along a
+  // face have a logarithm.
+  const double jump = contact.traction(contact.half_length).shear;
   const auto traction = [&](bool right, double e) -> FaceTraction {
     const Traction half = contact.traction(std::min(e, contact.half_length));
-    return {half.pressure, right ? half.shear : -half.shear};
+    const double shear = half.shear - jump * std::pow(e / contact.half_length, 2);
+    return {half.pressure, right ? shear : -shear};
   };
-  return {TractionField(contact.half_length, traction), 0};
-}
-
-ContactField<ElasticNipLadder> field_of_nip(const ConvergedElasticNip& nip, const ElasticNipLadder& ladder,
-                                            const ContactUnits& units, bool shears) {
-  const double half_length = ladder.last().half_length;
-  const auto lacking = [&nip, units, half_length, shears](double alpha) {
-    // As far as the end is known from outside as well.
-    const double y = alpha * units.length;
-    return (nip.pressure(y).error + (shears ? 2 * nip.shear(y).error : 0)) / units.pressure;
-  };
-  return {ladder, field_of_half_contact, fast::peak_pressure(ladder.last()), half_length, lacking};
+  return {TractionField(contact.half_length, true, traction), 0, contact.half_length};
 }
 
 }  // namespace
+
+ContactField<ElasticNipLadder> ConvergedElasticNip::Implementation::field() const {
+  const double unsure = given_length ? 0 : half_length_estimate().error;
+  return {ladder, field_of_half_contact, fast::peak_pressure(ladder.last()), {unsure, [](double) { return 0.0; }}};
+}
 
 ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -204,15 +203,14 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
   const auto& [units, surface, ladder, given_length] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
-  auto stresses = field_of_nip(*this, ladder, units, surface.friction == data::Friction::full).at(places);
+  auto stresses = implementation_->field().at(places);
   for (InnerStresses& here : stresses) here = in_unit(units.pressure, here);
   return stresses;
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {
   const auto& [units, surface, ladder, given_length] = *implementation_;
-  const auto [value, y, depth] =
-      field_of_nip(*this, ladder, units, surface.friction == data::Friction::full).greatest(true);
+  const auto [value, y, depth] = implementation_->field().greatest(true);
   return {times(units.pressure, value), times(units.length, y), depth};
 }
 

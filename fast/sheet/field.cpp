@@ -171,6 +171,23 @@ void internal::StressesAtDepths::operator()(double alpha, std::span<StressesBesi
   }
 }
 
+void internal::StressesAtDepths::add_far(const FarLoads& loads, double side,
+                                         std::span<SheetStresses> sums) const {
+  const auto add = [](SheetStresses& sum, const SheetStresses& part) {
+    sum = {sum.across + part.across, sum.along + part.along, sum.shear + part.shear};
+  };
+  const bool shears = loads.shear_force != 0 || loads.shear.of[0] != 0.0;
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const double depth = depths_[i], s = std::fabs(depth);
+    const SheetStresses normal = stresses_of(decaying(loads.pressure, waves_[i]), s, SheetLoad::normal);
+    add(sums[i], with_signs(normal, side, depth, SheetLoad::normal));
+    if (!shears) continue;
+    SheetStresses shear = stresses_of(decaying(loads.shear, waves_[i]), s, SheetLoad::shear);
+    shear.along -= 0.5 * loads.shear_force;
+    add(sums[i], with_signs(shear, side, depth, SheetLoad::shear));
+  }
+}
+
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   check(alpha, depth);
   SheetStresses result = stresses_in_quarter(std::fabs(alpha), std::fabs(depth), load);

@@ -54,6 +54,7 @@ struct ConvergedViscoelasticNip::Implementation {
                                               double scale) const {
     return with_neglected(ladder.estimate_of_integral(functional, scale), scale);
   }
+  [[nodiscard]] ContactField<ViscoelasticNipLadder> field() const;
   /// How well the nearer end of the contact is known, half-thicknesses.
   [[nodiscard]] double unsure_end(Half half) const {
     return estimate(std::mem_fn(half == Half::leading ? &ViscoelasticPressure::leading_length
@@ -83,7 +84,7 @@ FieldOfContact field_of_pressure(const ViscoelasticPressure& contact) {
     return {contact.pressure({right ? Half::leading : Half::trailing, std::min(e, contact.half_length())}),
             0};
   };
-  return {TractionField(contact.half_length(), traction), contact.offset()};
+  return {TractionField(contact.half_length(), false, traction), contact.offset(), contact.half_length()};
 }
 
 /// What is further than half the contact from one end, counted from the other.
@@ -91,19 +92,15 @@ ContactPlace across(double half_length, Half half, double e) {
   return {half == Half::leading ? Half::trailing : Half::leading, 2 * half_length - e};
 }
 
-/// `neglected`: what the sheet's short memories do to the pressure, relative.
-ContactField<ViscoelasticNipLadder> field_of_rolling(const ConvergedViscoelasticNip& nip,
-                                                     const ViscoelasticNipLadder& ladder,
-                                                     const ContactUnits& units) {
-  const ViscoelasticPressure& contact = ladder.last();
-  const double peak = fast::peak_pressure(contact);
-  const auto lacking = [&nip, units](double alpha) {
-    return nip.pressure(alpha * units.length).error / units.pressure;
-  };
-  return {ladder, field_of_pressure, peak, contact.half_length(), lacking};
-}
-
 }  // namespace
+
+ContactField<ViscoelasticNipLadder> ConvergedViscoelasticNip::Implementation::field() const {
+  const double unsure = std::max(unsure_end(Half::leading), unsure_end(Half::trailing));
+  const auto neglected_there = [this](double away) {
+    return sheet.neglected_near_end(half_length(), std::min(away, half_length()));
+  };
+  return {ladder, field_of_pressure, fast::peak_pressure(ladder.last()), {unsure, neglected_there}};
+}
 
 ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
@@ -245,19 +242,14 @@ std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
   const auto& [units, radius, sheet, ladder] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
-  auto stresses = field_of_rolling(*this, ladder, units).at(places);
-  const double neglected = 2 * implementation_->neglected() * fast::peak_pressure(ladder.last());
-  for (InnerStresses& here : stresses) {
-    for (Estimate* const part : {&here.across, &here.along, &here.shear}) part->error += neglected;
-    here = in_unit(units.pressure, here);
-  }
+  auto stresses = implementation_->field().at(places);
+  for (InnerStresses& here : stresses) here = in_unit(units.pressure, here);
   return stresses;
 }
 
 GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
   const auto& [units, radius, sheet, ladder] = *implementation_;
-  auto [value, y, depth] = field_of_rolling(*this, ladder, units).greatest(false);
-  value.error += 2 * implementation_->neglected() * fast::peak_pressure(ladder.last());
+  const auto [value, y, depth] = implementation_->field().greatest(false);
   return {times(units.pressure, value), times(units.length, y), depth};
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <span>
 #include <vector>
 
@@ -16,10 +18,17 @@ namespace nipref::fast {
 /// The field of one of a ladder's solutions; `middle` of its contact, where y is counted from, half-thicknesses.
 struct FieldOfContact {
   TractionField field;
-  double middle;
+  double middle, half_length;
 
   [[nodiscard]] SheetStresses at(InnerPlace place) const { return field.at(moved(place)); }
   [[nodiscard]] InnerPlace moved(InnerPlace place) const { return {place.alpha - middle, place.depth}; }
+};
+
+/// What besides a ladder's solutions lack makes the stresses inside the sheet uncertain.
+struct FieldUncertainty {
+  double of_ends;  ///< of the contact, half-thicknesses
+  /// Of the tractions about so far from an end, relative to the largest.
+  std::function<double(double away)> of_tractions;
 };
 
 /// The field inside the sheet of a solved contact. `Ladder` is that of either nip, `field_of` makes a solution's field,
@@ -29,35 +38,29 @@ class ContactField {
  public:
   using Contact = typename Ladder::Contact;
 
-  /// peak: the largest traction, dimensionless. traction_error(alpha): of pressure and shear at the surface together, 0
-  /// outside the contact.
+  /// peak: the largest traction, dimensionless.
   ContactField(const Ladder& ladder, std::function<FieldOfContact(const Contact&)> field_of, double peak,
-               double half_length, std::function<double(double alpha)> traction_error)
-      : ladder_(ladder),
-        field_of_(std::move(field_of)),
-        peak_(peak),
-        half_length_(half_length),
-        traction_error_(std::move(traction_error)) {}
+               FieldUncertainty uncertainty)
+      : ladder_(ladder), field_of_(std::move(field_of)), peak_(peak), uncertainty_(std::move(uncertainty)) {}
 
-  /// Each result's error is the largest that the ladder gives at some of the places, with what the field itself
-  /// rounds and, near a face, what the tractions there lack.
+  /// All stresses at a place with one error: what the ladder gives for it, what the ends' places and the field's own
+  /// rounding make.
   [[nodiscard]] std::vector<InnerStresses> at(const std::vector<InnerPlace>& places) {
     std::vector<InnerStresses> result(places.size());
-    const std::vector<double> common = common_errors(places);
+    const std::vector<double> errors =
+        places.size() <= most_judged ? errors_of(places) : errors_by_kind(places);
     std::vector<InnerPlace> moved;
     const FieldOfContact& field = of(ladder_.last());
     for (const InnerPlace& place : places) moved.push_back(field.moved(place));
     const std::vector<SheetStresses> stresses = field.field.at(moved);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const double local = local_error(places[i]);
-      result[i] = {{stresses[i].across, common[0] + local},
-                   {stresses[i].along, common[1] + local},
-                   {stresses[i].shear, common[2] + local}};
+      result[i] = {
+          {stresses[i].across, errors[i]}, {stresses[i].along, errors[i]}, {stresses[i].shear, errors[i]}};
     }
     return result;
   }
 
-  /// By a grid that is as fine as the contact is short, then by smaller and smaller steps around its best place; y is
+  /// By a grid that is as fine as the contact is short, and finer at its ends, then by smaller and smaller steps around its best place; y is
   /// counted as in the places, `symmetric` contacts are looked at for y >= 0 only.
   [[nodiscard]] GreatestShear greatest(bool symmetric) {
     const FieldOfContact& field = of(ladder_.last());
@@ -65,7 +68,7 @@ class ContactField {
       const SheetStresses s = field.field.at(place);
       return std::hypot((s.across - s.along) / 2, s.shear);
     };
-    const double reach = std::min(1.0, half_length_);
+    const double half_length = field.half_length, reach = std::min(1.0, half_length);
     InnerPlace best{0, 1};
     double largest = shear_at(best);
     const auto look = [&](const InnerPlace& place) {
@@ -75,15 +78,17 @@ class ContactField {
       best = place;
       return true;
     };
+    // Denser at the ends, beside which full friction may have its largest shear.
     constexpr int steps = 24;
     for (int i = symmetric ? 0 : -steps; i <= steps; ++i) {
-      for (int j = 0; j <= steps; ++j) {
-        const double from_face = std::min(1.0, 2.5 * reach) * j / steps;
-        look({half_length_ * 1.1 * i / steps, 1 - from_face});
-      }
+      const double alpha = half_length * std::sin(std::numbers::pi / 2 * i / steps);
+      for (int j = 0; j <= steps; ++j) look({alpha, 1 - std::min(1.0, 2.5 * reach) * j / steps});
     }
+    const auto smooth_about = [&](const InnerPlace& place) {
+      return std::min(reach, std::hypot(half_length - std::fabs(place.alpha), 1 - place.depth));
+    };
     double step = reach / steps;
-    while (step > 1e-9 * reach) {
+    while (step > 1e-9 * smooth_about(best) && step > 1e-14 * reach) {
       const bool moved = look({best.alpha + step, best.depth}) ||
                          look({symmetric ? std::fabs(best.alpha - step) : best.alpha - step, best.depth}) ||
                          look({best.alpha, std::min(1.0, best.depth + step)}) ||
@@ -93,49 +98,119 @@ class ContactField {
     const InnerPlace place{best.alpha + field.middle, best.depth};
     const Estimate value = at({place}).front().maximum_shear();
     // Flat as a parabola about the maximum, over the contact's or the sheet's length.
-    const double unsure = reach * (1e-7 + 4 * std::sqrt(value.error / value.value));
+    const double unsure = smooth_about(best) * (1e-7 + 4 * std::sqrt(value.error / value.value));
     return {value, {place.alpha, unsure}, {place.depth, unsure}};
   }
 
  private:
-  static constexpr int samples = 12;
-  static constexpr double rounding = 5e-13;
+  /// Places each judged for itself.
+  static constexpr std::size_t most_judged = 48;
+  /// Of the half-planes' and the sheet's parts, over the largest traction.
+  static constexpr double rounding = 2e-15;
 
   [[nodiscard]] const FieldOfContact& of(const Contact& contact) {
     const auto found = fields_.find(&contact);
     return found != fields_.end() ? found->second
                                   : fields_.emplace(&contact, field_of_(contact)).first->second;
   }
-
-  [[nodiscard]] std::vector<double> common_errors(const std::vector<InnerPlace>& places) {
-    std::vector<double> errors;
-    const std::size_t count = std::min<std::size_t>(samples, places.size());
+  /// As far from the nearer end as the place is in the last solution.
+  [[nodiscard]] InnerPlace seen_in(const FieldOfContact& other, const InnerPlace& place) {
+    const FieldOfContact& last = of(ladder_.last());
+    const double from_middle = place.alpha - last.middle;
+    const double longer = other.half_length - last.half_length;
+    return {from_middle + std::copysign(longer, from_middle), place.depth};
+  }
+  /// A bound on the stresses' size about the place: that of the contact's load as far away.
+  [[nodiscard]] double size_at(const InnerPlace& place) {
+    const FieldOfContact& last = of(ladder_.last());
+    const double outside = std::max(0.0, std::fabs(place.alpha - last.middle) - last.half_length);
+    const double away = std::hypot(outside, 1 - std::fabs(place.depth));
+    return peak_ * std::min(1.0, last.half_length / away);
+  }
+  /// Besides what the ladder says: tractions end like roots.
+  [[nodiscard]] double uncertainty_at(const InnerPlace& place) {
+    const FieldOfContact& last = of(ladder_.last());
+    const double beside = std::fabs(std::fabs(place.alpha - last.middle) - last.half_length);
+    const double unsure = uncertainty_.of_ends + 4e-16 * (last.half_length + std::fabs(place.alpha));
+    const double away = std::max(unsure, std::hypot(beside, 1 - std::fabs(place.depth)));
+    const double of_end = std::min(1.0, last.half_length / away) / std::sqrt(away * last.half_length);
+    return peak_ * unsure * of_end + (rounding + uncertainty_.of_tractions(away)) * size_at(place);
+  }
+  /// The place itself and, near a face, two beside it: there levels that agree by chance do not.
+  [[nodiscard]] std::vector<InnerPlace> judged_at(const InnerPlace& place) {
+    const FieldOfContact& last = of(ladder_.last());
+    const double from_middle = place.alpha - last.middle,
+                 before_end = last.half_length - std::fabs(from_middle);
+    const double from_face = 1 - std::fabs(place.depth);
+    if (!(before_end > 0) || from_face > 0.3 * before_end) return {place};
+    const double step = std::copysign(0.2 * before_end, from_middle);
+    return {place, {place.alpha + step, place.depth}, {place.alpha - step, place.depth}};
+  }
+  /// The largest that the ladder gives for a stress there, `stresses` those of a field.
+  template <class Stresses>
+  [[nodiscard]] double ladder_error(const InnerPlace& place, const Stresses& stresses) {
+    std::map<const Contact*, SheetStresses> known;
+    double largest = 0;
     for (double SheetStresses::*const part :
          {&SheetStresses::across, &SheetStresses::along, &SheetStresses::shear}) {
-      double largest = 0;
-      for (std::size_t k = 0; k < count; ++k) {
-        const InnerPlace& place = places[k * places.size() / count];
-        const auto functional = [&](const Contact& contact) { return of(contact).at(place).*part; };
-        largest = std::max(largest, ladder_.estimate_of_integral(functional, peak_).error);
-      }
-      errors.push_back(largest + rounding * peak_);
+      const auto functional = [&](const Contact& contact) {
+        auto found = known.find(&contact);
+        if (found == known.end()) {
+          const FieldOfContact& field = of(contact);
+          found = known.emplace(&contact, stresses(field.field, seen_in(field, place))).first;
+        }
+        return found->second.*part;
+      };
+      largest = std::max(largest, ladder_.estimate_of_several(functional, size_at(place)).error);
+    }
+    return largest;
+  }
+
+  [[nodiscard]] std::vector<double> errors_of(const std::vector<InnerPlace>& places) {
+    std::vector<double> errors;
+    for (const InnerPlace& place : places) {
+      const auto stresses = [](const TractionField& field, const InnerPlace& at) { return field.at(at); };
+      double error = uncertainty_at(place);
+      for (const InnerPlace& beside : judged_at(place))
+        error = std::max(error, ladder_error(beside, stresses));
+      errors.push_back(error);
     }
     return errors;
   }
-
-  [[nodiscard]] double local_error(const InnerPlace& place) {
-    if (1 - std::fabs(place.depth) > 0.3 * half_length_) return 0;
-    const auto found = traction_errors_.find(place.alpha);
-    if (found != traction_errors_.end()) return found->second;
-    return traction_errors_[place.alpha] = traction_error_(place.alpha);
+  /// Of many places those that are alike share the larger of what the ladder gives for two of them, on either side of
+  /// the contact, as part of the stresses' size.
+  [[nodiscard]] std::vector<double> errors_by_kind(const std::vector<InnerPlace>& places) {
+    std::map<std::array<int, 2>, std::vector<const InnerPlace*>> kinds;
+    for (const InnerPlace& place : places) kinds[kind_of(place)].push_back(&place);
+    std::map<std::array<int, 2>, double> largest;
+    for (auto& [kind, members] : kinds) {
+      std::ranges::sort(members, {}, &InnerPlace::alpha);
+      for (const std::size_t quarter : {std::size_t{1}, std::size_t{3}}) {
+        const InnerPlace& place = *members[quarter * members.size() / 4];
+        const auto stresses = [](const TractionField& field, const InnerPlace& at) { return field.at(at); };
+        largest[kind] = std::max(largest[kind], ladder_error(place, stresses) / size_at(place));
+      }
+    }
+    std::vector<double> errors;
+    for (const InnerPlace& place : places)
+      errors.push_back(std::max(2 * largest[kind_of(place)] * size_at(place), uncertainty_at(place)));
+    return errors;
+  }
+  /// By how far away from a face and from the ends places are.
+  [[nodiscard]] std::array<int, 2> kind_of(const InnerPlace& place) {
+    const FieldOfContact& last = of(ladder_.last());
+    const double from_middle = place.alpha - last.middle, beyond = std::fabs(from_middle) - last.half_length;
+    const auto grade = [&](double way, int finest) {
+      return std::clamp(static_cast<int>(std::floor(std::log2(way / last.half_length) / 2)), finest, 1);
+    };
+    return {grade(1 - std::fabs(place.depth), -3), beyond > 0 ? 10 + grade(beyond, -2) : grade(-beyond, -4)};
   }
 
   const Ladder& ladder_;
   std::function<FieldOfContact(const Contact&)> field_of_;
-  double peak_, half_length_;
-  std::function<double(double)> traction_error_;
+  double peak_;
+  FieldUncertainty uncertainty_;
   std::map<const Contact*, FieldOfContact> fields_;
-  std::map<double, double> traction_errors_;
 };
 
 /// BadInput unless y is finite and the depth from -1 to 1.

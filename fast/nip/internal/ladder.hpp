@@ -82,6 +82,11 @@ class Ladder {
   [[nodiscard]] Estimate estimate_of_integral(const Functional& functional, double scale) const {
     return estimate(functional(last()), {expansion_error(functional, 0, Rate::of_expansions), 0}, 1, scale);
   }
+  /// The same for one of several, the largest of which counts: their twins do not all agree by chance.
+  [[nodiscard]] Estimate estimate_of_several(const Functional& functional, double scale) const {
+    const double value = functional(last()), rounded = rounding_error(functional, value);
+    return estimate(value, {expansion_error(functional, rounded, Rate::of_expansions), rounded}, 0, scale);
+  }
   /// The same for one that fades outside the contact from `scale` to `faded`, with all that the solution lacks, but
   /// not below what rounds where it has not faded.
   [[nodiscard]] Estimate estimate_of_fading(const Functional& functional, double scale, double faded) const {

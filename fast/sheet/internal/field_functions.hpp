@@ -31,7 +31,7 @@ struct FieldFunctions {
 /// Only the functions from `first` on: stresses need those from I5 on.
 FieldFunctions near_rest(double alpha, double depth, FieldFunction first);
 
-/// e^{i alpha z_n} of the roots that count at alpha >= near_load_end.
+/// e^{i alpha z_n} of the roots that count at alpha >= near_load_end, of all that may below.
 struct AlongWaves {
   explicit AlongWaves(double alpha);
 

@@ -27,11 +27,19 @@ SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load)
 struct StressesBeside {
   SheetStresses normal, shear;
 };
+/// What loads on one side of a place have in sum, none nearer to it than near_load_end.
+struct FarLoads {
+  AlongWaves pressure, shear;  ///< e^{i alpha z_n} times each load, alpha its distance
+  double shear_force;
+};
+
 /// At any finite alpha, for several depths from -1 to 1 at once: value[i] at depth[i].
 class StressesAtDepths {
  public:
   explicit StressesAtDepths(std::span<const double> depths);
   void operator()(double alpha, std::span<StressesBeside> value) const;
+  /// The whole of the stresses under far loads, half-planes included; side: 1 if they are at smaller alpha, else -1.
+  void add_far(const FarLoads& loads, double side, std::span<SheetStresses> sums) const;
 
  private:
   std::vector<double> depths_;

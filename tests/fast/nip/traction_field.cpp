@@ -58,7 +58,7 @@ TEST_CASE("the field is the sum of those of line loads, alone and in crowds") {
   for (const double half_length : {1e-3, 0.3, 1.0, 4.0}) {
     CAPTURE(half_length);
     const auto traction = ellipse(half_length, 0.3);
-    const TractionField field(half_length, traction);
+    const TractionField field(half_length, false, traction);
     for (const double depth : {0.0, -0.4, 1 - std::min(0.1 * half_length, 0.5)}) {
       for (const double share : {0.0, 0.37, -1.1}) {
         const InnerPlace at{share * half_length, depth};
@@ -79,7 +79,7 @@ TEST_CASE("the field is the sum of those of line loads, alone and in crowds") {
 TEST_CASE("on the faces the field is the tractions, at the ends of panels and of the contact too") {
   const double half_length = 0.7;
   const auto traction = ellipse(half_length, 0.3);
-  const TractionField field(half_length, traction);
+  const TractionField field(half_length, false, traction);
   for (const double y : {0.0, 0.35, 0.175, 0.3, 0.69, -0.35, -0.6999, 0.7}) {
     CAPTURE(y);
     const FaceTraction here = traction(y >= 0, half_length - std::fabs(y));
@@ -94,7 +94,7 @@ TEST_CASE("on the faces the field is the tractions, at the ends of panels and of
 TEST_CASE(
     "in a thick sheet the largest shear is Hertz's, 0.300 of the largest pressure at 0.786 half widths") {
   const double half_length = 1e-7;  // the other face adds as much, relatively
-  const TractionField field(half_length, ellipse(half_length, 0));
+  const TractionField field(half_length, false, ellipse(half_length, 0));
   double largest = 0, at = 0;
   for (int i = 1; i < 2000; ++i) {
     const double depth = i * 1e-3;
@@ -116,7 +116,7 @@ TEST_CASE("under a long smooth pressure the stress across is the pressure throug
   const auto traction = [=](bool, double e) -> FaceTraction {
     return {std::pow(e * (2 * half_length - e), 2), 0};
   };
-  const TractionField field(half_length, traction);
+  const TractionField field(half_length, false, traction);
   const double peak = traction(true, half_length).pressure;
   for (const double depth : {-1.0, -0.5, 0.0, 0.7}) {
     const SheetStresses s = field.at(InnerPlace{0, depth});

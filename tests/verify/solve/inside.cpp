@@ -126,6 +126,84 @@ TEST_CASE("scenes refuse what has no stresses inside the sheet") {
   CHECK_THROWS_AS(static_cast<void>(verify::solve_by_ref(far, 16)), data::BadInput);
 }
 
+TEST_CASE("the largest shear of a contact with full friction is found where it is, beside an end on a face") {
+  for (const double length : {0.0085, 0.05}) {
+    const data::ElasticNip nip{6, 1, {1.45e5, -0.13}};
+    const auto contact = fast::converged_for_length(nip, data::Friction::full, length, 1e-9);
+    const fast::GreatestShear found = contact.greatest_shear();
+    std::vector<fast::InnerPoint> near_end;
+    for (int k = 2; k < 60; ++k) near_end.push_back({length / 2 * (1 - std::pow(0.8, k)), 1});
+    for (const auto& inside : contact.inner_stresses(near_end)) {
+      const Estimate here = inside.maximum_shear();
+      CHECK(here.value <= found.value.value + found.value.error + here.error);
+    }
+    const std::vector<fast::InnerPoint> there{{found.y.value, found.depth.value}};
+    CHECK(covered(found.value, contact.inner_stresses(there).front().maximum_shear()));
+  }
+}
+
+TEST_CASE("on a face the stress across is the pressure to a few units, wherever panels meet") {
+  const data::ElasticNip nip{6, 1, {1.45e5, 0.3}};
+  for (const double length : {0.714, 0.854, 8.0 / 3}) {
+    const auto contact = fast::converged_for_length(nip, data::Friction::none, length, 1e-13);
+    const double peak = contact.peak_pressure().value;
+    for (const double part : {0.0, 0.073, 0.26, 0.4999, 0.93}) {
+      const double y = part * length / 2;
+      const auto inside = contact.inner_stresses(std::vector<fast::InnerPoint>{{y, 1}}).front();
+      CHECK(std::fabs(inside.across.value + contact.pressure(y).value) < 2e-14 * peak);
+    }
+  }
+}
+
+TEST_CASE("in the middle of a face, where the shear changes its sign, coarse solutions know their error") {
+  for (const double poisson : {0.3, -0.5, 0.0}) {
+    CAPTURE(poisson);
+    const data::ElasticNip nip{6, 1, {1.45e5, poisson}};
+    const std::vector<fast::InnerPoint> middle{{0, 1}, {1e-9, 1}, {0, 1 - 1e-7}};
+    const auto solved = [&](double accuracy) {
+      return fast::converged_for_length(nip, data::Friction::full, 0.00737, accuracy).inner_stresses(middle);
+    };
+    const auto truth = solved(1e-12);
+    for (const double accuracy : {1e-4, 1e-5, 1e-6, 1e-7}) {
+      CAPTURE(accuracy);
+      const auto mine = solved(accuracy);
+      for (std::size_t i = 0; i < middle.size(); ++i) CHECK(covered(mine[i].along, truth[i].along));
+    }
+  }
+}
+
+TEST_CASE("many places have the stresses of each, and errors that cover a contact solved to 1e-13") {
+  const auto compared = [](const auto& contact, const auto& truth, double length) {
+    std::vector<fast::InnerPoint> points;
+    for (int i = -12; i <= 12; ++i) {
+      for (int j = 0; j < 12; ++j) points.push_back({length * (i + 0.3) / 18, std::cos(0.27 * j)});
+    }
+    const auto many = contact.inner_stresses(points), exact = truth.inner_stresses(points);
+    const double peak = contact.peak_pressure().value;
+    const auto compare = [&](Estimate fast::InnerStresses::*part) {
+      for (std::size_t k = 0; k < points.size(); ++k) CHECK(covered(many[k].*part, exact[k].*part));
+      for (std::size_t k = 0; k < points.size(); k += 29) {
+        const auto one = contact.inner_stresses(std::span(points).subspan(k, 1)).front();
+        CHECK(std::fabs((one.*part).value - (many[k].*part).value) < 2e-14 * peak);
+      }
+    };
+    compare(&fast::InnerStresses::across);
+    compare(&fast::InnerStresses::along);
+    compare(&fast::InnerStresses::shear);
+  };
+  const data::ElasticNip nip{600, 1, {1.45e5, 0.3}};
+  for (const double length : {0.4, 9.0}) {
+    for (const auto friction : {data::Friction::none, data::Friction::full}) {
+      compared(fast::converged_for_length(nip, friction, length, 1e-6),
+               fast::converged_for_length(nip, friction, length, 1e-13), length);
+    }
+  }
+  const auto scene = inside_example("inside-viscoelastic", {});
+  const auto& rolling = std::get<data::ViscoelasticNipProblem>(scene.system).nip;
+  compared(fast::converged_for_length(rolling, 1.5, 1e-6), fast::converged_for_length(rolling, 1.5, 1e-13),
+           1.5);
+}
+
 TEST_CASE(
     "fast's stresses inside are within its errors of the reference's, beside the ends and on the faces too") {
   struct Example {
