@@ -2,7 +2,6 @@
 #include <numbers>
 
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/seeds/internal/settled_row.hpp>
 #include <nipref/verify/seeds/internal/settlements.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/seeds/errata.hpp>
 

@@ -7,6 +7,7 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/memory/convolutions.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
+#include <nipref/verify/seeds/internal/settled_row.hpp>
 #include <nipref/verify/seeds/internal/settlements.hpp>
 #include <nipref/verify/seeds/internal/thesis_nip.hpp>
 
@@ -145,6 +146,16 @@ Settlement passed_load() {
           sum(-1), truth, 1e-15};
 }
 
+/// The third of the four cases that are said to be drawn, against the first, which its caption repeats.
+Settlement case_of_figure() {
+  const auto case_at = [](const char* t0) {
+    return SettledRow("Vn", {{"t", "5"}, {"T", "4"}, {"t0", t0}, {"tau", "2"}, {"half_thickness", "1"}});
+  };
+  const SettledRow first = case_at("6"), third = case_at("-2");
+  return {"Vn at t = 5, T = 4, F0 = b = 1, tau = 2, with t0 = 6 and t0 = -2", first.by_fast, third.by_fast,
+          third.by_ref, third.promised};
+}
+
 }  // namespace
 
 Settlements thesis_settlements() {
@@ -155,6 +166,7 @@ Settlements thesis_settlements() {
           {"thesis-6.25", passed_load},
           {"thesis-6.29", interchanged_functions},
           {"thesis-7.17", sign_of_rolling_creep},
+          {"thesis-37", case_of_figure},
           {"thesis-AI.2", lost_exponential},
           {"thesis-AII.2", parts},
           {"thesis-AIII.15", rate_of_theta2}};

@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <nipref/data/material/seed_solids.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/seeds/internal/settled_row.hpp>
 #include <nipref/verify/seeds/internal/settlements.hpp>
 
