@@ -199,6 +199,7 @@ AuditResult result_of(const Quantity& quantity, const Compared& compared, const 
     if (finding.allowance_used <= result.allowance_used) return;
     result.allowance_used = finding.allowance_used;
     result.worst = point;
+    result.worst_ulp = finding.ulps;
   };
   for (const Climb& found : climbs) include(found.finding, found.point);
   for (std::size_t i = 0; i < compared.points.size(); ++i) include(compared.findings[i], compared.points[i]);

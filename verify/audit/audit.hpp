@@ -57,6 +57,7 @@ struct AuditResult {
                           ///< if <= 1
   Point worst;            ///< where allowance_used was found
   ErrorSpread spread;     ///< over the points before the local search
+  double worst_ulp = 0;   ///< the error there, units in the last place of the scale
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   [[nodiscard]] bool few_points() const { return points < enough_points; }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -47,6 +48,56 @@ std::vector<Decade> decades_of(std::size_t along, std::span<const Point> points,
   return decades;
 }
 
+constexpr std::size_t parts_of_axis = 100;
+constexpr std::size_t dots_of_part = 4;
+
+struct PlacedError {
+  double place;  ///< on the axis
+  ErrorDot dot;
+};
+
+std::vector<PlacedError> placed_errors(ArgumentKind kind, std::size_t along, std::span<const Point> points,
+                                       std::span<const Finding> findings) {
+  std::vector<PlacedError> placed;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!std::isfinite(findings[i].ulps)) continue;
+    const double at = place_on_axis(kind, points[i][along]);
+    placed.push_back({spans_decades(kind) ? std::log10(at) : at, {at, findings[i].ulps, false}});
+  }
+  return placed;
+}
+
+/// The largest, and others at equal distances in the order in which they were looked at.
+void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
+  const auto largest = std::ranges::max_element(part, {}, &ErrorDot::ulps);
+  largest->largest = true;
+  std::vector<ErrorDot> kept{*largest};
+  const std::size_t step = std::max<std::size_t>(1, part.size() / (dots_of_part - 1));
+  for (std::size_t i = 0; i < part.size() && kept.size() < dots_of_part; i += step) {
+    if (!part[i].largest) kept.push_back(part[i]);
+  }
+  std::ranges::sort(kept, {}, &ErrorDot::at);
+  std::ranges::copy(kept, std::back_inserter(dots));
+}
+
+std::vector<ErrorDot> dots_of(const Quantity& quantity, std::size_t along, std::span<const Point> points,
+                              std::span<const Finding> findings) {
+  const auto placed = placed_errors(quantity.arguments[along].kind, along, points, findings);
+  if (placed.empty()) return {};
+  const auto [least, most] = std::ranges::minmax_element(placed, {}, &PlacedError::place);
+  const double width = (most->place - least->place) / parts_of_axis;
+  std::vector<std::vector<ErrorDot>> parts(parts_of_axis);
+  for (const PlacedError& one : placed) {
+    const double part = width > 0 ? std::floor((one.place - least->place) / width) : 0;
+    parts[std::min(static_cast<std::size_t>(part), parts_of_axis - 1)].push_back(one.dot);
+  }
+  std::vector<ErrorDot> dots;
+  for (auto& part : parts) {
+    if (!part.empty()) append_dots(dots, std::move(part));
+  }
+  return dots;
+}
+
 bool is_inside(const WrongRegion& region, const Point& point) {
   for (std::size_t i = 0; i < point.size(); ++i) {
     if (point[i] < region.lower[i] || point[i] > region.upper[i]) return false;
@@ -74,6 +125,14 @@ std::optional<WrongRegion> wrong_region(std::span<const Point> points, std::span
 
 }  // namespace
 
+bool spans_decades(ArgumentKind kind) {
+  return kind != ArgumentKind::poisson && kind != ArgumentKind::degrees && kind != ArgumentKind::depth;
+}
+
+double place_on_axis(ArgumentKind kind, double value) {
+  return spans_decades(kind) ? std::clamp(std::fabs(value), least_of_axis, most_of_axis) : value;
+}
+
 ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
                          std::span<const Finding> findings) {
   std::vector<double> errors;
@@ -89,7 +148,8 @@ ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points
           percentile(errors, 0.999),
           along,
           decades_of(along, points, findings),
-          wrong_region(points, findings)};
+          wrong_region(points, findings),
+          dots_of(quantity, along, points, findings)};
 }
 
 }  // namespace nipref::verify

@@ -24,6 +24,22 @@ struct WrongRegion {
   std::size_t above;   ///< of them break the promise
 };
 
+/// One of the points that stand for all in a plot.
+struct ErrorDot {
+  double at;     ///< the argument
+  double ulps;   ///< units in the last place of the scale
+  bool largest;  ///< of its part of the axis
+};
+
+/// Whether values of such an argument, which spans decades, are told by their magnitude.
+bool spans_decades(ArgumentKind kind);
+
+// Ends of the axis of such values: most doubles are much smaller or larger, and tell nothing new.
+inline constexpr double least_of_axis = 1e-12, most_of_axis = 1e12;
+
+/// Where a value of such an argument lies on the axis, or of another kind itself.
+double place_on_axis(ArgumentKind kind, double value);
+
 /// How errors are spread over points. A largest error alone misleads where it is a spike.
 struct ErrorSpread {
   double mean, median, percentile_90, percentile_99,
@@ -31,6 +47,10 @@ struct ErrorSpread {
   std::size_t along;            ///< the number of the argument by whose decades the errors are sorted
   std::vector<Decade> decades;  ///< in the order of magnitude
   std::optional<WrongRegion> wrong;
+  /// In the order of the argument, or of its magnitude where that spans decades: of each of a hundred parts of its axis
+  /// the largest and a few more. What lies beyond the ends of such an axis, 0 too, is taken to lie there. Errors that are
+  /// infinite are left out.
+  std::vector<ErrorDot> dots = {};
 };
 
 /// The error at one point.

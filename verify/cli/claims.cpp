@@ -7,29 +7,12 @@
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/seeds/render.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
-
-using CheckedClaim = std::pair<Claim, ClaimOutcome>;
-
-Json number_json(const ClaimNumber& number) {
-  return {{"what", number.what}, {"value", number.value}, {"error", number.error}};
-}
-
-Json claim_json(const CheckedClaim& checked) {
-  const auto& [claim, outcome] = checked;
-  return {{"id", claim.id},
-          {"seed", claim.seed},
-          {"place", claim.place},
-          {"statement", claim.statement},
-          {"verdict", name_of(outcome.verdict)},
-          {"why", Json::unless_empty(outcome.why)},
-          {"numbers", json_list(outcome.numbers, number_json)}};
-}
 
 std::string claim_text(const CheckedClaim& checked) {
   const auto& [claim, outcome] = checked;
@@ -48,20 +31,18 @@ std::string claim_text(const CheckedClaim& checked) {
 }  // namespace
 
 int claims_verb(const CommandLine& line, std::ostream& out) {
-  std::vector<CheckedClaim> checked;
   std::vector<Claim> selected = claims();
   select_by_id(selected, line.words, "claim", &Claim::id);
-  for (Claim& claim : selected) checked.emplace_back(std::move(claim), ClaimOutcome{});
-  parallel_for(checked.size(), [&](std::size_t i) { checked[i].second = check(checked[i].first); }, {});
+  const std::vector<CheckedClaim> checked = check_all(std::move(selected));
   if (line.json) {
-    out << answer_text("claims", {{"claims", json_list(checked, claim_json)}}, line.no_times);
+    out << answer_text("claims", {{"claims", claims_json(checked)}}, line.no_times);
     return 0;
   }
   std::string text;
   for (const ClaimVerdict verdict :
        {ClaimVerdict::holds, ClaimVerdict::holds_in_a_range, ClaimVerdict::fails})
     text += fmt::format("{}: {}\n", name_of(verdict), std::ranges::count_if(checked, [&](const auto& one) {
-                          return one.second.verdict == verdict;
+                          return one.outcome.verdict == verdict;
                         }));
   for (const CheckedClaim& one : checked) text += "\n" + claim_text(one);
   out << folded(text);

@@ -6,28 +6,11 @@
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/render.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
-
-using SettledErratum = std::pair<FormulaErratum, Settlement>;
-
-Json erratum_json(const SettledErratum& one) {
-  const auto& [erratum, settlement] = one;
-  return {{"id", erratum.id},
-          {"seed", erratum.seed},
-          {"equation", erratum.equation},
-          {"printed", erratum.printed},
-          {"right", erratum.right},
-          {"proof", erratum.proof},
-          {"at", settlement.at},
-          {"printed_value", settlement.printed ? Json(*settlement.printed) : Json()},
-          {"right_value", settlement.right},
-          {"truth", settlement.truth},
-          {"allowed", settlement.allowed},
-          {"settled", settlement.settled()}};
-}
 
 std::string erratum_text(const SettledErratum& one) {
   const auto& [erratum, settlement] = one;
@@ -44,14 +27,10 @@ std::string erratum_text(const SettledErratum& one) {
 int errata_verb(const CommandLine& line, std::ostream& out) {
   std::vector<FormulaErratum> errata = formula_errata();
   select_by_id(errata, line.words, "erratum", &FormulaErratum::id);
-  std::vector<SettledErratum> all;
-  for (FormulaErratum& erratum : errata) {
-    const Settlement settlement = settle(erratum);
-    all.emplace_back(std::move(erratum), settlement);
-  }
-  const auto open = std::ranges::count_if(all, [](const auto& one) { return !one.second.settled(); });
+  const std::vector<SettledErratum> all = settle_all(std::move(errata));
+  const auto open = std::ranges::count_if(all, [](const auto& one) { return !one.settlement.settled(); });
   if (line.json) {
-    out << answer_text("errata", {{"errata", json_list(all, erratum_json)}}, line.no_times);
+    out << answer_text("errata", {{"errata", errata_json(all)}}, line.no_times);
   } else {
     std::string text = fmt::format("{} errata of formulas, {} not settled; those of tables: nipref tables\n",
                                    all.size(), open);

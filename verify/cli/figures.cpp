@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/drawing.hpp>
 #include <nipref/verify/cli/output_file.hpp>
-#include <nipref/verify/cli/output_of.hpp>
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figures.hpp>
@@ -29,13 +28,11 @@ int list_figures(const std::vector<FigurePlan>& plans, const CommandLine& line, 
 }
 
 std::string figure_svg(const Figure& figure, const std::string& file) {
-  // Whatever the user has set up; by that name a script ends with its first error.
-  const ProgramOutput drawn = output_of({"gnuplot", "-d", "/dev/stdin"}, gnuplot_script(figure));
-  if (drawn.status == status_not_found)
+  const auto drawn = drawn_by_gnuplot(gnuplot_script(figure));
+  if (!drawn)
     throw data::BadInput("svg", file,
                          "must wait for the program gnuplot, which is not installed (Debian's gnuplot-nox)");
-  if (drawn.status != 0) throw std::runtime_error("gnuplot did not draw " + figure.id);
-  return drawn.text;
+  return *drawn;
 }
 
 }  // namespace

@@ -7,30 +7,12 @@
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/seeds/render.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
-
-Json sample_json(const LimitSample& sample) {
-  return {{"size", sample.size},
-          {"found", sample.found.value},
-          {"found_error", sample.found.error},
-          {"limit", sample.limit},
-          {"distance", sample.distance()}};
-}
-
-Json row_json(const LimitRow& row) {
-  return {{"name", row.name},
-          {"statement", row.statement},
-          {"source", row.source},
-          {"size", row.size},
-          {"order", row.order == 0 ? Json() : Json(row.order)},
-          {"measured_order", row.measured_order()},
-          {"approached", row.approached()},
-          {"samples", json_list(row.samples, sample_json)}};
-}
 
 std::string order_text(const LimitRow& row) {
   return row.order == 0 ? "faster than any power" : fmt::format("with its power {:g}", row.order);
@@ -56,7 +38,7 @@ int limits_verb(const CommandLine& line, std::ostream& out) {
   select_by_id(rows, line.words, "limit", &LimitRow::name);
   const auto missed = std::ranges::count_if(rows, [](const LimitRow& row) { return !row.approached(); });
   if (line.json) {
-    out << answer_text("limits", {{"rows", json_list(rows, row_json)}}, line.no_times);
+    out << answer_text("limits", {{"rows", limits_json(rows)}}, line.no_times);
   } else {
     std::string text = fmt::format("{} limits, {} missed\n", rows.size(), missed);
     for (const LimitRow& row : rows) text += "\n" + row_text(row);

@@ -15,6 +15,7 @@ struct FigureAxis {
 /// How the points of a series are drawn.
 enum class Mark {
   line,         ///< a curve, in the dashes of its label
+  dots,         ///< a dot each
   marked_line,  ///< a thin curve with open symbols here and there
   points,       ///< open symbols
   bars,         ///< filled symbols with bars from `low` to `high`

@@ -10,6 +10,8 @@ std::string_view name(Mark mark) {
   switch (mark) {
     case Mark::line:
       return "line";
+    case Mark::dots:
+      return "dots";
     case Mark::marked_line:
       return "marked-line";
     case Mark::points:

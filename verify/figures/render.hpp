@@ -19,4 +19,8 @@ std::string figure_text(const Figure& figure);
 /// colour-blind readers tell apart), in dashes and in symbols; roles in how they are drawn.
 std::string gnuplot_script(const Figure& figure);
 
+/// The same of one panel without a caption, small enough for a page: readable at half the width of a sheet of paper and
+/// on a telephone.
+std::string gnuplot_script(const Panel& panel);
+
 }  // namespace nipref::verify

@@ -85,18 +85,20 @@ std::string checked_text(const std::vector<GoldenFailure>& folder, const std::ve
                             failures_of(GoldenFault::missing, folder, files));
 }
 
+Json checked_file_json(const CheckedGolden& file) {
+  return {{"file", file.path.string()},
+          {"quantity", Json::unless_empty(file.quantity)},
+          {"rows", file.rows},
+          {"recomputed", file.recomputed},
+          {"hashed", file.hashed},
+          {"kept", file.kept()},
+          {"failures", json_list(file.failures, failure_json)}};
+}
+
 Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files) {
   return {{"action", "check"},
           {"failures", json_list(folder, failure_json)},
-          {"files", json_list(files, [](const CheckedGolden& file) -> Json {
-             return {{"file", file.path.string()},
-                     {"quantity", Json::unless_empty(file.quantity)},
-                     {"rows", file.rows},
-                     {"recomputed", file.recomputed},
-                     {"hashed", file.hashed},
-                     {"kept", file.kept()},
-                     {"failures", json_list(file.failures, failure_json)}};
-           })}};
+          {"files", json_list(files, checked_file_json)}};
 }
 
 std::string updated_text(const std::vector<UpdatedFile>& files) {

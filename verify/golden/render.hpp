@@ -18,6 +18,7 @@ Json made_json(const std::vector<MadeFile>& files);
 
 /// `folder`: failures of none of the files.
 std::string checked_text(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files);
+Json checked_file_json(const CheckedGolden& file);
 Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files);
 
 struct UpdatedFile {

@@ -61,16 +61,10 @@ std::size_t decimals_of(const Replay& replay, const ReplayedCell& cell) {
   return finest;
 }
 
-/// A number in the scaling that its column is printed in, with two digits more than the printed cell.
-std::string scaled(const Replay& replay, const ReplayedCell& cell, double value) {
-  const int exponent = replay.table.columns[replay.table.column_index(cell.column)].scale_exponent;
-  return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals_of(replay, cell) + 2);
-}
-
 /// Nothing if it was not computed.
 std::optional<std::string> scaled(const Replay& replay, const ReplayedCell& cell,
                                   const std::optional<double>& value) {
-  return value ? std::optional(scaled(replay, cell, *value)) : std::nullopt;
+  return value ? std::optional(scaled_text(replay, cell, *value)) : std::nullopt;
 }
 
 std::string row_label(const Replay& replay, std::size_t row) {
@@ -93,8 +87,8 @@ void append_cells(std::string& text, const Replay& replay, bool all) {
     if (!all && (cell.verdict == Verdict::input || cell.verdict == Verdict::match)) continue;
     table.add({"  " + coloured(cell.verdict), row_label(replay, cell.row), cell.column,
                printed_cell(replay, cell).printed,
-               fmt::format("{}..{}", scaled(replay, cell, cell.range.lower),
-                           scaled(replay, cell, cell.range.upper)),
+               fmt::format("{}..{}", scaled_text(replay, cell, cell.range.lower),
+                           scaled_text(replay, cell, cell.range.upper)),
                scaled(replay, cell, cell.corrected).value_or("-")});
     if (!cell.note.empty()) table.add_below(cell.note);
   }
@@ -115,7 +109,7 @@ void append_costs(std::string& text, const Replay& replay) {
 
 /// The number that `scaled` prints.
 Json scaled_json(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
-  return value ? Json::number(scaled(replay, cell, *value)) : Json();
+  return value ? Json::number(scaled_text(replay, cell, *value)) : Json();
 }
 
 Json costs_json(const Replay& replay) {
@@ -167,6 +161,11 @@ Json table_json(const Replay& replay) {
 }
 
 }  // namespace
+
+std::string scaled_text(const Replay& replay, const ReplayedCell& cell, double value) {
+  const int exponent = replay.table.columns[replay.table.column_index(cell.column)].scale_exponent;
+  return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals_of(replay, cell) + 2);
+}
 
 std::string tables_text(const std::vector<Replay>& replays, bool all_cells) {
   const Counts counts = count(replays);

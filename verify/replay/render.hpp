@@ -15,6 +15,9 @@ std::string tables_text(const std::vector<Replay>& replays, bool all_cells);
 /// What `tables` answers, and what stands for it in a report.
 Json tables_json(const std::vector<Replay>& replays);
 
+/// A number of a cell's column, in the scaling that it is printed in, with two digits more than the printed cell.
+std::string scaled_text(const Replay& replay, const ReplayedCell& cell, double value);
+
 /// What `tables --list` says and answers.
 std::string table_list_text(const std::vector<data::TableSummary>& summaries);
 Json table_list_json(const std::vector<data::TableSummary>& summaries);

@@ -7,8 +7,8 @@
 namespace nipref::verify {
 namespace {
 
-RowValues solve(const data::ElasticNip& nip, const fast::LineLoadMethod& method, double length,
-                std::optional<double> creep) {
+RowValues solved_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method, double length,
+                     std::optional<double> creep) {
   const fast::LineLoadSolution solution =
       creep ? fast::gripped_line_loads_for_length(nip, method, length, *creep)
             : fast::line_loads_for_length(nip, method, length);
@@ -46,11 +46,11 @@ ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& 
   std::vector<std::optional<double>> creeps{std::nullopt};
   if (input.creep) creeps = {input.creep->lower, input.creep->upper};
   ReplayedRow row;
-  row.at_centre = solve(nip, method, input.length.middle(),
-                        input.creep ? std::optional(input.creep->middle()) : std::nullopt);
+  row.at_centre = solved_row(nip, method, input.length.middle(),
+                             input.creep ? std::optional(input.creep->middle()) : std::nullopt);
   for (const double length : {input.length.lower, input.length.upper}) {
     for (const std::optional<double> creep : creeps) {
-      row.corners.push_back(solve(nip, method, length, creep));
+      row.corners.push_back(solved_row(nip, method, length, creep));
     }
   }
   return row;

@@ -5,6 +5,7 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -48,5 +49,12 @@ std::vector<Claim> claims() {
 }
 
 ClaimOutcome check(const Claim& claim) { return checks().at(claim.id)(); }
+
+std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
+  std::vector<CheckedClaim> checked;
+  for (Claim& claim : claims) checked.push_back({std::move(claim), {}});
+  parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); }, {});
+  return checked;
+}
 
 }  // namespace nipref::verify

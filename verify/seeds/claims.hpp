@@ -39,4 +39,12 @@ std::vector<Claim> claims();
 /// Checks it, now. The claim is one of claims().
 ClaimOutcome check(const Claim& claim);
 
+struct CheckedClaim {
+  Claim claim;
+  ClaimOutcome outcome;
+};
+
+/// The same of many, on all cores, in their order.
+std::vector<CheckedClaim> check_all(std::vector<Claim> claims);
+
 }  // namespace nipref::verify

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/table/csv.hpp>
@@ -41,5 +42,14 @@ std::vector<FormulaErratum> formula_errata() {
 }
 
 Settlement settle(const FormulaErratum& erratum) { return settlements().at(erratum.id)(); }
+
+std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
+  std::vector<SettledErratum> settled;
+  for (FormulaErratum& erratum : errata) {
+    const Settlement settlement = settle(erratum);
+    settled.push_back({std::move(erratum), settlement});
+  }
+  return settled;
+}
 
 }  // namespace nipref::verify

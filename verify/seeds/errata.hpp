@@ -34,4 +34,12 @@ std::vector<FormulaErratum> formula_errata();
 /// Computes it, now. The erratum is one of formula_errata().
 Settlement settle(const FormulaErratum& erratum);
 
+struct SettledErratum {
+  FormulaErratum erratum;
+  Settlement settlement;
+};
+
+/// The same of many, in their order.
+std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata);
+
 }  // namespace nipref::verify

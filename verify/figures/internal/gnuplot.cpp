@@ -60,6 +60,8 @@ std::vector<std::string> drawn(Mark mark, const Style& style, std::size_t points
   switch (mark) {
     case Mark::line:
       return {fmt::format("with lines lw 2 dt {} {}", style.dashes, colour)};
+    case Mark::dots:
+      return {fmt::format("with dots {}", colour)};
     case Mark::marked_line:
       return {fmt::format("with linespoints lw 1 dt 1 pt {} ps 0.6 pi {} {}", style.open_symbol,
                           std::max<std::size_t>(1, points / 12), colour)};
@@ -118,10 +120,23 @@ std::string key_line(const std::string& how, const std::string& name) {
   return fmt::format("keyentry {} title {}", how, quoted_for_gnuplot(name));
 }
 
+/// Where each series has a label of its own, all as they are drawn.
+std::vector<std::string> key_of_series(const Panel& panel) {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < panel.series.size(); ++i) {
+    // A dot alone would not be seen.
+    const Mark mark = panel.series[i].mark == Mark::dots ? Mark::bars : panel.series[i].mark;
+    const std::string how = drawn(mark, styles.at(i), 1).back();
+    lines.push_back(key_line(how.substr(how.find("with")), panel.series[i].label));
+  }
+  return lines;
+}
+
 /// What tells labels apart, then in black what tells roles apart; what all have in common is not told.
 std::vector<std::string> key_of_panel(const Panel& panel) {
   std::vector<std::string> lines;
   const auto labels = each_once(panel.series, &Series::label), roles = each_once(panel.series, &Series::role);
+  if (labels.size() == panel.series.size() && roles.size() > 1) return key_of_series(panel);
   for (std::size_t i = 0; labels.size() > 1 && i < labels.size(); ++i)
     lines.push_back(key_line(fmt::format("with linespoints lw 2 dt {} pt {} lc rgb \"{}\"",
                                          styles.at(i).dashes, styles.at(i).open_symbol, styles.at(i).colour),
@@ -183,6 +198,15 @@ std::string gnuplot_script(const Figure& figure) {
       columns * 950, 110 + rows * 460, rows, columns, quoted_for_gnuplot(caption));
   for (const Panel& panel : figure.panels) text += panel_commands(panel);
   return text + "unset multiplot\n";
+}
+
+std::string gnuplot_script(const Panel& panel) {
+  return "set encoding utf8\n"
+         "set terminal svg noenhanced size 480,330 font \"Helvetica,13\" background \"#ffffff\"\n"
+         "set key below center horizontal Left reverse samplen 2 maxrows 2 width -2\n"
+         "set grid lc rgb \"#dddddd\" lw 0.5\n"
+         "set offsets graph 0, graph 0, graph 0.08, graph 0\n" +
+         panel_commands(panel);
 }
 
 }  // namespace nipref::verify

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <map>
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
@@ -9,6 +11,7 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/figures/internal/groups.hpp>
+#include <nipref/verify/figures/internal/memo.hpp>
 #include <nipref/verify/figures/internal/series.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 
@@ -34,12 +37,22 @@ struct RollingColumn {
   std::string axis;
 };
 
+using RollingPlace = std::array<double, 3>;  ///< thickness, load, memory
+
+/// The columns of the tables.
+std::map<std::string, double> rolling_values(const RollingPlace& place) {
+  const auto contact = rolling_contact(place[0], place[1], place[2]);
+  return {{"p_max", contact.peak_pressure().value},
+          {"creep", contact.creep_ratio().value},
+          {"muR", contact.rolling_resistance().value},
+          {"L/B", contact.contact_length().value / place[0]},
+          {"d0/B", contact.indentation().value / place[0]}};
+}
+
 double rolling_value(double thickness, double load, double memory, const std::string& column) {
-  const auto contact = rolling_contact(thickness, load, memory);
-  if (column == "p_max") return contact.peak_pressure().value;
-  if (column == "creep") return contact.creep_ratio().value;
-  if (column == "muR") return contact.rolling_resistance().value;
-  return (column == "L/B" ? contact.contact_length() : contact.indentation()).value / thickness;
+  static Memo<RollingPlace, std::map<std::string, double>> known;
+  const RollingPlace place{thickness, load, memory};
+  return known.get(place, [&] { return rolling_values(place); }).at(column);
 }
 
 std::string memory_label(double memory) { return fmt::format("F0 tau = {:g} in", memory); }

@@ -78,8 +78,8 @@ double underflown_memory(const data::ViscoelasticNip& nip, const fast::Viscoelas
   return at(start) - at(start + loads.contact_length() / nip.speed);
 }
 
-RowValues solve(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
-                double length) {
+RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
+                             double length) {
   const fast::ViscoelasticLineLoads loads = fast::viscoelastic_line_loads_for_length(nip, method, length);
   RowValues values = viscoelastic_row_values(nip, method, loads);
   values[std::string(underflown_creep)] =
@@ -189,8 +189,9 @@ RowValues viscoelastic_row_values(const data::ViscoelasticNip& nip,
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
                                     const fast::ViscoelasticLineLoadMethod& method,
                                     const data::Interval& leading_length) {
-  return {solve(nip, method, leading_length.middle()),
-          {solve(nip, method, leading_length.lower), solve(nip, method, leading_length.upper)}};
+  return {solved_rolling_row(nip, method, leading_length.middle()),
+          {solved_rolling_row(nip, method, leading_length.lower),
+           solved_rolling_row(nip, method, leading_length.upper)}};
 }
 
 }  // namespace nipref::verify
