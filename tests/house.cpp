@@ -66,7 +66,9 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"figures", {"support", "catalogue", "replay"}},
       {"c_interface", {"support", "catalogue"}},
       {"golden", {"support", "catalogue", "audit"}},
-      {"cli", {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures"}}}},
+      {"report", {"support", "catalogue", "audit", "golden", "grade", "replay", "bench", "solve", "witness", "seeds", "figures"}},
+      {"cli",
+       {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures", "report"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

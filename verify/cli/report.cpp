@@ -1,90 +1,210 @@
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/bench_all.hpp>
+#include <nipref/verify/cli/drawing.hpp>
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/report/page.hpp>
+#include <nipref/verify/seeds/render.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// Fast against ref: the quantities, and whole contacts.
-struct Audits {
-  std::vector<AuditResult> quantities;
-  ContactAudits contacts;
+namespace fs = std::filesystem;
 
-  [[nodiscard]] bool kept() const { return all_kept(quantities) && contacts.kept(); }
-};
+/// Of golden values so many are looked at, of those that take long one.
+constexpr std::size_t golden_sample = 8;
+constexpr std::size_t points_of_quick_quantity = 10'000;
 
-Audits run_audits(const CommandLine& line, const AuditOptions& options, Progress& progress) {
+std::string command_of(const CommandLine& line) {
+  std::string command = "nipref report";
+  for (const auto& [name, value] : line.options) command += " --" + name + " " + value;
+  for (const std::string& flag : line.flags) command += " --" + flag;
+  return command;
+}
+
+GoldenSample sample_golden(const Quantity& quantity) {
+  const fs::path path = golden_path(quantity);
+  if (!fs::exists(path))
+    return {{},
+            {.path = path,
+             .quantity = quantity.name,
+             .failures = {{GoldenFault::missing, {}, "there are none"}}}};
+  GoldenFile file = read_golden(path);
+  const std::size_t rows = quantity.audit_points >= points_of_quick_quantity ? golden_sample : 1;
+  CheckOptions options;
+  options.every = std::max<std::size_t>(1, (file.rows.size() + rows - 1) / rows);
+  CheckedGolden checked = check_golden(path, options);
+  return {std::move(file), std::move(checked)};
+}
+
+std::vector<GoldenSample> sample_all_golden(Progress& progress) {
+  std::vector<GoldenSample> samples;
+  progress.begin("golden", catalogue().size());
+  for (const Quantity& quantity : catalogue()) {
+    if (interrupted()) break;
+    progress.next(quantity.name);
+    try {
+      samples.push_back(sample_golden(quantity));
+    } catch (const Interrupted&) {
+      break;
+    }
+  }
+  return samples;
+}
+
+/// What the seeds say besides tables.
+void check_statements(Report& report, Progress& progress) {
+  progress.begin("statements", 3);
+  if (interrupted()) return;
+  try {
+    progress.next("claims");
+    report.claims = check_all(claims());
+    progress.next("limits");
+    report.limits = limits();
+    progress.next("errata");
+    report.errata = settle_all(formula_errata());
+  } catch (const Interrupted&) {
+  }
+}
+
+std::vector<Figure> all_figures(Progress& progress) {
+  std::vector<Figure> computed;
+  const std::vector<FigurePlan> plans = figures();
+  progress.begin("figures", plans.size());
+  for (const FigurePlan& plan : plans) {
+    if (interrupted()) break;
+    progress.next(plan.id);
+    try {
+      computed.push_back(compute(plan));
+    } catch (const Interrupted&) {
+      break;
+    }
+  }
+  return computed;
+}
+
+Report collected(const CommandLine& line, const AuditOptions& options, Progress& progress) {
+  Report report;
+  report.version = version_text();
+  report.command = command_of(line);
+  report.seed = seed_option(line);
   const auto all = select_quantities({});
+  // Before the audit, which would build ref's nodes: their cost is measured.
+  report.speed = bench_all({all, bench_groups()}, progress);
   progress.begin("audit", all.size() + 2);
-  std::vector<AuditResult> quantities = audit_all(all, options, progress);
-  return {std::move(quantities), audit_all_contacts(line, progress)};
+  report.quantities = audit_all(all, options, progress);
+  ContactAudits contacts = audit_all_contacts(line, progress);
+  report.hard_cases = std::move(contacts.hard_cases);
+  report.scenes = std::move(contacts.scenes);
+  report.witness = outside_witness();
+  report.tables = replay_and_correct(replayable_tables(), progress);
+  report.tables_fall_short = fall_short(report.tables);
+  check_statements(report, progress);
+  report.golden = sample_all_golden(progress);
+  report.interrupted = interrupted();
+  return report;
 }
 
-/// On each quantity's first range only, which is the one that the promised ratios are about, all rows in many
-/// digits, and the contacts.
-std::vector<BenchRow> essential_rows(const std::vector<BenchRow>& rows) {
-  std::vector<BenchRow> essential;
-  std::ranges::copy_if(rows, std::back_inserter(essential), [](const BenchRow& row) {
-    return row.arguments.find(" in [1e-6,20]") != std::string::npos ||
-           row.method.find("digits") != std::string::npos || row.quantity == "elastic-nip" ||
-           row.quantity == "viscoelastic-nip" || row.quantity == "half-space";
+/// The folder that the report goes to, made now: what cannot be written is refused before anything is done.
+std::optional<fs::path> output_folder(const CommandLine& line) {
+  const auto name = line.option("output");
+  if (!name) return std::nullopt;
+  std::error_code error;
+  fs::create_directories(*name, error);
+  if (!fs::is_directory(*name))
+    throw data::BadInput("output", *name, "must be a folder, or one that can be made");
+  return *name;
+}
+
+/// The text of the older report, read before anything is done. BadInput if it is none.
+std::optional<std::string> older_report(const CommandLine& line) {
+  const auto path = line.option("against");
+  if (!path) return std::nullopt;
+  std::ostringstream text;
+  text << std::ifstream(*path).rdbuf();
+  if (!is_report(text.str()))
+    throw data::BadInput("against", *path, "must be the report.json that an older report has written");
+  return text.str();
+}
+
+/// Says where it is and how large.
+std::string write_page(const fs::path& folder, const Report& report, const std::string& answer,
+                       Progress& progress) {
+  const std::string page = report_page(report, all_figures(progress), drawn_by_gnuplot);
+  const fs::path file = folder / "index.html";
+  write_output_file((folder / "report.json").string(), answer);
+  write_output_file(file.string(), page);
+  return fmt::format("{} ({:.1f} MB, opens from the file)", file.string(),
+                     1e-6 * static_cast<double>(page.size()));
+}
+
+Json golden_json(const std::vector<GoldenSample>& samples) {
+  return json_list(samples, [](const GoldenSample& sample) { return checked_file_json(sample.checked); });
+}
+
+Json seed_errors_json(const std::vector<Replay>& tables) {
+  return json_list(seed_errors(tables), [](const SeedError& error) {
+    return Json{
+        {"what", error.what}, {"table", error.table}, {"relative", error.relative}, {"cause", error.cause}};
   });
-  return essential;
-}
-
-void print_as_text(const BenchReport& speed, const Audits& audits, const Witness& witness,
-                   const std::vector<Replay>& tables, std::ostream& out) {
-  out << "nipref report\n\n"
-      << version_text() << "\nAccuracy: fast against ref at the worst arguments found\n\n"
-      << audit_text(audits.quantities, {}) << "\nHard cases of the contacts, and random scenes\n\n"
-      << contact_audits_text(audits.contacts)
-      << "\nWhat an outside finite-element program makes of converged contacts\n\n"
-      << witness_text(witness) << "\nSpeed against error (all ranges: nipref bench)\n\n"
-      << bench_text(essential_rows(speed.rows)) << "\n"
-      << ratios_text(speed.ratios) << "\nTables of the seeds, replayed\n\n"
-      << tables_text(tables, false) << interruption_text();
 }
 
 }  // namespace
 
-Json report_json(const BenchReport& speed, const std::vector<AuditResult>& quantities,
-                 const ContactAudits& contacts, const Witness& witness, const std::vector<Replay>& tables) {
-  return {{"audit", audits_json(quantities, contacts, {})},
-          {"witness", witness_json(witness)},
-          {"bench", bench_json(speed)},
-          {"tables", tables_json(tables)}};
+Json report_json(const Report& report) {
+  return {{"command", report.command},
+          {"audit", audits_json(report.quantities, {report.hard_cases, report.scenes}, {})},
+          {"witness", witness_json(report.witness)},
+          {"bench", bench_json(report.speed)},
+          {"tables", tables_json(report.tables)},
+          {"seed_errors", seed_errors_json(report.tables)},
+          {"claims", claims_json(report.claims)},
+          {"limits", limits_json(report.limits)},
+          {"errata", errata_json(report.errata)},
+          {"golden", golden_json(report.golden)}};
 }
 
 int report_verb(const CommandLine& line, std::ostream& out) {
   const AuditOptions options = audit_options(line);
   static_cast<void>(scenes_option(line));  // refused before anything is done
+  const auto older = older_report(line);
+  const auto folder = output_folder(line);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  // Before the audit, which would build ref's nodes: their cost is measured.
-  const BenchReport speed = bench_all({select_quantities({}), bench_groups()}, progress);
-  const Audits audits = run_audits(line, options, progress);
-  const Witness witness = outside_witness();
-  const std::vector<Replay> tables = replay_and_correct(replayable_tables(), progress);
+  Report report = collected(line, options, progress);
+  const std::string answer =
+      line.json || folder || older ? answer_text("report", report_json(report), line.no_times) : "";
+  if (older) report.comparison = compare_reports(*older, answer);
+  const std::string page = folder ? write_page(*folder, report, answer, progress)
+                                  : "nipref report -o DIR writes all of it as DIR/index.html";
   if (line.json) {
-    out << answer_text("report", report_json(speed, audits.quantities, audits.contacts, witness, tables),
-                       line.no_times);
+    out << answer;
   } else {
-    print_as_text(speed, audits, witness, tables, out);
+    out << report_text(report, page);
+    if (report.comparison) out << "\n" << comparison_text(*report.comparison, 10);
+    out << interruption_text();
   }
-  return audits.kept() && witness.agrees() && !fall_short(tables) && all_met(speed, line.has("strict")) ? 0
-                                                                                                        : 1;
+  return report.kept(line.has("strict")) ? 0 : 1;
 }
 
 }  // namespace nipref::verify

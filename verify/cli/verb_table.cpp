@@ -23,6 +23,12 @@ const OptionText solve_digits_option{
     "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30); with path=ref only"};
 const OptionText balance_digits_option{
     "digits", "decimal digits of ref's contact, 16 to 30 (default 16); with path=ref only"};
+const OptionText report_output_option{
+    "output",
+    "folder, made if need be, for the report as index.html, one page with all plots, and as report.json",
+    "o"};
+const OptionText older_report_option{
+    "against", "report.json of an older report: what has become better, worse, slower or new since then"};
 const OptionText rtol_option{
     "rtol",
     "error that fast may make, as a part of the scale, 4.44e-16 <= rtol < 1 (default: full accuracy)"};
@@ -240,12 +246,13 @@ const std::array all_verbs{
         {"nipref bench I1", "nipref bench elastic-nip --strict", "nipref bench I1 --with ./mine.so",
          "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
     VerbText{"report",
-             "Audit, bench and tables on a page or two.",
+             "Everything at once: one screen of text, and with -o a page with all plots and tables.",
              "",
              "",
-             {density_option, scenes_option, seed_option},
+             {report_output_option, older_report_option, density_option, scenes_option, seed_option},
              {quick_flag, thorough_flag, strict_flag, quiet_flag, json_flag, no_times_flag},
-             {"nipref report --quick", "nipref report --json >report.json"}},
+             {"nipref report -o report", "nipref report --quick",
+              "nipref report --against old/report.json -o new"}},
 };
 
 std::vector<std::string_view> names_of(std::span<const VerbText> verbs) {

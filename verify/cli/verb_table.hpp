@@ -8,7 +8,8 @@ namespace nipref::verify {
 
 struct OptionText {
   std::string name;
-  std::string meaning;  ///< with unit, domain and default
+  std::string meaning;      ///< with unit, domain and default
+  std::string letter = {};  ///< "o" where -o is short for it
 };
 
 /// What a verb takes, and what its help says.

@@ -134,9 +134,19 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
   const verify::BenchReport speed{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1},
                                    {"half-space", "all", "contour", 9, {}, {}, {}}},
                                   {{"what", 2, 3}}};
-  const verify::Json report =
-      verify::report_json(speed, {kept, broken}, {{contact}, {}}, {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}},
-                          replayed_and_corrected());
+  verify::Report all;
+  all.command = "nipref report --json";
+  all.quantities = {kept, broken};
+  all.hard_cases = {contact};
+  all.speed = speed;
+  all.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
+  all.tables = replayed_and_corrected();
+  all.claims = verify::check_all({verify::claims().back()});
+  all.limits = {
+      {"limit.none", "W = 0", "nobody", "L/B", 2, {{0.1, {1, 1e-9}, 1.1}, {0.05, {1, 1e-9}, 1.025}}}};
+  all.errata = verify::settle_all({verify::formula_errata().front()});
+  all.golden = {{{}, {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
+  const verify::Json report = verify::report_json(all);
   const json answer = json::parse(verify::answer_text("report", report));
   CHECK(answer_schema().misfit(answer, "report") == "");
   CHECK_FALSE(holds_empty_text(answer));
@@ -154,6 +164,7 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
   CHECK(rows[1]["kept"] == false);
   for (const char* infinite : {"max_error_ulp", "mean_error_ulp", "allowance_used"})
     CHECK(rows[1].at(infinite).is_null());
+  CHECK(answer["seed_errors"][0]["table"] == "thesis-VII");
   CHECK(answer["bench"]["error_ratios"].empty());
   CHECK(answer["bench"]["times"]["ratios"][0] ==
         json{{"what", "what"}, {"ratio", 2.0}, {"wanted", 3.0}, {"met", false}});

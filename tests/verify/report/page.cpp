@@ -1,0 +1,305 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/drawing.hpp>
+#include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/replay/corrected.hpp>
+#include <nipref/verify/report/page.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+using namespace nipref::verify;
+
+namespace {
+
+std::vector<Replay> one_of_each_kind() {
+  std::vector<Replay> replays;
+  for (const char* id : {"thesis-VII", "brock2013-1"}) {
+    replays.push_back(replay_table(id));
+    correct(replays.back());
+  }
+  return replays;
+}
+
+BenchRow timed(const char* method, double nanoseconds, std::optional<double> error) {
+  return {"I1", "alpha in [1e-6,20]", method, nanoseconds, error, error, 1, nanoseconds / 2, 2 * nanoseconds};
+}
+
+/// Of a few quantities at a few points, two tables and one of everything else.
+const Report& small_report() {
+  static const Report report = [] {
+    Report small;
+    small.version = "nipref 0\ncommit: abc, today\nlibraries: none\nruns on: a machine\n";
+    small.command = "nipref report -o 'a & b'";
+    small.seed = "1";
+    for (const char* name : {"I1", "root.re", "rolling.index"})
+      small.quantities.push_back(audit(find_quantity(name), {.points = 200, .accuracy = {}}));
+    small.hard_cases = {{"converged, full friction", 30, 0.5, 40, {}, 0.01, 1e-8}};
+    small.scenes.resize(1);
+    small.scenes[0].kind = "elastic nip <converged>";
+    small.scenes[0].numbers = 7;
+    small.speed.rows = {timed("fast full", 7, 1e-16), timed("fast rtol=1e-03", 5, 1e-4),
+                        timed("GSL QAWF", 1e4, 0), timed("Boost <ooura>", 1e5, 1e-9),
+                        timed("no error", 3, {})};
+    small.speed.rows.push_back({"I2", "alpha in [0,1]", "fast full", 1, 0.5, 1e-16, 1});
+    small.speed.ratios = {{"fast I1 against GSL's QAWF", 1428.6, 500}, {"another", 2, 3}};
+    small.tables = one_of_each_kind();
+    small.claims = check_all({claims().back()});
+    small.limits = {
+        {"limit.none", "W < 0", "nobody", "L/B", 2, {{0.1, {1, 1e-9}, 1.1}, {0.05, {1, 1e-9}, 1.025}}}};
+    small.errata = settle_all({formula_errata().front()});
+    small.golden = {
+        {read_golden(golden_path(find_quantity("I1"))), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
+    return small;
+  }();
+  return report;
+}
+
+std::vector<Figure> one_figure() {
+  for (const FigurePlan& plan : figures()) {
+    if (plan.id == "thesis-9") return {compute(plan)};
+  }
+  return {};
+}
+
+/// Three quantities, one group of ways, one figure.
+constexpr std::size_t plots_of_small_report = 5;
+
+std::optional<std::string> empty_drawing(const std::string&) {
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+}
+
+const std::string& small_page() {
+  static const std::string page = report_page(small_report(), one_figure(), empty_drawing);
+  return page;
+}
+
+std::size_t times_in_page(const std::string& page, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = page.find(part); at != std::string::npos; at = page.find(part, at + 1)) ++count;
+  return count;
+}
+
+bool in_page(const std::string& page, const std::string& part) {
+  return page.find(part) != std::string::npos;
+}
+
+/// What all attributes of a name hold.
+std::vector<std::string> attributes_of(const std::string& page, const std::string& name) {
+  std::vector<std::string> values;
+  const std::string start = " " + name + "=\"";
+  for (std::size_t at = page.find(start); at != std::string::npos; at = page.find(start, at + 1)) {
+    const std::size_t first = at + start.size();
+    values.push_back(page.substr(first, page.find('"', first) - first));
+  }
+  return values;
+}
+
+struct Tag {
+  std::string name;
+  bool closes, is_empty;
+};
+
+/// By hand: pictures are longer than std::regex can bear.
+std::optional<Tag> tag_of(std::string_view text) {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
+  text = text.substr(1, text.size() - 2);
+  Tag tag{"", text.starts_with('/'), text.ends_with('/')};
+  if (tag.closes) text.remove_prefix(1);
+  if (tag.is_empty) text.remove_suffix(1);
+  const std::size_t end = std::min(text.find_first_not_of(letters), text.size());
+  tag.name = text.substr(0, end);
+  text.remove_prefix(end);
+  while (!text.empty()) {
+    const std::size_t equals = text.find("=\""), close = text.find('"', equals + 2);
+    if (text[0] != ' ' || close == std::string_view::npos || equals == 1 ||
+        text.find_first_not_of(letters, 1) != equals ||
+        text.substr(0, close).find('<') != std::string_view::npos)
+      return std::nullopt;
+    text.remove_prefix(close + 1);
+  }
+  return tag.name.empty() ? std::nullopt : std::optional(tag);
+}
+
+/// Reads markup strictly, as XML is: what is wrong with it, or nothing.
+std::string fault_of(const std::string& page) {
+  constexpr std::string_view doctype = "<!DOCTYPE html>";
+  std::vector<std::string> open;
+  if (!page.starts_with(doctype)) return "no document type";
+  for (std::size_t at = doctype.size(); at < page.size(); ++at) {
+    const std::string near = page.substr(at, 60);
+    if (page[at] == '&' && std::ranges::none_of(std::array{"&amp;", "&lt;", "&gt;", "&quot;"},
+                                                [&](const char* known) { return near.starts_with(known); }))
+      return "a stray &: " + near;
+    if (page[at] != '<') continue;
+    const std::string_view text = std::string_view(page).substr(at, page.find('>', at) + 1 - at);
+    const std::optional<Tag> tag = tag_of(text);
+    if (!tag) return "no tag: " + near;
+    at += text.size() - 1;
+    if (tag->closes) {
+      if (open.empty() || open.back() != tag->name) return "closes what is not open: " + near;
+      open.pop_back();
+    } else if (!tag->is_empty) {
+      open.push_back(tag->name);
+    }
+  }
+  return open.empty() ? "" : "not closed: " + open.back();
+}
+
+}  // namespace
+
+TEST_CASE("the report's page is well-formed, its ids are unique, and no link in it is dead") {
+  const std::string& page = small_page();
+  CHECK(fault_of(page) == "");
+  const std::vector<std::string> ids = attributes_of(page, "id"), links = attributes_of(page, "href");
+  const std::set<std::string> known(ids.begin(), ids.end());
+  CHECK(known.size() == ids.size());
+  CHECK(links.size() > 15);
+  for (const std::string& link : links) {
+    CAPTURE(link);
+    CHECK(link.starts_with("#"));
+    CHECK(known.contains(link.substr(1)));
+  }
+}
+
+TEST_CASE("a page that is not well-formed is seen") {
+  const std::string start = "<!DOCTYPE html>";
+  CHECK(fault_of(start + "<p>a &lt; b</p>") == "");
+  CHECK(fault_of("<p></p>") != "");
+  for (const char* wrong : {"<p>", "</p>", "<p><b></p></b>", "<p>a & b</p>", "<p>a < b</p>",
+                            "<p class=x></p>", "<img alt=\"\">"}) {
+    CAPTURE(wrong);
+    CHECK(fault_of(start + wrong) != "");
+  }
+}
+
+TEST_CASE("the report's page needs nothing but itself") {
+  const std::string& page = small_page();
+  CHECK_FALSE(in_page(page, "<script"));
+  CHECK_FALSE(in_page(page, "<link"));
+  CHECK_FALSE(in_page(page, "@import"));
+  CHECK_FALSE(in_page(page, "url("));
+  for (const std::string& source : attributes_of(page, "src"))
+    CHECK(source.starts_with("data:image/svg+xml;base64,"));
+}
+
+TEST_CASE("all plots are in the report's page, each with words that stand for it") {
+  const std::string& page = small_page();
+  CHECK(times_in_page(page, "<img ") == plots_of_small_report);
+  const std::vector<std::string> instead = attributes_of(page, "alt");
+  REQUIRE(instead.size() == plots_of_small_report);
+  for (const std::string& words : instead) CHECK(words.size() > 40);
+}
+
+TEST_CASE("without gnuplot the report's page says so in the place of each plot, and the rest stands") {
+  const std::string page =
+      report_page(small_report(), one_figure(), [](const std::string&) { return std::nullopt; });
+  CHECK(fault_of(page) == "");
+  CHECK_FALSE(in_page(page, "<img "));
+  CHECK(times_in_page(page, "Not drawn: gnuplot") == plots_of_small_report);
+  CHECK(in_page(page, "id=\"thesis-VII\""));
+}
+
+TEST_CASE("the report's page tells what the report holds") {
+  const std::string& page = small_page();
+  const AuditResult& worst = *closest_to_its_promise(small_report().quantities);
+  CHECK(in_page(page, fmt::format("<a href=\"#accuracy-{}\"><b>{:.0f} %</b></a>", worst.quantity->name,
+                                  100 * worst.allowance_used)));
+  CHECK(in_page(page, "<b>1400 times</b>"));
+  CHECK(in_page(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
+  CHECK(in_page(page, "Boost &lt;ooura&gt;"));
+  CHECK(in_page(page, "elastic nip &lt;converged&gt;"));
+  CHECK(in_page(page, "nipref report -o 'a &amp; b'"));
+  CHECK(in_page(page, "\u2717 MISSED"));
+  // Each cell that is judged has its verdict in words.
+  for (const Verdict verdict :
+       {Verdict::match, Verdict::misprint, Verdict::seed_error, Verdict::unexplained}) {
+    std::size_t cells = 0;
+    for (const Replay& replay : small_report().tables) cells += replay.count(verdict);
+    CAPTURE(name(verdict));
+    CHECK(times_in_page(page, "class=\"keep " + std::string(name(verdict)) + "\"") == cells);
+  }
+}
+
+TEST_CASE("what became of an older report stands at the top of the page") {
+  Report report = small_report();
+  report.comparison = ReportComparison{"abc, yesterday", "", {{Change::slower, "speed, a < b", "100", "70"}}};
+  const std::string page = report_page(report, {}, empty_drawing);
+  CHECK(fault_of(page) == "");
+  CHECK(page.find("speed, a &lt; b") < page.find("id=\"headline\""));
+}
+
+TEST_CASE("the report's text is one screen of 80 columns") {
+  Report report = small_report();
+  std::istringstream lines(report_text(report, "somewhere"));
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    CAPTURE(line);
+    CHECK(line.size() <= 80);
+  }
+  CHECK(count <= 30);
+  const std::string text = report_text(report, "somewhere");
+  CHECK(in_page(text, "audit      all 3 quantities kept; closest to its promise: "));
+  CHECK(in_page(text, "1 of 2 promised ratios met"));
+  CHECK(in_page(text, "page       somewhere\n"));
+  CHECK(report.kept(false) == false);  // the limit is missed
+  report.limits.clear();
+  CHECK(report.kept(false));
+  CHECK_FALSE(report.kept(true));  // a ratio of times is
+  report.quantities[0].allowance_used = 1.5;
+  CHECK_FALSE(report.kept(false));
+  CHECK(in_page(report_text(report, ""), "2 of 3 quantities kept; closest to its promise: I1 with 150 %"));
+}
+
+TEST_CASE(
+    "the report's page is drawn by gnuplot and shown by Chromium, on a telephone and on paper, where these are there") {
+  if (std::system("command -v gnuplot >/dev/null && command -v chromium >/dev/null") != 0) {
+    MESSAGE("skipped: gnuplot or chromium is not installed");
+    return;
+  }
+  std::string page = report_page(small_report(), one_figure(), drawn_by_gnuplot);
+  CHECK(fault_of(page) == "");
+  CHECK(page.size() < 1'000'000);
+  // What the browser makes of it is told by its title: widths of the page on a telephone, and pictures that it shows.
+  const std::string probe =
+      "<script>addEventListener('load', () => { document.querySelectorAll('details').forEach(d => d.open = true);"
+      "document.documentElement.style.width = '360px';"
+      "const shown = [...document.images].filter(i => i.complete && i.naturalWidth > 0).length;"
+      "const boxes = [...document.body.querySelectorAll('*')].filter(e => !e.parentElement.closest('.scroll, pre') && "
+      "e.getBoundingClientRect().right > 361);"
+      "document.title = shown + ' shown, ' + boxes.length + ' too wide ' + (boxes[0] ? boxes[0].outerHTML.slice(0, 80) : ''); });"
+      "</script></body>";
+  page.replace(page.find("</body>"), 7, probe);
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("nipref-page-" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string file = (folder / "page.html").string(), pdf = (folder / "page.pdf").string();
+  std::ofstream(file) << page;
+  const std::vector<std::string> chromium{"chromium", "--headless", "--no-sandbox", "--disable-gpu",
+                                          "--user-data-dir=" + folder.string()};
+  auto dump = chromium, print = chromium;
+  dump.insert(dump.end(), {"--dump-dom", "file://" + file});
+  print.insert(print.end(), {"--no-pdf-header-footer", "--print-to-pdf=" + pdf, "file://" + file});
+  const std::string shown = output_of(dump).text;
+  const std::string title = shown.substr(shown.find("<title>"), 200);
+  CAPTURE(title);
+  CHECK(title.starts_with("<title>" + std::to_string(plots_of_small_report) + " shown, 0 too wide"));
+  CHECK(output_of(print).status == 0);
+  CHECK(std::filesystem::file_size(pdf) > 10'000);
+  std::filesystem::remove_all(folder);
+}

@@ -1,0 +1,68 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nipref/verify/audit/audit.hpp>
+#include <nipref/verify/audit/internal/contacts.hpp>
+#include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/golden/check.hpp>
+#include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/report/comparison.hpp>
+#include <nipref/verify/seeds/claims.hpp>
+#include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/witness/witness.hpp>
+
+namespace nipref::verify {
+
+/// Golden values of one quantity: what is kept, and what came of a sample of them.
+struct GoldenSample {
+  GoldenFile file;
+  CheckedGolden checked;
+};
+
+/// All that a report tells, computed in one run.
+struct Report {
+  std::string version;  ///< what was built, from and with what, and what it runs on: a few lines
+  std::string command;  ///< that asked for it, as words of a shell
+  std::string seed;     ///< of the random scenes
+  std::vector<AuditResult> quantities;
+  std::vector<ContactAudit> hard_cases;
+  std::vector<SceneTally> scenes;
+  Witness witness;
+  BenchReport speed;
+  std::vector<Replay> tables;
+  bool tables_fall_short = false;  ///< cells are unexplained that are not known to be
+  std::vector<CheckedClaim> claims;
+  std::vector<LimitRow> limits;
+  std::vector<SettledErratum> errata;
+  std::vector<GoldenSample> golden;
+  bool interrupted = false;                         ///< it holds what was finished by then
+  std::optional<ReportComparison> comparison = {};  ///< with an older report
+
+  /// Whether nothing falls short, but for ratios of times, which depend on the machine: these if `strict` alone.
+  [[nodiscard]] bool kept(bool strict) const;
+};
+
+/// The result that is closest to what it is allowed, or farthest beyond; none if there are no results.
+const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& results);
+
+/// How far a column of some tables is from the truth at the worst row.
+struct SeedError {
+  std::string what;   ///< "contact length of the thesis's tables"
+  std::string table;  ///< the worst one
+  double relative;    ///< of the truth, with its sign
+  std::string cause;  ///< what makes it, against what
+};
+
+/// How wrong the seeds are by their methods: contact length and rolling resistance of the thesis by its line loads, the
+/// span ratio of Brock's first table of 2013 by its formula. Those whose tables are there.
+std::vector<SeedError> seed_errors(const std::vector<Replay>& tables);
+
+/// One screen of 80 columns: what was built, a line or two for each part, and where more is.
+std::string report_text(const Report& report, const std::string& where_more_is);
+
+}  // namespace nipref::verify
