@@ -49,7 +49,7 @@ std::vector<Decade> decades_of(std::size_t along, std::span<const Point> points,
 }
 
 constexpr std::size_t parts_of_axis = 100;
-constexpr std::size_t dots_of_part = 4;
+constexpr std::size_t dots_of_part = 3;
 
 struct PlacedError {
   double place;  ///< on the axis

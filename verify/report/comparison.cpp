@@ -56,6 +56,11 @@ class Comparer {
   void pair(const std::string& path, const std::string& part, const std::vector<std::string>& keys,
             const Rows& compare) {
     const auto before = by_name(list_at(older_, path), keys), now = by_name(list_at(newer_, path), keys);
+    if (!older_.contains(json::json_pointer(path)) && !now.empty()) {
+      add(Change::appeared, fmt::format("{}: all {}, which the older report does not have", part, now.size()),
+          "", "");
+      return;
+    }
     for (const auto& [id, row] : now) {
       const std::string what = part + " " + id;
       const auto old = before.find(id);
@@ -230,11 +235,15 @@ ReportComparison compare_reports(const std::string& older, const std::string& ne
   return comparison;
 }
 
-std::string comparison_text(const ReportComparison& comparison, std::size_t most_items) {
+std::string counts_text(const ReportComparison& comparison) {
   std::string text;
   for (const auto& [change, name] : change_names)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", comparison.count(change), name);
-  text = "against " + comparison.older + ": " + text + "\n";
+  return text;
+}
+
+std::string comparison_text(const ReportComparison& comparison, std::size_t most_items) {
+  std::string text = "against " + comparison.older + ": " + counts_text(comparison) + "\n";
   if (!comparison.note.empty()) text += "  " + comparison.note + "\n";
   for (std::size_t i = 0; i < std::min(most_items, comparison.items.size()); ++i) {
     const ChangedItem& item = comparison.items[i];

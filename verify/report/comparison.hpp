@@ -33,6 +33,9 @@ bool is_report(const std::string& json);
 /// gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
+/// "2 worse, 0 slower, 1 better, ..."
+std::string counts_text(const ReportComparison& comparison);
+
 /// The counts, then a line for each item, of those many at most.
 std::string comparison_text(const ReportComparison& comparison, std::size_t most_items);
 

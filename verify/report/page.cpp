@@ -57,7 +57,9 @@ std::string report_page(const Report& report, const std::vector<Figure>& figures
                       errata_section(report) + hard_cases_section(report) + golden_section(report) +
                       reproduce_section(report);
   const std::size_t first_line = report.version.find('\n');
-  const std::string built = report.version.substr(0, report.version.find('\n', first_line + 1));
+  const std::string built =
+      report.version.substr(0, first_line) + ", " +
+      report.version.substr(first_line + 1, report.version.find('\n', first_line + 1) - first_line - 1);
   const Markup body =
       element("header", element("h1", "nipref: a verification reference for rolling contact") +
                             element("p", {{"class", "soft"}}, built)) +

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -60,4 +61,36 @@ TEST_CASE("where the promise is broken is said by the smallest box of arguments"
   CHECK(wrong->above == 2);
   CHECK(wrong->points == 3);
   CHECK_FALSE(error_spread(two_positions(), {points.data(), 1}, {findings.data(), 1}).wrong.has_value());
+}
+
+TEST_CASE("dots for a plot hold the largest error of each part of the axis, spikes among them") {
+  std::vector<Point> points;
+  std::vector<Finding> findings;
+  for (int i = 0; i < 5000; ++i) {
+    points.push_back({std::pow(10, i / 1000.0), 1});
+    findings.push_back(of_ulps(i == 1234 ? 7 : 0.1 + 1e-5 * i));
+  }
+  const auto dots = error_spread(two_positions(), points, findings).dots;
+  CHECK(dots.size() > 200);
+  CHECK(dots.size() <= 300);
+  CHECK(std::ranges::is_sorted(dots, {}, &ErrorDot::at));
+  CHECK(std::ranges::count_if(dots, &ErrorDot::largest) == 100);
+  const auto spike = std::ranges::find(dots, 7.0, &ErrorDot::ulps);
+  REQUIRE(spike != dots.end());
+  CHECK(spike->largest);
+  CHECK(spike->at == points[1234][0]);
+}
+
+TEST_CASE(
+    "in a plot arguments beyond the ends of their axis lie there, and errors without a number nowhere") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<Point> points{{0, 1}, {-1e-300, 1}, {-2, 1}, {3, 1}, {1e300, 1}};
+  const std::vector<Finding> findings{of_ulps(1), of_ulps(2), of_ulps(3), of_ulps(infinite), of_ulps(4)};
+  const auto dots = error_spread(two_positions(), points, findings).dots;
+  REQUIRE(dots.size() == 4);
+  CHECK(dots[0].at == 1e-12);
+  CHECK(dots[1].at == 1e-12);
+  CHECK(dots[2].at == 2);
+  CHECK(dots[3].at == 1e12);
+  CHECK(place_on_axis(ArgumentKind::degrees, -30) == -30);
 }

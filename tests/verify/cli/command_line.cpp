@@ -85,7 +85,7 @@ constexpr BadCall bad_calls[] = {
     {"audit contacts --quick", "quick", "has no effect on contacts"},
     {"audit contacts rtol=1e-3", "rtol = 1e-3", "has no effect on contacts"},
     {"audit --points 200", "points = 200: must be left out without names", "--density"},
-    {"report --points 200", "--points", "report takes --help, --density"},
+    {"report --points 200", "--points", "report takes --help, --output, --against, --density"},
     {"audit I1 points=1.5", "points = 1.5", "whole number"},
     {"audit I1 --density 0", "density = 0", "1e-6 to 1000"},
     {"audit I1 --density 1e9", "density = 1e9", "1e-6 to 1000"},

@@ -61,7 +61,7 @@ std::vector<std::string> drawn(Mark mark, const Style& style, std::size_t points
     case Mark::line:
       return {fmt::format("with lines lw 2 dt {} {}", style.dashes, colour)};
     case Mark::dots:
-      return {fmt::format("with dots {}", colour)};
+      return {fmt::format("with points pt 7 ps 0.2 {}", colour)};
     case Mark::marked_line:
       return {fmt::format("with linespoints lw 1 dt 1 pt {} ps 0.6 pi {} {}", style.open_symbol,
                           std::max<std::size_t>(1, points / 12), colour)};
@@ -124,9 +124,7 @@ std::string key_line(const std::string& how, const std::string& name) {
 std::vector<std::string> key_of_series(const Panel& panel) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < panel.series.size(); ++i) {
-    // A dot alone would not be seen.
-    const Mark mark = panel.series[i].mark == Mark::dots ? Mark::bars : panel.series[i].mark;
-    const std::string how = drawn(mark, styles.at(i), 1).back();
+    const std::string how = drawn(panel.series[i].mark, styles.at(i), 1).back();
     lines.push_back(key_line(how.substr(how.find("with")), panel.series[i].label));
   }
   return lines;
@@ -201,11 +199,15 @@ std::string gnuplot_script(const Figure& figure) {
 }
 
 std::string gnuplot_script(const Panel& panel) {
-  return "set encoding utf8\n"
-         "set terminal svg noenhanced size 480,330 font \"Helvetica,13\" background \"#ffffff\"\n"
-         "set key below center horizontal Left reverse samplen 2 maxrows 2 width -2\n"
-         "set grid lc rgb \"#dddddd\" lw 0.5\n"
-         "set offsets graph 0, graph 0, graph 0.08, graph 0\n" +
+  const bool has_long_key = panel.series.size() > 4;
+  return fmt::format(
+             "set encoding utf8\n"
+             "set terminal svg noenhanced size 480,{} font \"Helvetica,13\" background \"#ffffff\"\n"
+             "set key below center {} Left reverse samplen 2 width -2\n"
+             "set grid lc rgb \"#dddddd\" lw 0.5\n"
+             "set offsets graph 0, graph 0, graph 0.08, graph 0\n{}",
+             has_long_key ? 400 : 330, has_long_key ? "vertical maxrows 3" : "horizontal",
+             panel.y.logarithmic ? "" : "set yrange [0:]\n") +
          panel_commands(panel);
 }
 

@@ -19,7 +19,8 @@ Markup comparison_section(const ReportComparison& comparison) {
                {item.what},
                {item.before},
                {item.now}});
-  Markup content = element("p", comparison_text(comparison, 0));
+  Markup content = element("p", "Since " + comparison.older + ": " + counts_text(comparison) + ".");
+  if (!comparison.note.empty()) content += element("p", comparison.note);
   if (!comparison.items.empty()) content += table.markup();
   return section("comparison", "Against an older report", content);
 }

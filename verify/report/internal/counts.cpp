@@ -28,12 +28,15 @@ std::vector<const BenchRatio*> headline_ratios(const BenchReport& speed) {
 }
 
 std::string two_digits(double number) {
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(number)) - 1));
-  return fmt::format("{:.{}f}", std::round(number / unit) * unit, number < 10 ? 1 : 0);
+  if (!(number >= 10 && number < 1e6)) return fmt::format("{:.2g}", number);
+  const double unit = std::pow(10, std::floor(std::log10(number)) - 1);
+  return fmt::format("{:.0f}", std::round(number / unit) * unit);
 }
 
 std::string off_text(double relative) {
-  return fmt::format("{:.0f} % {}", std::fabs(100 * relative), relative < 0 ? "low" : "high");
+  const double percent = std::fabs(100 * relative);
+  return fmt::format("{} % {}", percent < 1 ? fmt::format("{:.1g}", percent) : fmt::format("{:.0f}", percent),
+                     relative < 0 ? "low" : "high");
 }
 
 }  // namespace nipref::verify

@@ -20,10 +20,10 @@ std::size_t kept_in(const std::vector<AuditResult>& results);
 /// The promised ratios of fast's times to those of other libraries.
 std::vector<const BenchRatio*> headline_ratios(const BenchReport& speed);
 
-/// 68441 as 68000, 33.2 as 33
+/// 68441 as 68000, 33.2 as 33, 1e12 as 1e+12
 std::string two_digits(double number);
 
-/// "26 % low", "102 % high"
+/// "26 % low", "102 % high", "0.07 % high"
 std::string off_text(double relative);
 
 }  // namespace nipref::verify

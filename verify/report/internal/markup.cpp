@@ -1,4 +1,6 @@
-#include <openssl/evp.h>
+#include <fmt/format.h>
+
+#include <cctype>
 
 #include <nipref/verify/report/internal/markup.hpp>
 
@@ -36,13 +38,30 @@ std::string opening(std::string_view name, const Attributes& attributes) {
   return html;
 }
 
-std::string base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
-  return text;
+/// Line breaks, of which gnuplot writes many, as single spaces.
+std::string in_one_line(const std::string& svg) {
+  std::string line;
+  for (const char letter : svg) {
+    const bool space = letter == '\n' || letter == '\t' || letter == ' ';
+    if (!space) line += letter;
+    if (space && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  return line;
+}
+
+/// A text in a data URL in double quotes. Shorter than base64 where most of it is plain.
+std::string percent_encoded(const std::string& text) {
+  constexpr std::string_view plain = " !'()*+,-./:;=?@_|$[]";
+  std::string url;
+  for (const char letter : text) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if ((std::isalnum(byte) != 0 && byte < 128) || plain.find(letter) != std::string_view::npos) {
+      url += letter;
+    } else {
+      url += fmt::format("%{:02X}", byte);
+    }
+  }
+  return url;
 }
 
 }  // namespace
@@ -113,7 +132,8 @@ Markup TableMarkup::markup() const {
 }
 
 Markup picture(const std::string& svg, const std::string& instead) {
-  return empty_element("img", {{"src", "data:image/svg+xml;base64," + base64(svg)}, {"alt", instead}});
+  return empty_element(
+      "img", {{"src", "data:image/svg+xml," + percent_encoded(in_one_line(svg))}, {"alt", instead}});
 }
 
 }  // namespace nipref::verify

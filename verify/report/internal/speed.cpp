@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/report/internal/counts.hpp>
 #include <nipref/verify/report/internal/sections.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
 
@@ -81,8 +82,13 @@ Panel speed_panel(const TimedGroup& group) {
 }
 
 TableMarkup speed_table(const std::string& caption, bool with_names) {
-  std::vector<std::string> headings{"method",        "#time, ns",          "#quartiles", "#over fast or ref",
-                                    "#largest, ulp", "#largest, relative", "none better"};
+  std::vector<std::string> headings{"method",
+                                    "none better",
+                                    "#time, ns",
+                                    "#largest error, relative",
+                                    "#in ulp",
+                                    "#time over fast or ref",
+                                    "#quarters of the rounds, ns"};
   if (with_names) headings.insert(headings.begin(), {"quantity", "arguments"});
   return {caption, headings};
 }
@@ -90,19 +96,20 @@ TableMarkup speed_table(const std::string& caption, bool with_names) {
 void append_timed_row(TableMarkup& table, const BenchRow& row, bool with_names) {
   std::vector<TableCellMarkup> cells{
       {row.method, false, "keep"},
+      {row.pareto_optimal ? "\u2605 yes" : ""},
       number_cell(fmt::format("{:.4g}", row.nanoseconds)),
-      number_cell(row.quartile_3 > 0 ? fmt::format("{:.4g} to {:.4g}", row.quartile_1, row.quartile_3) : "-"),
-      number_cell(or_dash(row.ratio, 3)),
-      number_cell(or_dash(row.max_error_ulp, 3)),
       number_cell(or_dash(row.max_relative_error, 2)),
-      {row.pareto_optimal ? "* yes" : ""}};
+      number_cell(or_dash(row.max_error_ulp, 3)),
+      number_cell(or_dash(row.ratio, 3)),
+      number_cell(row.quartile_3 > 0 ? fmt::format("{:.4g} to {:.4g}", row.quartile_1, row.quartile_3)
+                                     : "-")};
   if (with_names) cells.insert(cells.begin(), {{row.quantity}, {row.arguments}});
   table.row(cells);
 }
 
 Markup speed_group(const TimedGroup& group, Plots& plots) {
   const std::string title = group.quantity + ", " + group.arguments;
-  TableMarkup table = speed_table(title, false);
+  TableMarkup table = speed_table("Ways to the same values", false);
   std::size_t undrawn = 0;
   for (const BenchRow* row : group.rows) {
     append_timed_row(table, *row, false);
@@ -110,14 +117,13 @@ Markup speed_group(const TimedGroup& group, Plots& plots) {
   }
   const std::string note =
       undrawn == 0 ? "" : fmt::format(" {} ways without an error known are in the table only.", undrawn);
-  return element("h3", title) +
-         element("div", {{"class", "beside"}},
-                 element("figure",
-                         plots.place(gnuplot_script(speed_panel(group)),
-                                     "Time of a value against its largest relative error, " + title +
-                                         ". The numbers are in the table beside it.") +
-                             element("figcaption", "Lower is quicker, to the left is more right." + note)) +
-                     table.markup());
+  return element(
+      "div", {{"class", "beside"}},
+      element("figure", plots.place(gnuplot_script(speed_panel(group)),
+                                    "Time of a value against its largest relative error, " + title +
+                                        ". The numbers are in the table beside it.") +
+                            element("figcaption", "Lower is quicker, to the left is more right." + note)) +
+          table.markup());
 }
 
 Markup ratios_table(const std::vector<BenchRatio>& ratios) {
@@ -125,7 +131,7 @@ Markup ratios_table(const std::vector<BenchRatio>& ratios) {
                     {"what", "#measured", "#promised", "verdict", "of"});
   for (const BenchRatio& ratio : ratios)
     table.row({{ratio.what, false, "wide"},
-               number_cell(fmt::format("{:.1f}", ratio.measured)),
+               number_cell(two_digits(ratio.measured)),
                number_cell(fmt::format("{:g}", ratio.target)),
                {met_mark(ratio.met())},
                {ratio.of_errors ? "errors" : "times"}});
@@ -144,7 +150,8 @@ Markup speed_section(const Report& report, Plots& plots) {
       continue;
     }
     const Markup one = speed_group(group, plots);
-    drawn += plotted++ == 0 ? one : details(group.quantity + ", " + group.arguments, one);
+    const std::string title = group.quantity + ", " + group.arguments;
+    drawn += plotted++ == 0 ? element("h3", title) + one : details(title, one);
   }
   return section(
       "speed", "Speed against error",

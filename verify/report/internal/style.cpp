@@ -44,16 +44,17 @@ tbody th { font-weight: 600; }
 thead th { vertical-align: bottom; border-bottom: 2px solid var(--line); }
 .n { text-align: right; white-space: nowrap; }
 .keep { white-space: nowrap; }
+thead .n { white-space: normal; }
 .wide { min-width: 16rem; }
 tr:target, :target > summary { outline: 3px solid var(--link); }
 details { border: 1px solid var(--line); border-radius: .3rem; margin: .5rem 0; padding: 0 .75rem; }
 details[open] { padding-bottom: .75rem; }
 summary { cursor: pointer; padding: .5rem 0; font-weight: 600; }
 summary .soft { font-weight: 400; }
+td details, td details[open] { margin: 0; border: 0; padding: 0; } td summary { padding: 0; font-weight: 400; } td ul { padding-left: 1rem; margin: .25rem 0; }
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 700; } .odd { color: var(--odd); }
 .match { background: var(--good-back); } .misprint { background: var(--odd-back); } .seed-error { background: var(--bad-back); }
 .unexplained { background: var(--ask-back); } .input { color: var(--soft); }
-.worse td, .worse th { background: var(--bad-back); } .better td, .better th { background: var(--good-back); }
 @page { size: A4; margin: 14mm; }
 @media print {
   :root { color-scheme: light; --back: #ffffff; --text: #000000; --soft: #444444; --line: #999999; --card: #ffffff; --link: #000000;
@@ -62,8 +63,8 @@ summary .soft { font-weight: 400; }
   main, header, nav, footer { max-width: none; padding: 0; }
   .plots { grid-template-columns: 1fr 1fr; } .beside { grid-template-columns: 1fr; }
   figure, tr, .headline li { break-inside: avoid; } h2, h3, summary { break-after: avoid; }
-  .scroll { overflow: visible; } figure.sheet .scroll img { min-width: 0; } table { font-size: 6.5pt; } .n, .keep { white-space: normal; } .wide { min-width: 0; }
-  th, td { padding: .1rem .25rem; overflow-wrap: anywhere; }
+  .scroll { overflow: visible; } figure.sheet .scroll img { min-width: 0; } table { font-size: 6.5pt; }
+  th, td { padding: .1rem .25rem; } .wide { min-width: 0; overflow-wrap: anywhere; }
 }
 )css";
 
