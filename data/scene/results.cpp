@@ -10,6 +10,19 @@ constexpr SceneResult of_field(std::string_view name, std::string_view meaning) 
   return {name, "stress", meaning, false, SceneKind::nip, false, true, true};
 }
 
+constexpr SceneResult of_shear(std::string_view name, std::string_view meaning, bool is_list) {
+  SceneResult result{name, "length", meaning, false};
+  result.is_list = is_list;
+  result.needs = Needs::shear;
+  return result;
+}
+
+constexpr SceneResult of_surface(std::string_view name, std::string_view meaning) {
+  SceneResult result{name, "1", meaning, true};
+  result.needs = Needs::converged;
+  return result;
+}
+
 constexpr std::array results{
     SceneResult{"contact_length", "length", "length L of the contact", false},
     SceneResult{"leading_length", "length",
@@ -32,7 +45,11 @@ constexpr std::array results{
                 "strain v' of the surface in the contact; without friction its mean, (v(L1) - v(-L2))/L",
                 false},
     SceneResult{"peak_pressure", "stress", "largest pressure", false, SceneKind::nip, true},
+    SceneResult{"peak_pressure_position", "length", "Y of its place", false},
     SceneResult{"peak_shear", "stress", "largest magnitude of the shear", false},
+    of_shear("peak_shear_position", "Y >= 0 of its place; the same size is at -Y", false),
+    of_shear("shear_zeros",
+             "places Y >= 0 where the shear surely changes its sign, as far as 1e-6 L/2 from the end", true),
     SceneResult{"span_along", "length",
                 "extent of the contact along the motion, through the point of first touch", false,
                 SceneKind::half_space},
@@ -74,6 +91,8 @@ constexpr std::array results{
     SceneResult{"normal_displacement", "length", "displacement u towards the middle plane", true},
     SceneResult{"tangential_displacement", "length",
                 "displacement v along Y, relative to the line through the rollers' centres", true},
+    of_surface("surface_strain", "strain v' of the surface along Y, also outside the contact"),
+    of_surface("slip", "surface_strain less creep_ratio: how much faster than the rollers the surface moves"),
     SceneResult{"span", "length", "extent of the contact in this direction from the motion", true,
                 SceneKind::half_space},
     SceneResult{"leading_end", "length",

@@ -7,6 +7,14 @@ namespace nipref::data {
 /// What a scene is about.
 enum class SceneKind { nip, half_space };
 
+/// Where a result of a nip is defined.
+enum class Needs {
+  nothing,
+  converged,        ///< the converged method
+  shear,            ///< full friction: without it there is none
+  line_load_creep,  ///< line loads with full friction
+};
+
 /// Something that a scene can want.
 struct SceneResult {
   std::string_view name;
@@ -17,6 +25,8 @@ struct SceneResult {
   bool in_every_scene = false;
   bool is_field = false;      ///< one number at each place of the scene's field, depth after depth
   bool is_inside = is_field;  ///< of the stresses inside the sheet, which the converged method has
+  bool is_list = false;       ///< as many numbers as there are, one at least
+  Needs needs = Needs::nothing;
 
   [[nodiscard]] bool is_of(SceneKind other) const { return in_every_scene || kind == other; }
 };

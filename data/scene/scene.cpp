@@ -194,6 +194,30 @@ struct InsideCheck {
   void operator()(const HalfSpaceProblem&) const {}
 };
 
+/// What a result is defined for.
+struct NeedsCheck {
+  const SceneOrigin& origin;
+  const SceneResult& result;
+  const std::string& key;
+
+  void operator()(const ElasticNipProblem& problem) const { check(problem, problem.friction); }
+  void operator()(const ViscoelasticNipProblem& problem) const { check(problem, Friction::none); }
+  void operator()(const HalfSpaceProblem&) const {}
+
+ private:
+  template <class Problem>
+  void check(const Problem& problem, Friction friction) const {
+    if (result.needs == Needs::shear && friction == Friction::none)
+      origin.refuse(key, result.name, "must be left out: without friction there is no shear");
+    if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
+      origin.refuse(
+          key, result.name,
+          "must be left out: between line loads the surface is stretched as under none, and at them "
+          "without bound; it is one of method.kind = \"converged\"");
+    }
+  }
+};
+
 /// True if a profile is among what is wanted.
 bool check_wanted(const Scene& scene) {
   if (scene.wanted.empty()) refuse_wanted(scene, "wanted", "[]");
@@ -206,6 +230,7 @@ bool check_wanted(const Scene& scene) {
     if (result == nullptr || !result->is_of(kind_of(scene))) refuse_wanted(scene, key, name);
     if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
       check_half_space_wanted(*on_half_space, name, key, scene.origin);
+    if (result->needs != Needs::nothing) std::visit(NeedsCheck{scene.origin, *result, key}, scene.system);
     if (result->is_inside) std::visit(InsideCheck{scene.origin, *result, key}, scene.system);
     if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
     profile_wanted = profile_wanted || result->is_profile;

@@ -8,6 +8,7 @@
 #include <nipref/fast/elastic_nip/internal/levels.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/nip/internal/places.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -19,6 +20,22 @@ ContactUnits units_of(const data::ElasticNip& nip) { return {shape(nip), nip.mat
 double checked_position(double y) {
   check_position(y);
   return std::fabs(y);
+}
+
+}  // namespace
+
+namespace {
+
+FieldOfContact field_of_half_contact(const HalfContact& contact) {
+  // The shear of a solution is not quite 0 in the middle, where that of both halves would jump, and the stress along a
+  // face have a logarithm.
+  const double jump = contact.traction(contact.half_length).shear;
+  const auto traction = [&](bool right, double e) -> FaceTraction {
+    const Traction half = contact.traction(std::min(e, contact.half_length));
+    const double shear = half.shear - jump * std::pow(e / contact.half_length, 2);
+    return {half.pressure, right ? shear : -shear};
+  };
+  return {TractionField(contact.half_length, true, traction), 0, contact.half_length};
 }
 
 }  // namespace
@@ -35,6 +52,7 @@ struct ConvergedElasticNip::Implementation {
   SurfaceDisplacements surface;
   ElasticNipLadder ladder;
   std::optional<double> given_length;  ///< unit of length
+  mutable std::optional<ContactField<ElasticNipLadder>> inner_field;
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length; }
   [[nodiscard]] Estimate half_length_estimate() const {
@@ -69,7 +87,44 @@ struct ConvergedElasticNip::Implementation {
       estimate.error += std::fabs(traction(ladder.last(), moved) - estimate.value);
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
   }
-  [[nodiscard]] ContactField<ElasticNipLadder> field() const;
+  [[nodiscard]] bool grips() const { return surface.friction == data::Friction::full; }
+  [[nodiscard]] Estimate pressure_at(double y) const {
+    return traction_at(y, &Traction::pressure, ladder.last().traction(half_length()).pressure);
+  }
+  /// Made when it is asked for first.
+  [[nodiscard]] ContactField<ElasticNipLadder>& field() const {
+    if (!inner_field) {
+      const double unsure = given_length ? 0 : half_length_estimate().error;
+      inner_field.emplace(ladder, field_of_half_contact, fast::peak_pressure(ladder.last()),
+                          FieldUncertainty{unsure, [](double) { return 0.0; }});
+    }
+    return *inner_field;
+  }
+  void check_shears() const {
+    if (!grips())
+      throw data::BadInput("friction", "none", "must be full for places of the shear: there is none");
+  }
+  /// Distances from the end where the shear is looked at, rising to the middle, half-thicknesses.
+  [[nodiscard]] std::vector<double> shear_places() const {
+    constexpr int steps = 400;
+    constexpr double nearest = 1e-6;
+    std::vector<double> places;
+    for (int i = steps; i >= 0; --i)
+      places.push_back(half_length() * std::pow(nearest, static_cast<double>(i) / steps));
+    return places;
+  }
+  /// Odd about the middle, 0 outside.
+  static double shear_of(const HalfContact& contact, double e) {
+    if (!(e > 0)) return 0;
+    const bool beyond = e > contact.half_length;
+    const double shear = contact.traction(beyond ? std::max(0.0, 2 * contact.half_length - e) : e).shear;
+    return beyond ? -shear : shear;
+  }
+  /// Y of a distance from the end, which is no surer than that end.
+  [[nodiscard]] Estimate from_middle(const Estimate& from_end) const {
+    const double unsure = given_length ? 0 : half_length_estimate().error;
+    return times(units.length, {half_length() - from_end.value, from_end.error + unsure});
+  }
   /// Twice the ladder's: it finds levels alike by chance more often where the place of the maximum moves.
   [[nodiscard]] Estimate peak(double (*largest)(const HalfContact&)) const {
     const Estimate estimate = ladder.estimate(largest);
@@ -77,51 +132,30 @@ struct ConvergedElasticNip::Implementation {
   }
 };
 
-namespace {
-
-FieldOfContact field_of_half_contact(const HalfContact& contact) {
-  // The shear of a solution is not quite 0 in the middle, where that of both halves would jump, and the stress along a
-  // face have a logarithm.
-  const double jump = contact.traction(contact.half_length).shear;
-  const auto traction = [&](bool right, double e) -> FaceTraction {
-    const Traction half = contact.traction(std::min(e, contact.half_length));
-    const double shear = half.shear - jump * std::pow(e / contact.half_length, 2);
-    return {half.pressure, right ? shear : -shear};
-  };
-  return {TractionField(contact.half_length, true, traction), 0, contact.half_length};
-}
-
-}  // namespace
-
-ContactField<ElasticNipLadder> ConvergedElasticNip::Implementation::field() const {
-  const double unsure = given_length ? 0 : half_length_estimate().error;
-  return {ladder, field_of_half_contact, fast::peak_pressure(ladder.last()), {unsure, [](double) { return 0.0; }}};
-}
-
 ConvergedElasticNip::ConvergedElasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = default;
 ConvergedElasticNip::~ConvergedElasticNip() = default;
 
 Estimate ConvergedElasticNip::contact_length() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   return times(2 * units.length, implementation_->half_length_estimate());
 }
 
 Estimate ConvergedElasticNip::load() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   return times(units.load, ladder.estimate([](const HalfContact& contact) { return contact.load; }));
 }
 
 Estimate ConvergedElasticNip::indentation() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   return times(units.displacement, ladder.estimate([](const HalfContact& contact) {
     return contact.edge_displacement + contact.half_length * contact.half_length;
   }));
 }
 
 Estimate ConvergedElasticNip::edge_displacement() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   const double parabola = std::pow(implementation_->half_length(), 2);
   return times(
       units.displacement,
@@ -129,7 +163,7 @@ Estimate ConvergedElasticNip::edge_displacement() const {
 }
 
 Estimate ConvergedElasticNip::creep_ratio() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   const double size = implementation_->half_length();
   if (surface.friction == data::Friction::full) return times(units.creep, implementation_->gripped_creep());
   CountedKernels kernels = ladder.kernels();
@@ -142,10 +176,7 @@ Estimate ConvergedElasticNip::creep_ratio() const {
   return times(units.creep, creep);
 }
 
-Estimate ConvergedElasticNip::pressure(double y) const {
-  const Estimate middle = implementation_->traction_at(0, &Traction::pressure, 0);
-  return implementation_->traction_at(y, &Traction::pressure, middle.value / implementation_->units.pressure);
-}
+Estimate ConvergedElasticNip::pressure(double y) const { return implementation_->pressure_at(y); }
 
 Estimate ConvergedElasticNip::shear(double y) const {
   // In the middle it changes its sign.
@@ -164,8 +195,59 @@ Estimate ConvergedElasticNip::peak_shear() const {
   return implementation_->peak(fast::peak_shear);
 }
 
+Estimate ConvergedElasticNip::peak_shear_position() const {
+  implementation_->check_shears();
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const double largest = fast::peak_shear(ladder.last());
+  const auto size_of = [](const HalfContact& contact, double e) {
+    return std::fabs(Implementation::shear_of(contact, e));
+  };
+  const auto size = [&](double e) { return size_of(ladder.last(), e); };
+  const auto reach = [](double e) { return std::min(e / 4, 0.5); };
+  const auto slope_of = [&](const HalfContact& contact, double e) {
+    const auto shear = [&](double at) { return Implementation::shear_of(contact, at); };
+    return std::copysign(1, Implementation::shear_of(ladder.last(), e)) * local_slope(shear, e, reach(e));
+  };
+  const PlaceFunction slope{[&](double e) { return slope_of(ladder.last(), e); },
+                            [&](double e) {
+                              return ladder.estimate(
+                                  [&](const HalfContact& contact) { return slope_of(contact, e); },
+                                  largest / reach(e));
+                            }};
+  const auto difference = [&](double e, double other) {
+    return ladder.estimate(
+        [&](const HalfContact& contact) { return size_of(contact, e) - size_of(contact, other); }, largest);
+  };
+  return implementation_->from_middle(
+      place_of_maximum(size, slope, difference, implementation_->shear_places()));
+}
+
+std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
+  implementation_->check_shears();
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const double largest = fast::peak_shear(ladder.last());
+  const auto at = [&](double e) {
+    return ladder.estimate([&](const HalfContact& contact) { return Implementation::shear_of(contact, e); },
+                           largest);
+  };
+  const PlaceFunction shear{[&](double e) { return Implementation::shear_of(ladder.last(), e); },
+                            [&](double e) {
+                              // Levels that agree there by chance do not beside it.
+                              Estimate here = at(e);
+                              for (const double beside : {0.8 * e, 1.25 * e})
+                                here.error = std::max(here.error, at(beside).error);
+                              return here;
+                            }};
+  std::vector<Estimate> zeros;
+  for (const Estimate& zero : places_of_sure_zeros(shear, implementation_->shear_places()))
+    zeros.push_back(implementation_->from_middle(zero));
+  zeros.push_back({0, 0});
+  std::ranges::reverse(zeros);
+  return zeros;
+}
+
 Estimate ConvergedElasticNip::normal_displacement(double y) const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   const double position = checked_position(y) / units.length;
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
@@ -177,7 +259,7 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
 }
 
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   const double position = checked_position(y) / units.length;
   const double half_length = implementation_->half_length(), inside = std::min(position, half_length);
   const auto dimensional = [&](const Estimate& estimate) {
@@ -199,8 +281,31 @@ Estimate ConvergedElasticNip::tangential_displacement(double y) const {
   return dimensional(estimate);
 }
 
+Estimate ConvergedElasticNip::surface_strain(double y) const {
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const double position = checked_position(y);
+  const double from_end = implementation_->from_end(position);
+  const double unsure = given_length ? 0 : implementation_->half_length_estimate().error;
+  if (implementation_->grips() && from_end >= 0) {
+    Estimate creep = implementation_->gripped_creep();
+    if (from_end < unsure) creep.error += implementation_->tractions_lack(position);
+    return times(units.creep, creep);
+  }
+  const double alpha = position / units.length;
+  if (implementation_->grips()) return times(units.creep / 2, implementation_->field().along_face(alpha));
+  CountedKernels kernels = ladder.kernels();
+  const double half_length = implementation_->half_length();
+  const double scale = fast::peak_pressure(ladder.last()) * std::min(half_length, 1.0);
+  const Estimate smooth = ladder.estimate_of_fading(
+      [&](const HalfContact& contact) { return smooth_strain(contact, alpha, surface, kernels); }, scale,
+      scale * faded(alpha - half_length));
+  const Estimate pressure = times(1 / units.pressure, implementation_->pressure_at(position));
+  return times(units.creep, {smooth.value - surface.beta * pressure.value,
+                             smooth.error + std::fabs(surface.beta) * pressure.error});
+}
+
 std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
   auto stresses = implementation_->field().at(places);
@@ -209,7 +314,7 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {
-  const auto& [units, surface, ladder, given_length] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
   const auto [value, y, depth] = implementation_->field().greatest(true);
   return {times(units.pressure, value), times(units.length, y), depth};
 }

@@ -42,9 +42,22 @@ class ConvergedElasticNip {
       double y) const;  ///< along Y on the sheet; 0 outside the contact and without friction
   [[nodiscard]] Estimate peak_pressure() const;  ///< unit of stress
   [[nodiscard]] Estimate peak_shear() const;     ///< largest magnitude, unit of stress
+  /// Y of the largest pressure: the middle, by symmetry (in all contacts tried it falls from there outwards).
+  [[nodiscard]] Estimate peak_pressure_position() const { return {0, 0}; }
+  /// Y > 0 of the largest magnitude of the shear, unit of length; with full friction, otherwise BadInput. Its error is
+  /// that of the shear's slope there over its curvature; where two maxima are the same to their errors, their distance.
+  [[nodiscard]] Estimate peak_shear_position() const;
+  /// Places Y >= 0, rising, at which the shear changes its sign, of which the middle is the first; with full friction,
+  /// otherwise BadInput. Each is sure: the shear is larger than its error on both sides. Next to an end there are more
+  /// and more of them, in a geometric progression: those that are less than 1e-6 of L/2 from it are left out.
+  [[nodiscard]] std::vector<Estimate> shear_zeros() const;
   [[nodiscard]] Estimate normal_displacement(
       double y) const;  ///< u, towards the middle plane, unit of length
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
+  /// v'(Y), the strain of the surface along the sheet, inside the contact and outside, dimensionless: without friction
+  /// (N/pi) int I3' p less theta2 p, of which with full friction the creep ratio is left in the contact and outside
+  /// N/2 times the stress along the face. (thesis 2.5)
+  [[nodiscard]] Estimate surface_strain(double y) const;
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
@@ -52,6 +54,10 @@ double of_element(const std::vector<double>& loads, const LineLoadSolution& solu
   return loads[std::min(element, loads.size() - 1)] / solution.element_width();
 }
 
+double centre_of(std::ptrdiff_t element, const LineLoadSolution& solution) {
+  return (static_cast<double>(element) + 0.5) * solution.element_width();
+}
+
 }  // namespace
 
 double normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
@@ -82,6 +88,28 @@ double tangential_displacement(const data::ElasticNip& nip, const LineLoadSoluti
 
 double element_pressure(const LineLoadSolution& solution, double y) {
   return of_element(solution.line_loads, solution, y);
+}
+
+double place_of_largest_pressure(const LineLoadSolution& solution) {
+  const auto& loads = solution.line_loads;
+  return centre_of(std::ranges::max_element(loads) - loads.begin(), solution);
+}
+
+double place_of_largest_shear(const LineLoadSolution& solution) {
+  const auto& loads = solution.shear_loads;
+  const auto size = [](double load) { return std::fabs(load); };
+  return centre_of(std::ranges::max_element(loads, {}, size) - loads.begin(), solution);
+}
+
+std::vector<double> shear_borders(const LineLoadSolution& solution) {
+  const std::vector<double>& loads = solution.shear_loads;
+  std::vector<double> borders;
+  if (!loads.empty()) borders.push_back(0);
+  for (std::size_t k = 1; k < loads.size(); ++k) {
+    if ((loads[k - 1] < 0) != (loads[k] < 0))
+      borders.push_back(static_cast<double>(k) * solution.element_width());
+  }
+  return borders;
 }
 
 double element_shear(const LineLoadSolution& solution, double y) {

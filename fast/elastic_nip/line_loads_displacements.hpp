@@ -17,6 +17,13 @@ double tangential_displacement(const data::ElasticNip& nip, const LineLoadSoluti
 /// Normal line load over the width of the element that Y lies in, unit of stress; 0 outside the contact.
 double element_pressure(const LineLoadSolution& solution, double y);
 
+/// Y > 0 of the centre of the element with the largest normal load, or shear load in size, unit of length.
+double place_of_largest_pressure(const LineLoadSolution& solution);
+double place_of_largest_shear(const LineLoadSolution& solution);
+
+/// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Unit of length.
+std::vector<double> shear_borders(const LineLoadSolution& solution);
+
 /// Shear load, positive along Y on the sheet, likewise.
 double element_shear(const LineLoadSolution& solution, double y);
 

@@ -4,6 +4,7 @@
 
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
+#include <nipref/fast/nip/internal/places.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/levels.hpp>
@@ -79,6 +80,11 @@ struct ConvergedViscoelasticNip::Implementation {
 
 namespace {
 
+/// 0 outside the contact.
+double pressure(const ViscoelasticPressure& contact, const ContactPlace& place) {
+  return place.e > 0 ? contact.pressure({place.half, std::min(place.e, contact.half_length())}) : 0;
+}
+
 FieldOfContact field_of_pressure(const ViscoelasticPressure& contact) {
   const auto traction = [&](bool right, double e) -> FaceTraction {
     return {contact.pressure({right ? Half::leading : Half::trailing, std::min(e, contact.half_length())}),
@@ -90,6 +96,24 @@ FieldOfContact field_of_pressure(const ViscoelasticPressure& contact) {
 /// What is further than half the contact from one end, counted from the other.
 ContactPlace across(double half_length, Half half, double e) {
   return {half == Half::leading ? Half::trailing : Half::leading, 2 * half_length - e};
+}
+
+/// How far from y the pressure is one polynomial, or nearly: within its panel and well inside the contact.
+double slope_reach(const ViscoelasticPressure& contact, double y) {
+  const ContactPlace place = contact.place(y);
+  const double e = std::max(place.e, 1e-9 * contact.half_length());
+  const ViscoelasticPanel& panel = contact.layout().panels()[contact.layout().panel_of({place.half, e})];
+  return std::min(e / 4, panel.width / 2);
+}
+
+/// Where the pressure of a panel is looked at, Y in half-thicknesses.
+void add_places(const ViscoelasticPanel& panel, const ViscoelasticPressure& contact,
+                std::vector<double>& places) {
+  constexpr int steps = 12;
+  for (int i = 0; i < steps; ++i) {
+    const double e = panel.left + panel.width * (i + 0.5) / steps, from_middle = contact.half_length() - e;
+    places.push_back(contact.offset() + (panel.half == Half::leading ? from_middle : -from_middle));
+  }
 }
 
 }  // namespace
@@ -150,9 +174,6 @@ Estimate ConvergedViscoelasticNip::trailing_displacement() const {
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto& [units, radius, sheet, ladder] = *implementation_;
   const double position = implementation_->position(y);
-  const auto pressure = [](const ViscoelasticPressure& contact, const ContactPlace& place) {
-    return place.e > 0 ? contact.pressure({place.half, std::min(place.e, contact.half_length())}) : 0;
-  };
   // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
   // it. Then it matters how well the end is known.
   const ContactPlace place = ladder.last().place(position);
@@ -161,8 +182,9 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   const auto at = [&](double e) {
     const ContactPlace there =
         e <= half_length ? ContactPlace{place.half, e} : across(half_length, place.half, e);
-    return ladder.estimate([&](const ViscoelasticPressure& contact) { return pressure(contact, there); },
-                           e > 0 ? middle : 0);
+    return ladder.estimate(
+        [&](const ViscoelasticPressure& contact) { return fast::pressure(contact, there); },
+        e > 0 ? middle : 0);
   };
   Estimate solved = at(place.e);
   for (const double beside : {0.8 * place.e, std::min(1.25 * place.e, half_length), 1.25 * place.e})
@@ -170,7 +192,7 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
   for (const double moved : {place.e - unsure, place.e + unsure})
-    solved.error += std::fabs(pressure(ladder.last(), {place.half, moved}) - solved.value);
+    solved.error += std::fabs(fast::pressure(ladder.last(), {place.half, moved}) - solved.value);
   return times(units.pressure, solved);
 }
 
@@ -182,6 +204,39 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
   const double at_end = sheet.neglected_near_end(implementation_->half_length(), 0);
   if (at_end > 1) peak.error += at_end * peak.value;
   return times(units.pressure, peak);
+}
+
+Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
+  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const ViscoelasticPressure& last = ladder.last();
+  const double half_length = last.half_length(), largest = fast::peak_pressure(last);
+  const auto at = [](const ViscoelasticPressure& contact, double y) {
+    return fast::pressure(contact, contact.place(y));
+  };
+  const auto from_end = [&](double y) { return std::max(last.place(y).e, 1e-9 * half_length); };
+  const auto slope_of = [&](const ViscoelasticPressure& contact, double y) {
+    return local_slope([&](double place) { return at(contact, place); }, y, slope_reach(last, y));
+  };
+  const PlaceFunction slope{[&](double y) { return slope_of(last, y); },
+                            [&](double y) {
+                              Estimate solved = implementation_->estimate(
+                                  [&](const ViscoelasticPressure& contact) { return slope_of(contact, y); },
+                                  largest / slope_reach(last, y));
+                              solved.error +=
+                                  largest * sheet.neglected_near_end(half_length, from_end(y)) / from_end(y);
+                              return solved;
+                            }};
+  const auto difference = [&](double y, double other) {
+    return implementation_->estimate(
+        [&](const ViscoelasticPressure& contact) { return at(contact, y) - at(contact, other); }, largest);
+  };
+  std::vector<double> places;
+  for (const ViscoelasticPanel& panel : last.layout().panels()) add_places(panel, last, places);
+  std::ranges::sort(places);
+  Estimate place = place_of_maximum([&](double y) { return at(last, y); }, slope, difference, places);
+  // At an end the pressure could be larger still.
+  if (sheet.neglected_near_end(half_length, 0) > 1) place.error += last.leading_length() - place.value;
+  return times(units.length, place);
 }
 
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
@@ -235,6 +290,39 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
       displacement, half_length * std::min(std::fabs(position), half_length));
   estimate.error += difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels);
   return times(units.creep * units.length, estimate);
+}
+
+Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
+  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const double position = implementation_->position(y);
+  CountedKernels kernels = ladder.kernels();
+  const auto strain_at = [&](const ViscoelasticPressure& contact, const ContactPlace& place) {
+    const double e = std::min(place.e, contact.half_length());
+    return contact.strain({place.half, e}, ladder.tolerance(), kernels);
+  };
+  // As for the pressure: at its distance from each level's own end, beside it, and as far as the end is known.
+  const ViscoelasticPressure& last = ladder.last();
+  const ContactPlace place = last.place(position);
+  const double half_length = implementation_->half_length(), size = fast::peak_pressure(last);
+  const double scale =
+      place.e > 0 ? size : implementation_->displacement_size(place) / (half_length * half_length) * size;
+  const auto at = [&](double e) {
+    Estimate strain = ladder.estimate_of_fading(
+        [&, e](const ViscoelasticPressure& contact) {
+          return strain_at(contact, {place.half, e});
+        },
+        size, scale);
+    return strain;
+  };
+  Estimate strain = at(place.e);
+  for (const double beside : {0.8 * place.e, 1.25 * place.e})
+    strain.error = std::max(strain.error, at(beside).error);
+  strain = implementation_->with_neglected(strain, scale);
+  if (place.e > 0) strain.error += size * sheet.neglected_near_end(half_length, place.e);
+  const double unsure = implementation_->unsure_end(place.half);
+  for (const double moved : {place.e - unsure, place.e + unsure})
+    strain.error += std::fabs(strain_at(last, {place.half, moved}) - strain.value);
+  return times(units.creep, strain);
 }
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(

@@ -37,6 +37,9 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] Estimate trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
   [[nodiscard]] Estimate pressure(double y) const;       ///< unit of stress, 0 outside the contact
   [[nodiscard]] Estimate peak_pressure() const;          ///< unit of stress
+  /// Y of its place, unit of length. Its error is that of the pressure's slope there over its curvature; where another
+  /// maximum may be the larger one, or an end's, as far as there.
+  [[nodiscard]] Estimate peak_pressure_position() const;
   /// int p Y dY/(W R): the coefficient of rolling resistance, dimensionless; error relative to its size, down
   /// to rounding of L/R. (thesis 7.15)
   [[nodiscard]] Estimate rolling_resistance() const;
@@ -45,6 +48,8 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] Estimate normal_displacement(
       double y) const;  ///< u, towards the middle plane, unit of length
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
+  /// v'(Y), the strain of the surface along the sheet, in the contact and outside, dimensionless. (thesis 2.5)
+  [[nodiscard]] Estimate surface_strain(double y) const;
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;

@@ -88,6 +88,11 @@ struct ConvergedElasticNip::Implementation {
     if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), precision_here())};
     return {1 - Interval(Exact(distance / units.length), precision_here()) / contact->half_length()};
   }
+  void prove_largest_in_the_middle() const {
+    const WorkingDigits working(contact.working_digits());
+    if (!contact->falls_outwards())
+      throw std::logic_error("a pressure that is not proven largest in the middle");
+  }
   void check_distance(double y) const {
     if (!std::isfinite(y) || abs(exactly(y)) > farthest * units.length) {
       throw BadInput("y", y, "must be within 450 sheet thicknesses of the middle on the reference path");
@@ -132,11 +137,13 @@ Enclosure ConvergedElasticNip::creep_ratio() const {
 }
 
 Enclosure ConvergedElasticNip::peak_pressure() const {
-  const WorkingDigits working(implementation_->contact.working_digits());
-  if (!implementation_->contact->falls_outwards()) {
-    throw std::logic_error("a pressure that is not proven largest in the middle");
-  }
+  implementation_->prove_largest_in_the_middle();
   return pressure(0);
+}
+
+Enclosure ConvergedElasticNip::peak_pressure_position() const {
+  implementation_->prove_largest_in_the_middle();
+  return exact_zero(implementation_->contact.digits());
 }
 
 Enclosure ConvergedElasticNip::pressure(double y) const {
@@ -181,6 +188,14 @@ GreatestShear ConvergedElasticNip::greatest_shear() const {
   const WorkingDigits working(contact.working_digits());
   return field_of(*contact, contact.digits())
       .greatest(true, to_float(Exact(units.pressure)), to_float(Exact(units.length)));
+}
+
+Enclosure ConvergedElasticNip::surface_strain(double y) const {
+  implementation_->check_distance(y);
+  const NipUnits& units = implementation_->units;
+  return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
+    return contact.strain(implementation_->place(y), Interval(Exact(units.beta), precision_here()));
+  });
 }
 
 int ConvergedElasticNip::terms() const { return implementation_->contact->terms(); }

@@ -34,6 +34,7 @@ class ConvergedElasticNip {
   [[nodiscard]] Enclosure creep_ratio() const;        ///< (2/L) v(L/2)
   /// Unit of stress. That the pressure is nowhere larger than in the middle is proven for each contact.
   [[nodiscard]] Enclosure peak_pressure() const;
+  [[nodiscard]] Enclosure peak_pressure_position() const;           ///< the middle, proven in the same way
   [[nodiscard]] Enclosure pressure(double y) const;                 ///< unit of stress; 0 outside the contact
   [[nodiscard]] Enclosure normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Enclosure tangential_displacement(double y) const;  ///< v, relative to Y = 0
@@ -41,6 +42,7 @@ class ConvergedElasticNip {
   /// makes. Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
+  [[nodiscard]] Enclosure surface_strain(double y) const;           ///< v', dimensionless
   [[nodiscard]] int terms() const;                                  ///< of the expansion
   [[nodiscard]] long kernel_values() const;                         ///< of I1, taken so far
   [[nodiscard]] long coupling_values() const;                       ///< of I3, taken so far

@@ -14,6 +14,8 @@
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -114,27 +116,38 @@ class GripSolver {
   GripKernels& kernels_;
 };
 
-/// The largest |part| of the tractions: among samples even in the angle, then by golden section, which
-/// places it to half the digits.
-Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) {
+/// Angle of a place, t = cos(angle), between which and the next the largest |part| of the tractions lies.
+struct LargestBetween {
+  Float low, high;
+};
+
+Float size_at_angle(const GripExpansion& contact, Float GripTraction::*part, const Float& angle) {
+  const Float half = sin(angle / 2);
+  return abs(contact.traction(2 * half * half).*part);
+}
+
+/// By samples even in the angle.
+LargestBetween largest_between(const GripExpansion& contact, Float GripTraction::*part) {
   const int samples = 2 * contact.terms() + 100;
-  const auto size = [&](const Float& angle) {
-    const Float half = sin(angle / 2);
-    return abs(contact.traction(2 * half * half).*part);
-  };
   const Float step = pi() / (2 * samples);
   int best = 0;
   Float largest = 0;
   {
     const WorkingDigits few(25);
     for (int i = 0; i <= samples; ++i) {
-      const Float here = size(i * step).at_working_precision();
+      const Float here = size_at_angle(contact, part, i * step).at_working_precision();
       if (here > largest) largest = here, best = i;
     }
   }
-  Float low = std::max(0, best - 1) * step, high = std::min(samples, best + 1) * step;
+  return {std::max(0, best - 1) * step, std::min(samples, best + 1) * step};
+}
+
+/// By golden section, which places it to half the digits.
+Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) {
+  const auto size = [&](const Float& angle) { return size_at_angle(contact, part, angle); };
+  auto [low, high] = largest_between(contact, part);
   const Float golden = (sqrt(Float(5)) - 1) / 2;
-  const Float enough = sqrt(std::numeric_limits<Float>::epsilon()) * step;
+  const Float enough = sqrt(std::numeric_limits<Float>::epsilon()) * (high - low);
   Float left = high - golden * (high - low), right = low + golden * (high - low);
   Float at_left = size(left), at_right = size(right);
   while (high - low > enough) {
@@ -149,6 +162,41 @@ Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) 
     }
   }
   return std::max({at_left, at_right, size(low), size(high)});
+}
+
+/// Y > 0 of the largest shear, half-thicknesses, to all digits: the zero of its slope.
+Float place_of_largest_shear(const GripExpansion& contact) {
+  const auto shear = [&](const Float& before_end) { return contact.traction(before_end).shear; };
+  const auto [low, high] = largest_between(contact, &GripTraction::shear);
+  const auto before_end = [](const Float& angle) -> Float {
+    const Float half = sin(angle / 2);
+    return 2 * half * half;
+  };
+  // The first sample is at the end itself, where the largest shear is not.
+  const Float nearer = std::max(before_end(low), before_end(high) / 64), farther = before_end(high);
+  const int sign = shear(farther) > 0 ? 1 : -1;
+  const auto slope = [&](const Float& place) -> Float { return sign * local_slope(shear, place, place / 4); };
+  const Float enough = nearer * std::numeric_limits<Float>::epsilon() * 1e4;
+  const auto place = bracketed_root<Float>(slope, nearer, farther, enough);
+  if (!place) throw std::logic_error("a largest shear that is not found");
+  return contact.half_length() * (1 - *place);
+}
+
+/// Places before the end, in half lengths and falling, between which and the next the shear of both changes its sign.
+std::vector<std::pair<Float, Float>> shear_changes(const GripExpansion& fine, const GripExpansion& coarse) {
+  constexpr int steps = 400;
+  std::vector<std::pair<Float, Float>> changes;
+  std::optional<Float> last;
+  bool was_positive = false;
+  for (int i = 1; i <= steps; ++i) {
+    const Float place = exp(log(Float(1e-6)) * i / steps);
+    const Float here = fine.traction(place).shear, other = coarse.traction(place).shear;
+    if (!(abs(here) > 2 * abs(here - other))) continue;
+    if (last && was_positive != (here > 0)) changes.emplace_back(*last, place);
+    last = place;
+    was_positive = here > 0;
+  }
+  return changes;
 }
 
 }  // namespace
@@ -171,7 +219,6 @@ struct GrippedElasticNip::Implementation {
   GripPrecision precision;
   GripKernels kernels;
   std::optional<GripExpansion> coarse, fine;
-  std::optional<Float> peak_pressure_size, peak_shear_size;
 
   Implementation(NipUnits the_units, std::optional<double> the_length, const GripPrecision& the_precision)
       : units(std::move(the_units)),
@@ -290,6 +337,30 @@ Estimated GrippedElasticNip::peak_shear() const {
       [](const GripExpansion& contact) { return largest_traction(contact, &GripTraction::shear); }, middle);
 }
 
+Estimated GrippedElasticNip::peak_shear_position() const {
+  const WorkingDigits working(implementation_->precision.working);
+  return implementation_->number(implementation_->units.length, place_of_largest_shear,
+                                 implementation_->fine->half_length());
+}
+
+std::vector<Estimated> GrippedElasticNip::shear_zeros() const {
+  const WorkingDigits working(implementation_->precision.working);
+  const auto& fine = *implementation_->fine;
+  std::vector<Estimated> zeros{exact_zero(implementation_->precision.digits)};
+  for (const auto& [inner, outer] : shear_changes(fine, *implementation_->coarse)) {
+    const auto zero = [&](const GripExpansion& contact) -> Float {
+      const int sign = fine.traction(inner).shear > 0 ? 1 : -1;
+      const auto shear = [&](const Float& place) -> Float { return sign * contact.traction(place).shear; };
+      const auto place =
+          bracketed_root<Float>(shear, inner, outer, outer * std::numeric_limits<Float>::epsilon() * 1e4);
+      if (!place) throw std::logic_error("a zero of the shear that is not found");
+      return contact.half_length() * (1 - *place);
+    };
+    zeros.push_back(implementation_->number(implementation_->units.length, zero, fine.half_length()));
+  }
+  return zeros;
+}
+
 Estimated GrippedElasticNip::pressure(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->traction(y, &GripTraction::pressure, false);
@@ -333,6 +404,28 @@ GreatestShear GrippedElasticNip::greatest_shear() const {
   const NipUnits& units = implementation_->units;
   return implementation_->field().greatest(true, to_float(Exact(units.pressure)),
                                            to_float(Exact(units.length)));
+}
+
+Estimated GrippedElasticNip::surface_strain(double y) const {
+  const WorkingDigits working(implementation_->precision.working);
+  auto& [units, length, precision, kernels, coarse, fine] = *implementation_;
+  if (!std::isfinite(y) || abs(exactly(y)) > farthest_grip * units.length)
+    throw data::BadInput("y", y, "must be within 450 sheet thicknesses of the middle on the reference path");
+  const Float end = implementation_->before_end(y, *fine);
+  if (!(end < 0)) return creep_ratio();
+  const Float enough = pow(Float(10), -precision.digits - 3);
+  const auto strain = [&](const GripExpansion& contact) -> Float {
+    const Float place = implementation_->before_end(y, contact);
+    if (!(place < 0)) return contact.creep();
+    const auto displacement = [&](const Float& before_end) -> Float {
+      return contact.displacement_outside(before_end, enough, kernels).tangential;
+    };
+    const Float reach = std::min(Float(-place / 4), Float(1 / (2 * contact.half_length())));
+    return -local_slope(displacement, place, reach) / contact.half_length();
+  };
+  // What the quadrature leaves of the displacements, over the reach, is within the expansions' difference and this.
+  const Float least = fine->half_length() * (1 - 1 / end);
+  return implementation_->number(units.slope, strain, least);
 }
 
 int GrippedElasticNip::terms() const { return implementation_->fine->terms(); }

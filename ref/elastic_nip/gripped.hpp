@@ -26,13 +26,17 @@ class GrippedElasticNip {
   GrippedElasticNip(GrippedElasticNip&&) noexcept;
   ~GrippedElasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;                   ///< L, unit of length
-  [[nodiscard]] Estimated load() const;                             ///< W, force per unit width
-  [[nodiscard]] Estimated indentation() const;                      ///< d0, unit of length
-  [[nodiscard]] Estimated edge_displacement() const;                ///< d1 = d0 - L^2/(8R), unit of length
-  [[nodiscard]] Estimated creep_ratio() const;                      ///< (2/L) v(L/2)
-  [[nodiscard]] Estimated peak_pressure() const;                    ///< unit of stress
-  [[nodiscard]] Estimated peak_shear() const;                       ///< largest |q|, unit of stress
+  [[nodiscard]] Estimated contact_length() const;     ///< L, unit of length
+  [[nodiscard]] Estimated load() const;               ///< W, force per unit width
+  [[nodiscard]] Estimated indentation() const;        ///< d0, unit of length
+  [[nodiscard]] Estimated edge_displacement() const;  ///< d1 = d0 - L^2/(8R), unit of length
+  [[nodiscard]] Estimated creep_ratio() const;        ///< (2/L) v(L/2)
+  [[nodiscard]] Estimated peak_pressure() const;      ///< unit of stress
+  [[nodiscard]] Estimated peak_shear() const;         ///< largest |q|, unit of stress
+  /// Y > 0 of the largest |q|; and the places Y >= 0, rising, at which q changes its sign, the middle first, those
+  /// that are nearer to the end than 1e-6 of L/2 left out. By secants on the slope, on the shear.
+  [[nodiscard]] Estimated peak_shear_position() const;
+  [[nodiscard]] std::vector<Estimated> shear_zeros() const;
   [[nodiscard]] Estimated pressure(double y) const;                 ///< unit of stress; 0 outside the contact
   [[nodiscard]] Estimated shear(double y) const;                    ///< the same
   [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
@@ -40,10 +44,12 @@ class GrippedElasticNip {
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
-  [[nodiscard]] int terms() const;                                  ///< of the finer expansion
-  [[nodiscard]] long normal_values() const;                         ///< of I1, taken so far
-  [[nodiscard]] long coupling_values() const;                       ///< of I3, taken so far
-  [[nodiscard]] long stretch_values() const;                        ///< of what I6 has beside I1
+  /// v', dimensionless: the creep ratio in the contact, outside the slope of the displacement's interpolation.
+  [[nodiscard]] Estimated surface_strain(double y) const;
+  [[nodiscard]] int terms() const;             ///< of the finer expansion
+  [[nodiscard]] long normal_values() const;    ///< of I1, taken so far
+  [[nodiscard]] long coupling_values() const;  ///< of I3, taken so far
+  [[nodiscard]] long stretch_values() const;   ///< of what I6 has beside I1
 
  private:
   struct Implementation;

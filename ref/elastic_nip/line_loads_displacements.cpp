@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/ref/number/internal/float_interval.hpp>
 #include <nipref/ref/sheet/internal/kernel_over.hpp>
 
 namespace nipref::ref {
@@ -90,7 +92,63 @@ Enclosure of_element(const std::vector<Enclosure>& loads, const LineLoadSolution
   return enclosure_of(density, digits);
 }
 
+/// From so many widths of elements to so many, of which one side has `elements`, to both ends.
+Enclosure between_widths(const LineLoadSolution& solution, std::size_t elements, const mpq_class& first,
+                         const mpq_class& last, int digits) {
+  const Interval length = interval_of(solution.contact_length);
+  const auto at = [&](const mpq_class& widths) {
+    return Interval(Exact(widths), length.precision()) * length / (2 * static_cast<long>(elements));
+  };
+  return enclosure_of(hull(at(first), at(last)), digits);
+}
+
+/// Of the centres of these elements of one side.
+Enclosure place_of_largest(const std::vector<Interval>& sizes, const LineLoadSolution& solution, int digits) {
+  const auto surest = std::ranges::max_element(
+      sizes, [](const Interval& a, const Interval& b) { return mpfr_less_p(a.lower(), b.lower()) != 0; });
+  const auto may_be_largest = [&](const Interval& size) {
+    return mpfr_greaterequal_p(size.upper(), surest->lower()) != 0;
+  };
+  const auto first = std::ranges::find_if(sizes, may_be_largest) - sizes.begin();
+  const auto last = std::find_if(sizes.rbegin(), sizes.rend(), may_be_largest).base() - sizes.begin();
+  return between_widths(solution, sizes.size(), mpq_class(2 * first + 1, 2), mpq_class(2 * last - 1, 2),
+                        digits);
+}
+
 }  // namespace
+
+Enclosure place_of_largest_pressure(const LineLoadSolution& solution, int digits) {
+  std::vector<Interval> sizes;
+  for (const Enclosure& load : solution.line_loads) sizes.push_back(interval_of(load));
+  return place_of_largest(sizes, solution, digits);
+}
+
+Enclosure place_of_largest_shear(const LineLoadSolution& solution, int digits) {
+  std::vector<Interval> sizes;
+  for (const Enclosure& load : solution.shear_loads) {
+    const Interval force = interval_of(load);
+    sizes.push_back(mpfr_sgn(force.upper()) < 0 ? -force : force);
+  }
+  return place_of_largest(sizes, solution, digits);
+}
+
+std::vector<Enclosure> shear_borders(const LineLoadSolution& solution, int digits) {
+  std::vector<Enclosure> borders;
+  const auto& loads = solution.shear_loads;
+  if (!loads.empty()) borders.push_back(exact_zero(digits));
+  std::optional<std::size_t> told;
+  int last_sign = 0;
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const Interval force = interval_of(loads[k]);
+    const int sign = mpfr_sgn(force.lower()) > 0 ? 1 : mpfr_sgn(force.upper()) < 0 ? -1 : 0;
+    if (sign == 0) continue;
+    if (told && sign != last_sign)
+      borders.push_back(between_widths(solution, loads.size(), *told + 1, k, digits));
+    told = k;
+    last_sign = sign;
+  }
+  return borders;
+}
 
 Enclosure normal_displacement(const data::ElasticNip& nip, const LineLoadSolution& solution,
                               const LineLoadMethod& method, double y, int digits) {

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 
 namespace nipref::ref {
@@ -22,5 +24,14 @@ Enclosure creep_ratio(const data::ElasticNip& nip, const LineLoadSolution& solut
 /// that along Y. A place within 1e-15 of a border counts to the outer element, but at the end to the last.
 Enclosure element_pressure(const LineLoadSolution& solution, double y, int digits);
 Enclosure element_shear(const LineLoadSolution& solution, double y, int digits);
+
+/// Y > 0 of the centre of the element with the largest normal load, or shear load in size; from the first to the last
+/// that may have it, where the bounds cannot tell.
+Enclosure place_of_largest_pressure(const LineLoadSolution& solution, int digits);
+Enclosure place_of_largest_shear(const LineLoadSolution& solution, int digits);
+
+/// Where shear loads of opposite signs meet, Y >= 0 rising: the middle first, with friction. Loads whose sign the
+/// bounds do not tell are passed over, and the border lies somewhere between the others.
+std::vector<Enclosure> shear_borders(const LineLoadSolution& solution, int digits);
 
 }  // namespace nipref::ref

@@ -6,6 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
 
@@ -174,6 +175,11 @@ Estimated ConvergedViscoelasticNip::peak_pressure() const {
                                     std::mem_fn(&RollingPressure::peak_pressure));
 }
 
+Estimated ConvergedViscoelasticNip::peak_pressure_position() const {
+  return implementation_->length(
+      [](const RollingPressure& of) { return of.half_length() + of.offset() - of.place_of_peak(); });
+}
+
 Estimated ConvergedViscoelasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   const WorkingDigits working(implementation_->contact.working_digits());
@@ -222,6 +228,26 @@ Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
                of.response(implementation_->downstream(of, 0), kernel);
       },
       [&](const RollingPressure&) { return size * std::min(size, way); });
+}
+
+Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
+  const WorkingDigits working(implementation_->contact.working_digits());
+  implementation_->check_place(y);
+  RollingKernel& kernel = implementation_->contact.tangential_kernel();
+  const Float& size = implementation_->size();
+  const auto reach = [&](const RollingPressure& of, const Float& d) -> Float {
+    const Float from_end = std::min(abs(d), abs(2 * of.half_length() - d));
+    return std::min(from_end / 5, Float(0.25));
+  };
+  Float nearest = size;
+  const auto strain = [&](const RollingPressure& of) -> Float {
+    const Float d = implementation_->downstream(of, y), within = reach(of, d);
+    nearest = std::min(nearest, within);
+    return -local_slope([&](const Float& at) { return of.response(at, kernel); }, d, within);
+  };
+  // The displacements' digits, over the reach.
+  return implementation_->estimated(implementation_->units.lever / 2, strain,
+                                    [&](const RollingPressure&) { return size * size / nearest; });
 }
 
 Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {

@@ -31,16 +31,17 @@ class ConvergedViscoelasticNip {
   ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept;
   ~ConvergedViscoelasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;         ///< L = L1 + L2, unit of length
-  [[nodiscard]] Estimated leading_length() const;         ///< L1, on the entry side, unit of length
-  [[nodiscard]] Estimated trailing_length() const;        ///< L2, on the exit side; may be negative
-  [[nodiscard]] Estimated load() const;                   ///< W, force per unit width
-  [[nodiscard]] Estimated indentation() const;            ///< d0, unit of length
-  [[nodiscard]] Estimated leading_displacement() const;   ///< d1 = d0 - L1^2/(2R), unit of length
-  [[nodiscard]] Estimated trailing_displacement() const;  ///< d2 = d0 - L2^2/(2R), unit of length
-  [[nodiscard]] Estimated rolling_resistance() const;     ///< int p Y dY/(W R), dimensionless
-  [[nodiscard]] Estimated peak_pressure() const;          ///< unit of stress
-  [[nodiscard]] Estimated pressure(double y) const;       ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Estimated contact_length() const;          ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimated leading_length() const;          ///< L1, on the entry side, unit of length
+  [[nodiscard]] Estimated trailing_length() const;         ///< L2, on the exit side; may be negative
+  [[nodiscard]] Estimated load() const;                    ///< W, force per unit width
+  [[nodiscard]] Estimated indentation() const;             ///< d0, unit of length
+  [[nodiscard]] Estimated leading_displacement() const;    ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimated trailing_displacement() const;   ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimated rolling_resistance() const;      ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimated peak_pressure() const;           ///< unit of stress
+  [[nodiscard]] Estimated peak_pressure_position() const;  ///< Y of its place, unit of length
+  [[nodiscard]] Estimated pressure(double y) const;        ///< unit of stress; 0 outside the contact
   /// (v(L1) - v(-L2))/L: mean stretch of the surface in the contact, dimensionless. (thesis 7.17)
   [[nodiscard]] Estimated creep_ratio() const;
   [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
@@ -48,9 +49,11 @@ class ConvergedViscoelasticNip {
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
-  [[nodiscard]] int unknowns() const;                               ///< of the finer discretisation
-  [[nodiscard]] long normal_kernel_values() const;                  ///< of I1, taken so far
-  [[nodiscard]] long tangential_kernel_values() const;              ///< of I3
+  /// v', dimensionless, by the slope of the displacement's interpolation.
+  [[nodiscard]] Estimated surface_strain(double y) const;
+  [[nodiscard]] int unknowns() const;                   ///< of the finer discretisation
+  [[nodiscard]] long normal_kernel_values() const;      ///< of I1, taken so far
+  [[nodiscard]] long tangential_kernel_values() const;  ///< of I3
 
  private:
   struct Implementation;

@@ -44,6 +44,11 @@ struct ViscoelasticLineLoads::Implementation {
   [[nodiscard]] Interval parabola(const Interval& y) const {
     return square(y) / (2 * Interval(problem.nip.roller_radius, precision_here()));
   }
+  [[nodiscard]] std::size_t largest_load() const {
+    const auto largest = std::ranges::max_element(
+        last.loads, [](const Interval& a, const Interval& b) { return middle_of(a) < middle_of(b); });
+    return static_cast<std::size_t>(largest - last.loads.begin());
+  }
   [[nodiscard]] Interval indentation(const LoadsOnLength& contact) const {
     return contact.indentation * half_thickness_of(problem);
   }
@@ -194,12 +199,17 @@ Estimated ViscoelasticLineLoads::load() const {
 Estimated ViscoelasticLineLoads::peak_pressure() const {
   const auto& all = *implementation_;
   // The same load for both lengths.
-  const auto& loads = all.last.loads;
-  const auto peak = std::ranges::max_element(
-      loads, [](const Interval& a, const Interval& b) { return middle_of(a) < middle_of(b); });
-  const auto index = static_cast<std::size_t>(peak - loads.begin());
+  const std::size_t index = all.largest_load();
   return all.of([&](const LoadsOnLength& contact) {
     return force_unit(all.problem) * contact.loads[index] / all.element_width(contact);
+  });
+}
+
+Estimated ViscoelasticLineLoads::peak_pressure_position() const {
+  const auto& all = *implementation_;
+  const auto twice_before = 2 * static_cast<long>(all.largest_load()) + 1;
+  return all.of([&](const LoadsOnLength& contact) {
+    return interval_of(contact.leading_length) - twice_before * all.element_width(contact) / 2;
   });
 }
 

@@ -39,6 +39,7 @@ class ViscoelasticLineLoads {
   [[nodiscard]] Estimated trailing_displacement() const;
   [[nodiscard]] Estimated load() const;
   [[nodiscard]] Estimated peak_pressure() const;
+  [[nodiscard]] Estimated peak_pressure_position() const;  ///< Y of the centre of its element
   [[nodiscard]] Estimated rolling_resistance() const;
   /// Of the loads ahead of the line through the rollers' centres about it, and of those behind. (thesis 7.13)
   [[nodiscard]] Estimated leading_moment() const;

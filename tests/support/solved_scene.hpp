@@ -15,11 +15,13 @@ inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::s
   return nipref::verify::solve(nipref::data::load_scene(file.path()));
 }
 
-/// All that a scene of a nip can want, but for the stresses inside the sheet, which not every method has.
+/// All that every scene of a nip can want: the stresses inside the sheet not every method has, nor what comes of shear.
 inline std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const nipref::data::SceneResult& result : nipref::data::scene_results()) {
-    if (result.is_of(nipref::data::SceneKind::nip) && !result.is_inside) names.emplace_back(result.name);
+    if (result.is_of(nipref::data::SceneKind::nip) && !result.is_inside &&
+        result.needs == nipref::data::Needs::nothing)
+      names.emplace_back(result.name);
   }
   return names;
 }

@@ -24,7 +24,9 @@ const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> elas
     {"edge_displacement", &ConvergedElasticNip::edge_displacement},
     {"creep_ratio", &ConvergedElasticNip::creep_ratio},
     {"peak_pressure", &ConvergedElasticNip::peak_pressure},
+    {"peak_pressure_position", &ConvergedElasticNip::peak_pressure_position},
     {"peak_shear", &ConvergedElasticNip::peak_shear},
+    {"peak_shear_position", &ConvergedElasticNip::peak_shear_position},
 };
 
 const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const> elastic_converged_profiles{
@@ -32,6 +34,7 @@ const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const
     {"shear", &ConvergedElasticNip::shear},
     {"normal_displacement", &ConvergedElasticNip::normal_displacement},
     {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
+    {"surface_strain", &ConvergedElasticNip::surface_strain},
 };
 
 class Converged : public SolvedContact<Estimate> {
@@ -52,6 +55,7 @@ class Converged : public SolvedContact<Estimate> {
                                              const data::FieldPlaces& places) const override {
     return inside_.field(contact_, name, places);
   }
+  [[nodiscard]] std::vector<Estimate> list(std::string_view) const override { return contact_.shear_zeros(); }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
   }

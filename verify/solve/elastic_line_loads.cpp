@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -108,12 +109,27 @@ class LineLoadContact : public SolvedContact<Estimate> {
   [[nodiscard]] Estimate number(std::string_view name) const override {
     if (const auto same = by_symmetry(*this, name)) return *same;
     if (is_moment(name)) return beside(moment(name), moment_of_pressure(*truth_, name));
+    if (name == "peak_pressure_position")
+      return beside(fast::place_of_largest_pressure(solution_), truth_->number(name));
+    if (name == "peak_shear_position")
+      return beside(fast::place_of_largest_shear(solution_), truth_->number(name));
     const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
                                                : solution_.*elastic_line_load_numbers.at(name);
     return beside(value, truth_->number(name));
   }
   [[nodiscard]] Estimate at(std::string_view name, double y) const override {
     return beside(profile(name, y), truth_->at(name, y));
+  }
+  /// Each beside the nearest of the continuous contact.
+  [[nodiscard]] std::vector<Estimate> list(std::string_view name) const override {
+    const std::vector<Estimate> truth = truth_->list(name);
+    std::vector<Estimate> zeros;
+    for (const double place : fast::shear_borders(solution_)) {
+      zeros.push_back(beside(place, *std::ranges::min_element(truth, {}, [&](const Estimate& zero) {
+                               return std::fabs(zero.value - place);
+                             })));
+    }
+    return zeros;
   }
   [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
   [[nodiscard]] Work work() const override { return work_; }

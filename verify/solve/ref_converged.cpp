@@ -37,6 +37,7 @@ const std::map<std::string_view, std::function<Enclosure(const ConvergedElasticN
     {"rolling_resistance", [](const auto&) { return nothing(); }},
     {"creep_ratio", &ConvergedElasticNip::creep_ratio},
     {"peak_pressure", &ConvergedElasticNip::peak_pressure},
+    {"peak_pressure_position", &ConvergedElasticNip::peak_pressure_position},
     {"peak_shear", [](const auto&) { return nothing(); }},
 };
 
@@ -45,6 +46,7 @@ const std::map<std::string_view, std::function<Enclosure(const ConvergedElasticN
     {"shear", [](const auto&, double) { return nothing(); }},
     {"normal_displacement", &ConvergedElasticNip::normal_displacement},
     {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
+    {"surface_strain", &ConvergedElasticNip::surface_strain},
 };
 
 class RefConverged : public SolvedContact<LongEstimate> {

@@ -35,6 +35,7 @@ const std::map<std::string_view, std::function<Estimated(const GrippedElasticNip
     {"creep_ratio", &GrippedElasticNip::creep_ratio},
     {"peak_pressure", &GrippedElasticNip::peak_pressure},
     {"peak_shear", &GrippedElasticNip::peak_shear},
+    {"peak_shear_position", &GrippedElasticNip::peak_shear_position},
 };
 
 const std::map<std::string_view, Estimated (GrippedElasticNip::*)(double) const> gripped_profiles{
@@ -42,6 +43,7 @@ const std::map<std::string_view, Estimated (GrippedElasticNip::*)(double) const>
     {"shear", &GrippedElasticNip::shear},
     {"normal_displacement", &GrippedElasticNip::normal_displacement},
     {"tangential_displacement", &GrippedElasticNip::tangential_displacement},
+    {"surface_strain", &GrippedElasticNip::surface_strain},
 };
 
 class RefGripped : public SolvedContact<LongEstimate> {
@@ -50,7 +52,8 @@ class RefGripped : public SolvedContact<LongEstimate> {
 
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
     if (const auto found = inside_.number(contact_, name)) return *found;
-    if (name == "rolling_resistance") return long_estimate(ref::exact_zero(16));
+    if (name == "rolling_resistance" || name == "peak_pressure_position")
+      return long_estimate(ref::exact_zero(16));
     return long_estimate(gripped_numbers.at(name)(contact_));
   }
   [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
@@ -59,6 +62,11 @@ class RefGripped : public SolvedContact<LongEstimate> {
   [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
                                                  const data::FieldPlaces& places) const override {
     return inside_.field(contact_, name, places);
+  }
+  [[nodiscard]] std::vector<LongEstimate> list(std::string_view) const override {
+    std::vector<LongEstimate> zeros;
+    for (const Estimated& zero : contact_.shear_zeros()) zeros.push_back(long_estimate(zero));
+    return zeros;
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().to_double() / 2};

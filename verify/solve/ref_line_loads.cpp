@@ -32,6 +32,9 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
   [[nodiscard]] LongEstimate number(std::string_view name) const override {
     if (name == "rolling_resistance") return long_estimate(ref::exact_zero(digits_));
     if (name == "creep_ratio") return long_estimate(ref::creep_ratio(nip_, solution_, method_, digits_));
+    if (name == "peak_pressure_position")
+      return long_estimate(ref::place_of_largest_pressure(solution_, digits_));
+    if (name == "peak_shear_position") return long_estimate(ref::place_of_largest_shear(solution_, digits_));
     if (name == "leading_length" || name == "trailing_length")
       return long_estimate(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
     return long_estimate(solution_.*numbers.at(name));
@@ -42,6 +45,12 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
     const auto displacement =
         name == "normal_displacement" ? ref::normal_displacement : ref::tangential_displacement;
     return long_estimate(displacement(nip_, solution_, method_, y, digits_));
+  }
+  [[nodiscard]] std::vector<LongEstimate> list(std::string_view) const override {
+    std::vector<LongEstimate> borders;
+    for (const Enclosure& border : ref::shear_borders(solution_, digits_))
+      borders.push_back(long_estimate(border));
+    return borders;
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, solution_.contact_length.to_double() / 2};

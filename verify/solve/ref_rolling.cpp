@@ -31,12 +31,14 @@ const std::map<std::string_view, ref::Estimated (RollingNip::*)() const> rolling
     {"creep_ratio", &RollingNip::creep_ratio},
     {"rolling_resistance", &RollingNip::rolling_resistance},
     {"peak_pressure", &RollingNip::peak_pressure},
+    {"peak_pressure_position", &RollingNip::peak_pressure_position},
 };
 
 const std::map<std::string_view, ref::Estimated (RollingNip::*)(double) const> rolling_profiles{
     {"pressure", &RollingNip::pressure},
     {"normal_displacement", &RollingNip::normal_displacement},
     {"tangential_displacement", &RollingNip::tangential_displacement},
+    {"surface_strain", &RollingNip::surface_strain},
 };
 
 class RefRolling : public SolvedContact<LongEstimate> {
@@ -95,7 +97,7 @@ struct SolveRolling {
 }  // namespace
 
 void check_ref_rolling(const data::Scene& scene) {
-  std::vector<std::string_view> known{"peak_shear", "shear"};
+  std::vector<std::string_view> known{"peak_shear", "shear", "slip"};
   for (const auto& number : rolling_numbers) known.push_back(number.first);
   for (const auto& profile : rolling_profiles) known.push_back(profile.first);
   for (const data::SceneResult& result : data::scene_results()) {

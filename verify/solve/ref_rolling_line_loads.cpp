@@ -25,6 +25,7 @@ const std::map<std::string_view, RefEstimate> rolling_line_load_numbers{
     {"trailing_moment", &RefViscoelasticLineLoads::trailing_moment},
     {"creep_ratio", &RefViscoelasticLineLoads::creep_ratio},
     {"peak_pressure", &RefViscoelasticLineLoads::peak_pressure},
+    {"peak_pressure_position", &RefViscoelasticLineLoads::peak_pressure_position},
 };
 
 class RefRollingLineLoads : public SolvedContact<LongEstimate> {

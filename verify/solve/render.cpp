@@ -19,7 +19,8 @@ std::string_view error_word(const auto& number) { return is_proven(number) ? "bo
 
 template <class Number>
 Json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
-  if (!result.what->is_profile && !result.what->is_field) return result.numbers.front().*member;
+  if (!result.what->is_profile && !result.what->is_field && !result.what->is_list)
+    return result.numbers.front().*member;
   return json_list(result.numbers, [&](const Number& number) { return number.*member; });
 }
 
@@ -59,6 +60,16 @@ void append_number(const typename SceneSolution<Number>::Result& result, bool fu
   fmt::format_to(std::back_inserter(text), "  {:<23} {:<22} {} {:<8} {}\n", result.what->name,
                  value_text(number), error_word(number), error_text(number), result.what->unit);
   if (full) text += fmt::format("    {}\n", result.what->meaning);
+}
+
+template <class Number>
+void append_list(const typename SceneSolution<Number>::Result& result, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
+                 result.what->unit);
+  for (const Number& number : result.numbers) {
+    fmt::format_to(std::back_inserter(text), "    {:<22} {} {}\n", value_text(number), error_word(number),
+                   error_text(number));
+  }
 }
 
 template <class Number>
@@ -117,6 +128,8 @@ std::string solution_text(const SceneSolution<Number>& solution, bool full) {
       append_field<Number>(result, solution.field, text);
     } else if (result.what->is_profile) {
       append_profile<Number>(result, solution.positions, text);
+    } else if (result.what->is_list) {
+      append_list<Number>(result, text);
     } else {
       append_number<Number>(result, full, text);
     }

@@ -27,7 +27,8 @@ template <class Number>
 struct SceneSolution {
   struct Result {
     const data::SceneResult* what;
-    /// Of a profile one for each of `positions`, of a field one for each of its places, depth after depth; else one.
+    /// Of a profile one for each of `positions`, of a field one for each of its places, depth after depth, of a list as
+    /// many as there are; else one.
     std::vector<Number> numbers;
     /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
     /// is of another kind: that of line loads is their distance to the continuous contact. The reference's

@@ -28,6 +28,7 @@ const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)() const>
         {"creep_ratio", &ConvergedViscoelasticNip::creep_ratio},
         {"rolling_resistance", &ConvergedViscoelasticNip::rolling_resistance},
         {"peak_pressure", &ConvergedViscoelasticNip::peak_pressure},
+        {"peak_pressure_position", &ConvergedViscoelasticNip::peak_pressure_position},
     };
 
 const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) const>
@@ -35,6 +36,7 @@ const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) 
         {"pressure", &ConvergedViscoelasticNip::pressure},
         {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
         {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
+        {"surface_strain", &ConvergedViscoelasticNip::surface_strain},
     };
 
 class Rolling : public SolvedContact<Estimate> {

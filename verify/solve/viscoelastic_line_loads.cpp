@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -100,8 +101,13 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     }
     return sum;
   }
+  [[nodiscard]] double place_of_largest_load() const {
+    const auto largest = std::ranges::max_element(solution_.loads) - solution_.loads.begin();
+    return solution_.leading_length - (static_cast<double>(largest) + 0.5) * solution_.element_width();
+  }
   [[nodiscard]] double value(std::string_view name) const {
     if (name == "peak_shear") return 0;  // without friction
+    if (name == "peak_pressure_position") return place_of_largest_load();
     if (name == "contact_length") return solution_.contact_length();
     if (name == "creep_ratio") return fast::creep_ratio(nip_, solution_, method_);
     return solution_.*viscoelastic_line_load_numbers.at(name);

@@ -5,6 +5,7 @@
 
 #include <nipref/fast/elastic_nip/internal/functionals.hpp>
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/nip/internal/stretch.hpp>
 #include <nipref/fast/number/internal/sampled_maximum.hpp>
 
 namespace nipref::fast {
@@ -50,6 +51,21 @@ double tangential_displacement(const HalfContact& contact, double y, const Surfa
   if (friction && y <= contact.half_length) return contact.creep * y;
   if (y == 0) return 0;
   return displacement(contact, y, how, {false, false, true, friction}, kernels);
+}
+
+double smooth_strain(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                     CountedKernels& kernels) {
+  const ElasticNipOperator from(contact.half_length, how.beta, how.tolerance, kernels);
+  double sum = 0;
+  for (std::size_t i = 1; i < contact.breaks.size(); ++i) {
+    for (const Influence& node : from.influences(contact.half_length - y, contact.breaks[i - 1],
+                                                 contact.breaks[i], {false, false, false, false})) {
+      const double s = contact.half_length - node.e;
+      sum +=
+          node.weight * contact.traction(node.e).pressure * (stretch_over_pi(y - s) + stretch_over_pi(y + s));
+    }
+  }
+  return sum;
 }
 
 double peak_pressure(const HalfContact& contact) {

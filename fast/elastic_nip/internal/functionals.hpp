@@ -24,6 +24,11 @@ double normal_displacement(const HalfContact& contact, double y, const SurfaceDi
 double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
                                CountedKernels& kernels);
 
+/// What of the surface's strain comes of the sheet as a whole, without friction: int I3'(y - s) p(s) ds/pi. The pressure
+/// at y itself adds -beta p(y).
+double smooth_strain(const HalfContact& contact, double y, const SurfaceDisplacements& how,
+                     CountedKernels& kernels);
+
 /// Largest pressure, and largest magnitude of the shear.
 double peak_pressure(const HalfContact& contact);
 double peak_shear(const HalfContact& contact);

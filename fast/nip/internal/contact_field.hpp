@@ -60,6 +60,9 @@ class ContactField {
     return result;
   }
 
+  /// sigma_y of a face.
+  [[nodiscard]] Estimate along_face(double alpha) { return at({InnerPlace{alpha, 1}}).front().along; }
+
   /// By a grid that is as fine as the contact is short, and finer at its ends, then by smaller and smaller steps around its best place; y is
   /// counted as in the places, `symmetric` contacts are looked at for y >= 0 only.
   [[nodiscard]] GreatestShear greatest(bool symmetric) {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <span>
 
+#include <nipref/fast/nip/internal/stretch.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/number/internal/memo.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
@@ -13,6 +14,10 @@ namespace nipref::fast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+
+bool decays(ViscoelasticKernel kernel) {
+  return kernel == ViscoelasticKernel::normal || kernel == ViscoelasticKernel::stretch;
+}
 
 /// alpha increases towards the leading side, e away from the end: +1 on the trailing half.
 double orientation(const ViscoelasticPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
@@ -73,7 +78,7 @@ void ViscoelasticOperator::append_near_nodes(double at, const ViscoelasticPanel&
              ends.end());  // a piece without length would hold the point itself
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double from = ends[i - 1], to = ends[i], width = to - from;
-    if (kernel == ViscoelasticKernel::normal && (to <= at - reach_ || from >= at + reach_)) continue;
+    if (decays(kernel) && (to <= at - reach_ || from >= at + reach_)) continue;
     for (const UnitNode& node : rule_) {
       const double x = from == panel.left && node.from_left < node.from_right
                            ? width / panel.width * node.from_left
@@ -90,6 +95,10 @@ void ViscoelasticOperator::append_near_nodes(double at, const ViscoelasticPanel&
 std::vector<double> ViscoelasticOperator::values(ViscoelasticKernel kernel,
                                                  const std::vector<double>& alpha) {
   std::vector<double> result;
+  if (kernel == ViscoelasticKernel::stretch) {
+    for (const double a : alpha) result.push_back(stretch_over_pi(a));
+    return result;
+  }
   if (kernel == ViscoelasticKernel::normal) {
     result = kernels_.I1(alpha);
   } else if (kernel == ViscoelasticKernel::tangential) {
@@ -164,7 +173,7 @@ Eigen::MatrixXd ViscoelasticOperator::moments(const std::vector<ContactPlace>& p
   for (std::size_t i = 0; i < points.size(); ++i) {
     at.push_back(coordinate(points[i], panel));
     const double gap = std::max(panel.left - at[i], at[i] - (panel.left + panel.width));
-    if (kernel == ViscoelasticKernel::normal && gap > reach_) continue;
+    if (decays(kernel) && gap > reach_) continue;
     (is_far(at[i], panel) ? far : near).push_back(i);
   }
   near_moments(at, near, panel, kernel, result);
@@ -178,7 +187,7 @@ std::complex<double> ViscoelasticOperator::trail(ContactPlace place, std::comple
   const double ahead = place.half == Half::trailing ? place.e : 2 * layout_.half_length() - place.e;
   const double nats = -std::log(tolerance_);
   double last = nats / rate.real();
-  if (kernel == ViscoelasticKernel::normal) last = std::min(last, std::max(reach_ - ahead, 0.0));
+  if (decays(kernel)) last = std::min(last, std::max(reach_ - ahead, 0.0));
   if (last == 0) return 0;
   std::vector<double> ends{0, last};
   for (const double cut :

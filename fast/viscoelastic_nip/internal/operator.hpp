@@ -14,7 +14,8 @@ namespace nipref::fast {
 enum class ViscoelasticKernel {
   normal,      ///< I1/pi: the normal displacement
   tangential,  ///< I3/pi: of the tangential displacement, what N acts in
-  sign         ///< I2/pi: what theta2 acts in
+  sign,        ///< I2/pi: what theta2 acts in
+  stretch      ///< I3'/pi: of the strain along the surface, what N acts in
 };
 
 /// Displacements of single points by what is given on panels, or trails behind the contact.
@@ -46,7 +47,7 @@ class ViscoelasticOperator {
 
   const ViscoelasticLayout& layout_;
   double tolerance_;
-  double reach_;  ///< where I1 and pi/4 - I3 have decayed below the tolerance
+  double reach_;  ///< where I1, pi/4 - I3 and I3' have decayed below the tolerance
   std::vector<UnitNode> rule_;
   CountedKernels& kernels_;
 };

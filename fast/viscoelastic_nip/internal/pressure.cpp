@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include <nipref/fast/nip/internal/expansion_tail.hpp>
+#include <nipref/fast/number/internal/chebyshev.hpp>
 #include <nipref/fast/number/internal/linear_system.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
@@ -180,6 +181,34 @@ double ViscoelasticPressure::tangential_displacement(ContactPlace place, Contact
   ViscoelasticOperator from(layout_, tolerance, kernels);
   return tangential_part(normal_response_, ViscoelasticKernel::tangential, place, reference, from) -
          tangential_part(theta2_response_, ViscoelasticKernel::sign, place, reference, from);
+}
+
+double ViscoelasticPressure::value(const Response& response, ContactPlace place) const {
+  if (place.e < 0) {
+    if (place.half == Half::leading) return 0;
+    double sum = 0;
+    for (const MemoryTerm& term : response.trailing)
+      sum += (term.amplitude * std::exp(term.rate * place.e)).real();
+    return sum;
+  }
+  const std::size_t p = layout_.panel_of(place);
+  const ViscoelasticPanel& panel = layout_.panels()[p];
+  std::vector<double> polynomials(static_cast<std::size_t>(response.on_panel[p].size()));
+  internal::shifted_chebyshev(panel.xi((place.e - panel.left) / panel.width), polynomials);
+  return Eigen::Map<Eigen::VectorXd>(polynomials.data(), response.on_panel[p].size())
+      .dot(response.on_panel[p]);
+}
+
+/// I2' is pi times the place itself.
+double ViscoelasticPressure::strain(ContactPlace place, double tolerance, CountedKernels& kernels) const {
+  ViscoelasticOperator from(layout_, tolerance, kernels);
+  double sum = -value(theta2_response_, place);
+  for (std::size_t p = 0; p < layout_.panels().size(); ++p)
+    sum += (from.moments({place}, layout_.panels()[p], ViscoelasticKernel::stretch) *
+            normal_response_.on_panel[p])(0);
+  for (const MemoryTerm& term : normal_response_.trailing)
+    sum += (term.amplitude * from.trail(place, term.rate, ViscoelasticKernel::stretch)).real();
+  return sum;
 }
 
 /// I3 is at most half of I2.

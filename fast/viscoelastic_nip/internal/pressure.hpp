@@ -51,6 +51,8 @@ class ViscoelasticPressure {
   /// Tangential displacement at `place` less that at `reference`, along the leading direction.
   [[nodiscard]] double tangential_displacement(ContactPlace place, ContactPlace reference, double tolerance,
                                                CountedKernels& kernels) const;
+  /// Its derivative towards the leading side, the strain of the surface.
+  [[nodiscard]] double strain(ContactPlace place, double tolerance, CountedKernels& kernels) const;
   /// What the parts of the tangential displacement are together over the contact, of which large parts may cancel.
   [[nodiscard]] double tangential_size(double tolerance, CountedKernels& kernels) const;
 
@@ -74,6 +76,8 @@ class ViscoelasticPressure {
   [[nodiscard]] Eigen::VectorXd coefficients(std::size_t panel) const;
   [[nodiscard]] Response response(double instantaneous, const std::vector<MemoryTerm>& terms,
                                   const std::vector<TermMemory>& memory) const;
+  /// Of the surface itself: what it has left behind the contact too, 0 ahead of it.
+  [[nodiscard]] double value(const Response& response, ContactPlace place) const;
   [[nodiscard]] double tangential_part(const Response& response, ViscoelasticKernel kernel,
                                        ContactPlace place, ContactPlace reference,
                                        ViscoelasticOperator& from) const;

@@ -62,6 +62,21 @@ std::vector<Interval> pressures_at_nodes(const std::vector<Float>& coefficients,
   return result;
 }
 
+/// d(p/(2A))/dtheta at the nodes.
+std::vector<Interval> slopes_at_nodes(const std::vector<Float>& coefficients, const Cosines& cosines) {
+  const long n = static_cast<long>(coefficients.size());
+  std::vector<Interval> result;
+  for (long j = 0; j < n; ++j) {
+    Interval sum(precision_here());
+    for (long m = 0; m < n; ++m) {
+      const long mu = 2 * m + 1;
+      sum = sum + mu * (interval_of(coefficients[static_cast<std::size_t>(m)]) * cosines(mu * (2 * j + 1)));
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
 }  // namespace
 
 ContactFunctionals::ContactFunctionals(ProvenExpansion expansion, SmoothKernel& kernel, double nats)
@@ -69,6 +84,7 @@ ContactFunctionals::ContactFunctionals(ProvenExpansion expansion, SmoothKernel& 
   const Cosines cosines(2 * size(), precision_here());
   for (long j = 0; j < size(); ++j) nodes_.push_back(cosines(2 * j + 1));
   node_pressures_ = pressures_at_nodes(expansion_.coefficients, cosines);
+  node_slopes_ = slopes_at_nodes(expansion_.coefficients, cosines);
 }
 
 Interval ContactFunctionals::coefficient(long m) const {
@@ -182,6 +198,21 @@ Interval ContactFunctionals::tangential_displacement(const Place& place, const I
   const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
   const auto displacement = [&](const Place& p) { return scale * tangential_by_pressure(p, beta); };
   return by_side(place, displacement, displacement);
+}
+
+Interval ContactFunctionals::strain(const Place& place, const Interval& beta) const {
+  const Interval t = position(place), pi = Interval::pi(precision_here());
+  Interval sum(precision_here());
+  // P is even: its slopes are opposite at opposite nodes.
+  for (std::size_t j = 0; j < nodes_.size(); ++j) {
+    const Interval both =
+        I3_over(half_length() * (t - nodes_[j]), nats_) - I3_over(half_length() * (t + nodes_[j]), nats_);
+    sum = sum + both * node_slopes_[j];
+  }
+  coupling_values_ += 2 * size();
+  const Interval by_parts =
+      (-(pi * sum) / (2 * size())).widened(expansion_.quadrature_error + pi * expansion_.radius);
+  return 2 * half_length() * by_parts / pi - beta * pressure(place);
 }
 
 bool ContactFunctionals::falls_outwards() const {

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
+#include <nipref/ref/number/internal/local_slope.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
 
 namespace nipref::ref {
@@ -243,20 +245,42 @@ Float RollingPressure::pressure(const Float& d, const Float& left) const {
 
 /// The neighbours of the largest sample bracket the place where p is the same h = 2^{-bits/4} before and behind,
 /// which is off by h^2, so that p there is off by h^4.
-Float RollingPressure::peak_pressure() const {
+Float RollingPressure::peak_pressure() const { return pressure(nearly_place_of_peak()); }
+
+/// To half of the digits, as a difference tells the slope.
+Float RollingPressure::nearly_place_of_peak() const {
   constexpr int samples = 200;
-  const auto at = [&](const Float& x) { return pressure(half_length_ * (1 - cos(pi() * x))); };
+  const auto place = [&](const Float& x) -> Float { return half_length_ * (1 - cos(pi() * x)); };
   int best = 1;
   Float largest = 0;
   for (int i = 1; i < samples; ++i) {
-    const Float value = at(Float(i) / samples);
+    const Float value = pressure(place(Float(i) / samples));
     if (value > largest) largest = value, best = i;
   }
   const Float step = ldexp(Float(1), -mpfr_get_prec(Float().get()) / 4);
-  const auto slope = [&](const Float& x) { return at(x + step) - at(x - step); };
-  const auto place = bracketed_root<Float>(slope, Float(best - 1) / samples + 2 * step,
-                                           Float(best + 1) / samples - 2 * step, step * step);
-  return place ? at(*place) : largest;
+  const auto slope = [&](const Float& x) { return pressure(place(x + step)) - pressure(place(x - step)); };
+  const auto zero = bracketed_root<Float>(slope, Float(best - 1) / samples + 2 * step,
+                                          Float(best + 1) / samples - 2 * step, step * step);
+  return place(zero ? *zero : Float(best) / samples);
+}
+
+Float RollingPressure::place_of_peak() const {
+  const Float near = nearly_place_of_peak();
+  // Within its panel the pressure is one analytic function; where the place is at a border, its neighbour's is the same
+  // but for what both leave out.
+  Float reach = 2 * half_length_;
+  for (const RollingPanel& panel : layout_.panels) {
+    if (near >= panel.left && near <= panel.left + panel.width) reach = panel.width / 2;
+  }
+  reach = std::min({reach, Float(near / 5), Float((2 * half_length_ - near) / 5)});
+  const auto at = [&](const Float& d) { return pressure(d); };
+  const auto slope = [&](const Float& d) { return local_slope(at, d, reach); };
+  const Float beside = half_length_ / 1000;
+  const Float low = std::max(Float(near - beside), Float(near / 2)),
+              high = std::min(Float(near + beside), Float(half_length_ + near / 2));
+  const auto zero =
+      bracketed_root<Float>(slope, low, high, half_length_ * std::numeric_limits<Float>::epsilon() * 1e4);
+  return zero ? *zero : near;
 }
 
 Float RollingPressure::response(const Float& d, RollingKernel& kernel) const {

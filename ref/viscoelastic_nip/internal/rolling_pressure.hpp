@@ -53,6 +53,7 @@ class RollingPressure {
   /// The same between the ends, by the distances from the leading one and from the other.
   [[nodiscard]] Float pressure(const Float& d, const Float& left) const;
   [[nodiscard]] Float peak_pressure() const;
+  [[nodiscard]] Float place_of_peak() const;  ///< d, to all digits: the zero of the pressure's slope
   /// Displacement at any d by the normal kernel, inside the contact by the roller.
   [[nodiscard]] Float normal_displacement(const Float& d, RollingKernel& kernel) const;
   /// int kernel(d - d') p(d') dd' at any d, by quadrature.
@@ -60,6 +61,7 @@ class RollingPressure {
   [[nodiscard]] int unknowns() const { return layout_.unknowns(); }
 
  private:
+  [[nodiscard]] Float nearly_place_of_peak() const;
   [[nodiscard]] Float in_panel(std::size_t panel, const Float& from_left, const Float& from_right) const;
   void integrate(const UnitRule& rule);
 

@@ -100,3 +100,106 @@ TEST_CASE(
     CHECK_FALSE(by_ref[name].proven);
   }
 }
+
+namespace {
+
+/// With evenly spaced profiles from end to end, or the middle to an end.
+data::Scene stretching(const char* name, int points) {
+  data::Scene scene = data::load_scene(data::example_scene(name));
+  scene.wanted = {"surface_strain", "slip", "tangential_displacement", "creep_ratio", "contact_length"};
+  const auto set = [&](auto& problem) {
+    if constexpr (requires { problem.nip; }) problem.profile = data::EvenlySpaced{points};
+  };
+  std::visit(set, scene.system);
+  return scene;
+}
+
+void set_positions(data::Scene& scene, const std::vector<double>& y) {
+  std::visit([&](auto& problem) { problem.profile = data::Positions{y}; }, scene.system);
+}
+
+}  // namespace
+
+TEST_CASE("the strain is the slope of the tangential displacement, in the contact and outside") {
+  for (const char* name :
+       {"intermediate-frictionless", "intermediate-full-friction", "viscoelastic-comparable-memory"}) {
+    CAPTURE(name);
+    data::Scene scene = stretching(name, 2);
+    const double length = verify::solve(scene)["contact_length"].value, h = 1e-3 * length;
+    std::vector<double> y;
+    for (const double at : {-2.0, -0.7, -0.3, 0.1, 0.4, 0.6, 1.5}) {
+      for (const int k : {-2, -1, 0, 1, 2}) y.push_back(at * length + k * h);
+    }
+    set_positions(scene, y);
+    const auto solution = verify::solve(scene);
+    const auto& strain = solution.profile("surface_strain");
+    const auto& v = solution.profile("tangential_displacement");
+    const double size = length / 6;  // over the rollers' radius
+    for (std::size_t i = 2; i < y.size(); i += 5) {
+      CAPTURE(y[i]);
+      const double slope =
+          (8 * (v[i + 1].value - v[i - 1].value) - (v[i + 2].value - v[i - 2].value)) / (12 * h);
+      CHECK(strain[i].value == doctest::Approx(slope).scale(size).epsilon(3e-8));
+      CHECK(strain[i].error < 1e-6 * size);
+    }
+  }
+}
+
+TEST_CASE("nothing slips where it sticks; without friction the mean slip in the contact is none") {
+  const auto gripped = verify::solve(stretching("intermediate-full-friction", 9));
+  const auto& none = gripped.profile("slip");
+  for (std::size_t i = 0; i + 1 < none.size(); ++i) {
+    CHECK(none[i].value == 0);
+    CHECK(none[i].error == 0);
+  }
+  // The end is not known exactly, and beyond it the surface is stretched otherwise.
+  CHECK(std::fabs(none.back().value) <= none.back().error);
+  for (const char* name : {"intermediate-frictionless", "viscoelastic-comparable-memory"}) {
+    CAPTURE(name);
+    // Midpoints of equal parts, where an integrand that is a square root at the ends loses parts^(-3/2).
+    data::Scene scene = stretching(name, 2);
+    const double length = verify::solve(scene)["contact_length"].value;
+    const bool rolls = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
+    scene.wanted.push_back("leading_length");
+    const double leading = verify::solve(scene)["leading_length"].value, last = rolls ? length - leading : 0;
+    constexpr int parts = 400;
+    std::vector<double> y;
+    for (int i = 0; i < parts; ++i) y.push_back(-last + (leading + last) * (i + 0.5) / parts);
+    set_positions(scene, y);
+    double sum = 0, size = 0;
+    const auto solution = verify::solve(scene);
+    for (const fast::Estimate& slip : solution.profile("slip")) {
+      sum += slip.value / parts;
+      size += std::fabs(slip.value) / parts;
+    }
+    CHECK(size > 1e-4);
+    CHECK(std::fabs(sum) < 2e-3 * size);
+  }
+}
+
+TEST_CASE("the reference has strain and slip, proven without friction, and fast is within its errors") {
+  for (const char* name :
+       {"intermediate-frictionless", "intermediate-full-friction", "viscoelastic-comparable-memory"}) {
+    CAPTURE(name);
+    data::Scene scene = stretching(name, 2);
+    set_positions(scene, {-0.3, 0.05});
+    const auto fast = verify::solve(scene);
+    const auto by_ref = verify::solve_by_ref(scene, 16);
+    for (const char* result : {"surface_strain", "slip"}) {
+      for (std::size_t i = 0; i < 2; ++i) {
+        const fast::Estimate number = fast.profile(result)[i];
+        const verify::LongEstimate& truth = by_ref.profile(result)[i];
+        check_agree(number.value, number.error + std::stod(truth.error), std::stod(truth.value));
+        CHECK(truth.proven == (std::string(name) == "intermediate-frictionless"));
+        CHECK(std::stod(truth.error) < 1e-13);
+      }
+    }
+  }
+}
+
+TEST_CASE("between line loads there is no strain to be told") {
+  data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
+  scene.wanted = {"slip"};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene),
+                       doctest::Contains("slip: must be left out: between line loads"), data::BadInput);
+}

@@ -44,11 +44,27 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
   drawn.set("profile.positions", draw_positions(random, size.length));
-  drawn.set("wanted", std::vector<std::string>{
-                          "contact_length", "leading_length", "trailing_length", "load", "indentation",
-                          "edge_displacement", "trailing_displacement", "rolling_resistance", "eccentricity",
-                          "resistance_force", "power_loss", "creep_ratio", "peak_pressure", "peak_shear",
-                          "pressure", "shear", "normal_displacement", "tangential_displacement"});
+  drawn.set("wanted", std::vector<std::string>{"contact_length",
+                                               "leading_length",
+                                               "trailing_length",
+                                               "load",
+                                               "indentation",
+                                               "edge_displacement",
+                                               "trailing_displacement",
+                                               "rolling_resistance",
+                                               "eccentricity",
+                                               "resistance_force",
+                                               "power_loss",
+                                               "creep_ratio",
+                                               "peak_pressure",
+                                               "peak_pressure_position",
+                                               "peak_shear",
+                                               "pressure",
+                                               "shear",
+                                               "normal_displacement",
+                                               "tangential_displacement",
+                                               "surface_strain",
+                                               "slip"});
   return drawn;
 }
 
@@ -175,6 +191,11 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
   drawn.set("material.young", material.young);
   drawn.set("material.poisson", material.poisson);
   drawn.set("friction.model", grips ? "full" : "none");
+  if (grips) {
+    auto wanted = drawn.texts("wanted");
+    wanted.insert(wanted.end(), {"peak_shear_position", "shear_zeros"});
+    drawn.set("wanted", wanted);
+  }
   if (random.chance(0.5)) {
     // What is gripped cannot widen.
     const double confined =

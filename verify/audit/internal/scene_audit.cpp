@@ -146,10 +146,21 @@ struct OtherOf {
   const Variant* variant = nullptr;  ///< null: the truth
 
   std::optional<Other> operator()(const Solution::Result& result, std::size_t i) const {
-    const Estimate number = solution.profile(result.what->name)[i];
+    const Estimate number = other_number(result, i);
     if (variant == nullptr) return Other{{number.value, number.error}, true};
     const Estimate back = variant->back(*result.what, number);
     return Other{{back.value, back.error}, false};
+  }
+
+ private:
+  /// Of a list the nearest, as what is sure to one need not be to the other.
+  [[nodiscard]] Estimate other_number(const Solution::Result& result, std::size_t i) const {
+    const std::vector<Estimate>& numbers = solution.profile(result.what->name);
+    if (!result.what->is_list) return numbers[i];
+    return *std::ranges::min_element(numbers, {}, [&](const Estimate& other) {
+      const Estimate back = variant == nullptr ? other : variant->back(*result.what, other);
+      return std::fabs(back.value - result.numbers[i].value);
+    });
   }
 };
 
@@ -193,8 +204,9 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
                       const SceneSolvers& solvers) {
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
   if (solved["contact_length"].value > longest_by_ref * drawn.number("sheet.thickness")) return;
-  const std::vector<std::string> known{"contact_length",    "load",          "indentation",
-                                       "edge_displacement", "peak_pressure", "pressure"};
+  const std::vector<std::string> known{"contact_length",         "load",          "indentation",
+                                       "edge_displacement",      "peak_pressure", "pressure",
+                                       "peak_pressure_position", "surface_strain"};
   drawn.set("wanted", known);
   const auto truth = solvers.ref(drawn.scene(), ref_digits);
   comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {

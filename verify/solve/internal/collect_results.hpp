@@ -69,6 +69,8 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
       solution.results.push_back({what, contact.inside(name, solution.field)});
     } else if (what->is_profile) {
       solution.results.push_back({what, profile_of(contact, name, solution.positions, scene.origin)});
+    } else if (what->is_list) {
+      solution.results.push_back({what, contact.list(name)});
     } else {
       solution.results.push_back({what, {contact.number(name)}});
     }

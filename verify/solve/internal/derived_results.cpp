@@ -47,12 +47,11 @@ Estimate multiplied(const Estimate& a, const Estimate& b) {
                      0x1p-53 * std::fabs(value)};
 }
 
-/// Of the decimals as they stand.
-LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
-  const auto rational = [](const std::string& text) { return ref::Exact::parse(text).value(); };
-  const mpq_class va = rational(a.value), vb = rational(b.value), ea = rational(a.error),
-                  eb = rational(b.error);
-  const mpq_class exact(va * vb), error(abs(va) * eb + abs(vb) * ea + ea * eb);
+mpq_class rational(const std::string& text) { return ref::Exact::parse(text).value(); }
+
+/// As many digits as the longer of the texts it comes from.
+LongEstimate long_estimate_of(const mpq_class& exact, const mpq_class& error, const LongEstimate& a,
+                              const LongEstimate& b) {
   const int digits = static_cast<int>(std::max(a.value.size(), b.value.size()));
   ref::Real value(static_cast<mpfr_prec_t>(4 * digits + 64)), bound(64);
   mpfr_set_q(value.get(), exact.get_mpq_t(), MPFR_RNDN);
@@ -61,6 +60,27 @@ LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
   const ref::Estimated result(value, bound, digits);
   return {result.value_text(), result.error_text(), a.proven && b.proven};
 }
+
+/// Of the decimals as they stand.
+LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
+  const mpq_class va = rational(a.value), vb = rational(b.value), ea = rational(a.error),
+                  eb = rational(b.error);
+  return long_estimate_of(va * vb, abs(va) * eb + abs(vb) * ea + ea * eb, a, b);
+}
+
+Estimate less(const Estimate& a, const Estimate& b) {
+  const double value = a.value - b.value;
+  return {value, a.error + b.error + 0x1p-53 * std::fabs(value)};
+}
+LongEstimate less(const LongEstimate& a, const LongEstimate& b) {
+  return long_estimate_of(rational(a.value) - rational(b.value), rational(a.error) + rational(b.error), a, b);
+}
+
+Estimate nothing_like(const Estimate&) { return {0, 0}; }
+LongEstimate nothing_like(const LongEstimate& number) { return {"0", "0", number.proven}; }
+
+bool same(const Estimate& a, const Estimate& b) { return a.value == b.value && a.error == b.error; }
+bool same(const LongEstimate& a, const LongEstimate& b) { return a.value == b.value && a.error == b.error; }
 
 Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
 LongEstimate exact_number(double value, const LongEstimate&) {
@@ -118,6 +138,22 @@ Number WithDerivedResults<Number>::number(std::string_view name) const {
   Number result = contact_.number("rolling_resistance");
   if (product->has_load) result = multiplied(result, contact_.number("load"));
   return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
+}
+
+template <class Number>
+Number WithDerivedResults<Number>::at(std::string_view name, double y) const {
+  return name == "slip" ? slip(y) : contact_.at(name, y);
+}
+
+template <class Number>
+Number WithDerivedResults<Number>::slip(double y) const {
+  if (!creep_) creep_ = contact_.number("creep_ratio");
+  const Number strain = contact_.at("surface_strain", y);
+  // What sticks has the creep ratio itself for its strain.
+  const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
+  const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
+  if (grips && same(strain, *creep_)) return nothing_like(strain);
+  return less(strain, *creep_);
 }
 
 template <class Number>

@@ -1,4 +1,5 @@
 #pragma once
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,10 @@ fast::Estimate moment_of_pressure(const SolvedContact<fast::Estimate>& contact, 
 
 /// A solved contact, and what follows from its results whatever the method:
 ///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
+///   slip = v' - creep ratio, v' the surface's strain: as (2.5) has it the surface moves by F_0 (1 + v') where the
+///     rollers move by F = F_0 (1 + creep ratio), so that this is the rate at which it slides on them, over F_0. It is 0 in
+///     a contact with full friction; without friction, where the creep ratio is the mean strain, its mean there is 0.
+///     Outside the contact it says how it would slide if it touched.
 /// Errors are those of what they follow from.
 template <class Number>
 class WithDerivedResults : public SolvedContact<Number> {
@@ -28,19 +33,23 @@ class WithDerivedResults : public SolvedContact<Number> {
       : scene_(scene), contact_(contact) {}
 
   [[nodiscard]] Number number(std::string_view name) const override;
-  [[nodiscard]] Number at(std::string_view name, double y) const override { return contact_.at(name, y); }
+  [[nodiscard]] Number at(std::string_view name, double y) const override;
   [[nodiscard]] std::vector<Number> inside(std::string_view name,
                                            const data::FieldPlaces& places) const override {
     return contact_.inside(name, places);
   }
+  [[nodiscard]] std::vector<Number> list(std::string_view name) const override { return contact_.list(name); }
   [[nodiscard]] ProfileExtent profile_extent() const override { return contact_.profile_extent(); }
   [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override;
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
   [[nodiscard]] fast::Work error_work() const override { return contact_.error_work(); }
 
  private:
+  [[nodiscard]] Number slip(double y) const;
+
   const data::Scene& scene_;
   const SolvedContact<Number>& contact_;
+  mutable std::optional<Number> creep_;  ///< asked for with every slip
 };
 
 }  // namespace nipref::verify

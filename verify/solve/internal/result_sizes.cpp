@@ -34,12 +34,16 @@ double nip_result_size(std::string_view name, double y, const NipSize& nip,
   if (name == "edge_displacement" || name == "trailing_displacement" || name == "normal_displacement")
     return half * slope / 2;
   if (name == "creep_ratio") return slope / 2;
+  if (name == "surface_strain" || name == "slip") return slope / 2 * size_next_to_end(y, nip, half);
   if (name == "tangential_displacement") return slope / 2 * std::min(std::fabs(y), half);
   if (name == "leading_length" || name == "trailing_length") return half;
   if (name == "pressure") return pressure_in_the_middle() * size_next_to_end(y, nip, half);
   if (name == "shear") return 0.1 * pressure_in_the_middle() * size_next_to_end(y, nip, half);
   if (name == "peak_shear") return 0.1 * pressure_in_the_middle();
   if (const auto inside = inside_result_size(name, y, nip, pressure_in_the_middle)) return *inside;
+  // A traction's slope is known less well than itself, and what moves its zero by more than its own part of a length.
+  if (name == "peak_pressure_position" || name == "peak_shear_position" || name == "shear_zeros")
+    return 100 * half;
   if (name == "rolling_resistance") return slope * std::min(1.0, 1e-14 / nip.accuracy);
   return 0;
 }

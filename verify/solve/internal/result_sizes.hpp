@@ -17,9 +17,11 @@ struct NipSize {
 
 /// Displacements: what the roller's parabola rises over half of the contact. Tangential displacements: creep's
 /// least size, a quarter of L/R, times Y, or half of the contact outside. Leading and trailing length: half of
-/// the contact. Pressure: that in the middle; next to an end, from which it grows like a square root, so much
+/// the contact. Strain of the surface and slip: creep's least size, more next to
+/// an end as for the pressure. Pressure: that in the middle; next to an end, from which it grows like a square root, so much
 /// more that the accuracy allows what it changes by as that end moves by as much of half of the contact.
-/// Shear: a tenth of it. Rolling resistance: half of L/R, as far as rounding, 1e-14 of it, allows no more.
+/// Shear: a tenth of it. Places of peaks and of the shear's zeros:
+/// a hundred halves of the contact. Rolling resistance: half of L/R, as far as rounding, 1e-14 of it, allows no more.
 /// `pressure_in_the_middle` is asked only where it is needed.
 double nip_result_size(std::string_view name, double y, const NipSize& nip,
                        const std::function<double()>& pressure_in_the_middle);

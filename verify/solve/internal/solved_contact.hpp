@@ -30,6 +30,8 @@ class SolvedContact {
   [[nodiscard]] virtual std::vector<Number> inside(std::string_view, const data::FieldPlaces&) const {
     return {};
   }
+  /// Of a result that is a list; those who have none are not asked.
+  [[nodiscard]] virtual std::vector<Number> list(std::string_view) const { return {}; }
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
   /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
   /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.

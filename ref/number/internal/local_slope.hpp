@@ -1,0 +1,29 @@
+#pragma once
+#include <nipref/ref/number/internal/float.hpp>
+
+namespace nipref::ref {
+
+/// f'(x) of an f that is analytic within four times `reach` of x at least, to all digits of the working precision but
+/// what their difference over `reach` loses: by the polynomial through Chebyshev points within it.
+template <class Function>
+Float local_slope(const Function& f, const Float& x, const Float& reach) {
+  // The points leave out about (4 + sqrt 15)^-nodes.
+  const int pairs = static_cast<int>(mpfr_get_prec(Float().get())) / 5 + 4, nodes = 2 * pairs;
+  Float sum = 0;
+  for (int j = 0; j < pairs; ++j) {
+    // sum_k a_k T_k'(0) over odd k, a_k = (2/nodes) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2).
+    const Float theta = (2 * j + 1) * pi() / (2 * nodes), place = cos(theta);
+    Float weight = 0, before = place, now = place;  // cos(-theta), cos(theta)
+    const Float twice = 2 * cos(2 * theta);
+    for (int k = 1; k < nodes; k += 2) {
+      weight += (k % 4 == 1 ? k : -k) * now;
+      Float next = twice * now - before;
+      before = std::move(now);
+      now = std::move(next);
+    }
+    sum += weight * (f(x + reach * place) - f(x - reach * place));
+  }
+  return 2 * sum / (nodes * reach);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,73 @@
+// Places of maxima and of sure changes of sign, of functions whose places are known.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <nipref/fast/nip/internal/places.hpp>
+
+using namespace nipref;
+
+namespace {
+
+std::vector<double> even_places(double a, double b, int count) {
+  std::vector<double> places;
+  for (int i = 0; i < count; ++i) places.push_back(std::lerp(a, b, static_cast<double>(i) / (count - 1)));
+  return places;
+}
+
+/// f, known to `error` everywhere.
+fast::PlaceFunction known_to(double error, double (*f)(double)) {
+  return {f, [=](double x) { return fast::Estimate{f(x), error}; }};
+}
+
+const auto no_lead = [](double, double) { return fast::Estimate{1, 0}; };
+
+}  // namespace
+
+TEST_CASE("a local slope is the derivative to rounding over its reach") {
+  for (const double x : {0.1, 1.0, 7.0})
+    CHECK(fast::local_slope([](double y) { return std::sqrt(y); }, x, x / 4) ==
+          doctest::Approx(0.5 / std::sqrt(x)).scale(0).epsilon(1e-13));
+}
+
+TEST_CASE("zeros lie within their errors, which are the function's over its slope") {
+  const auto zeros = fast::places_of_sure_zeros(known_to(1e-6, [](double x) { return std::sin(x); }),
+                                                even_places(1, 12, 57));
+  REQUIRE(zeros.size() == 3);
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    CHECK(zeros[k].value == doctest::Approx(std::acos(-1.0) * static_cast<double>(k + 1)).epsilon(1e-14));
+    CHECK(zeros[k].error >= 1e-6);
+    CHECK(zeros[k].error < 1.5e-6);
+  }
+}
+
+TEST_CASE("changes of sign that may not be there are not told") {
+  // It touches 0 to 1e-3: known to less, it may cross there or not.
+  const auto touching = [](double x) { return 1.001 - std::cos(x); };
+  CHECK(fast::places_of_sure_zeros(known_to(1e-2, touching), even_places(-1, 1, 41)).empty());
+  const auto crossing = [](double x) { return 0.999 - std::cos(x); };
+  CHECK(fast::places_of_sure_zeros(known_to(1e-4, crossing), even_places(-1, 1, 400)).size() == 2);
+  CHECK(fast::places_of_sure_zeros(known_to(1e-2, crossing), even_places(-1, 1, 400)).empty());
+}
+
+TEST_CASE("a maximum lies within its error, and a second one that may be the larger one is in it") {
+  const auto f = [](double x) { return std::cos(x - 0.3); };
+  const auto slope = known_to(1e-7, [](double x) { return -std::sin(x - 0.3); });
+  const auto one = fast::place_of_maximum(f, slope, no_lead, even_places(-2, 2, 21));
+  CHECK(one.value == doctest::Approx(0.3).epsilon(1e-14));
+  CHECK(one.error >= 1e-7);
+  CHECK(one.error < 1.5e-7);
+
+  const auto two = [](double x) { return std::cos(2 * x) + 1e-5 * x; };
+  const auto two_slope = known_to(1e-7, [](double x) { return -2 * std::sin(2 * x) + 1e-5; });
+  const auto lead = [&](double error) {
+    return [=](double x, double other) { return fast::Estimate{two(x) - two(other), error}; };
+  };
+  const auto places = even_places(-1, 4.5, 56);
+  const double pi = std::acos(-1.0);
+  const auto sure = fast::place_of_maximum(two, two_slope, lead(1e-6), places);
+  CHECK(sure.value == doctest::Approx(pi).epsilon(1e-5));
+  CHECK(sure.error < 1e-6);
+  CHECK(fast::place_of_maximum(two, two_slope, lead(1e-4), places).error > pi);
+}
