@@ -209,6 +209,12 @@ struct NeedsCheck {
   void check(const Problem& problem, Friction friction) const {
     if (result.needs == Needs::shear && friction == Friction::none)
       origin.refuse(key, result.name, "must be left out: without friction there is no shear");
+    if (result.needs == Needs::line_load_creep &&
+        (friction == Friction::none || std::holds_alternative<ConvergedMethod>(problem.method))) {
+      origin.refuse(
+          key, result.name,
+          "must be left out: it is of line loads with full friction; a converged contact has one creep");
+    }
     if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(
           key, result.name,

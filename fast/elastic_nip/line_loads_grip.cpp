@@ -78,11 +78,11 @@ std::vector<CreepRange> ranges(const AffineSolution& unknowns, int m, const Cree
 double size(double creep) { return std::abs(creep); }
 
 /// The creep of least size in the ranges.
-std::optional<double> least(const std::vector<CreepRange>& ranges) {
-  std::optional<double> chosen;
+std::optional<ThesisCreep> least(const std::vector<CreepRange>& ranges) {
+  std::optional<ThesisCreep> chosen;
   for (const CreepRange& range : ranges) {
     const double nearest = std::clamp(0.0, range.lower, range.upper);
-    if (!chosen || size(nearest) < size(*chosen)) chosen = nearest;
+    if (!chosen || size(nearest) < size(chosen->chosen)) chosen = {range, nearest};
   }
   return chosen;
 }
@@ -129,13 +129,18 @@ std::vector<CreepRange> creep_ranges(const data::ElasticNip& nip, const LineLoad
   return ranges(solve(nip, method, contact_length, work), method.elements_per_side, conditions);
 }
 
+std::optional<ThesisCreep> thesis_creep(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                        double contact_length, Work* work) {
+  return least(creep_ranges(nip, method, contact_length, {}, work));
+}
+
 std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::ElasticNip& nip,
                                                              const LineLoadMethod& method,
                                                              double contact_length, Work* work) {
   const AffineSolution unknowns = solve(nip, method, contact_length, work);
-  const std::optional<double> creep = least(ranges(unknowns, method.elements_per_side, {}));
+  const std::optional<ThesisCreep> creep = least(ranges(unknowns, method.elements_per_side, {}));
   if (!creep) return std::nullopt;
-  return with_creep(nip, method.elements_per_side, contact_length, unknowns, *creep);
+  return with_creep(nip, method.elements_per_side, contact_length, unknowns, creep->chosen);
 }
 
 std::optional<LineLoadSolution> thesis_line_loads_for_load(const data::ElasticNip& nip,

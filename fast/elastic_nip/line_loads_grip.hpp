@@ -42,6 +42,17 @@ std::vector<CreepRange> creep_ranges(const data::ElasticNip& nip, const LineLoad
                                      double contact_length, const CreepConditions& conditions = {},
                                      Work* work = nullptr);
 
+/// The thesis's own creep, of the least size among the ranges, and the range that it is in, of which it is an end
+/// unless it is 0. (thesis 5.5, Figure 15)
+struct ThesisCreep {
+  CreepRange range;
+  double chosen;
+};
+
+/// Nothing if there is none.
+std::optional<ThesisCreep> thesis_creep(const data::ElasticNip& nip, const LineLoadMethod& method,
+                                        double contact_length, Work* work = nullptr);
+
 /// The solution of given length and the thesis's own creep: of the least size among the ranges; nothing if
 /// there is none. (thesis 5.5)
 std::optional<LineLoadSolution> thesis_line_loads_for_length(const data::ElasticNip& nip,

@@ -330,6 +330,26 @@ LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoad
   throw BadInput("load", load, "no contact length was found that carries it");
 }
 
+CreepRange creep_range(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                       const LineLoadMethod& method, int digits) {
+  const Problem problem{nip, method, {Grip::Creep::thesis}};
+  for (int extra = 15; extra <= most_extra_digits; extra += extra + 10) {
+    const WorkingDigits working(digits + extra);
+    const Interval length = interval_of(solution.contact_length);
+    const Float middle = middle_of(length), spread = upper_end(distance_from(middle, length)) / middle;
+    const auto solved = enclosed_solutions(gripped_system(problem, {middle, spread}, digits + extra - 3));
+    if (!solved) continue;
+    const auto &at_zero = solved->unknowns.front(), &per_creep = solved->unknowns.back();
+    const auto range =
+        thesis_creep_range({at_zero.begin() + 1, at_zero.end()}, {per_creep.begin() + 1, per_creep.end()});
+    if (!range) continue;
+    return {enclosure_of(range->lower, digits), enclosure_of(range->upper, digits),
+            enclosure_of(range->chosen, digits)};
+  }
+  throw BadInput("contact_length", solution.contact_length.to_double(),
+                 "must be one for which some creep meets the thesis's conditions, and the bounds tell which");
+}
+
 LineLoadSolution line_loads_from_kernel_values(const data::ElasticNip& nip, std::span<const double> kernel,
                                                double contact_length, int digits) {
   const Problem problem{nip, static_cast<int>(kernel.size() / 2), {}};

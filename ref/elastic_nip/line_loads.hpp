@@ -62,6 +62,17 @@ LineLoadSolution line_loads_for_length(const data::ElasticNip& nip, const LineLo
 LineLoadSolution line_loads_for_load(const data::ElasticNip& nip, const LineLoadMethod& method, double load,
                                      int digits, const Grip& grip = {});
 
+/// The creep ratio that the thesis chooses for a contact, and the lowest and the highest around it that meet its conditions
+/// as well: see Grip. (thesis 5.5, Figure 15)
+struct CreepRange {
+  Enclosure lower, upper, chosen;
+};
+
+/// For the length of a solved contact, as far as that is known; proven. BadInput "contact_length" where there is none, or
+/// the bounds cannot tell.
+CreepRange creep_range(const data::ElasticNip& nip, const LineLoadSolution& solution,
+                       const LineLoadMethod& method, int digits);
+
 /// Without friction, from given values I1((2q - 1) a/b), q = 1 .. 2m, taken exactly: what a solver that uses
 /// these values would find without rounding. Set beside that solver it tells its rounding, beside
 /// line_loads_for_length the error of the values. BadInput unless `kernel` has 2m finite values whose system

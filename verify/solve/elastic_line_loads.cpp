@@ -122,6 +122,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
   }
   /// Each beside the nearest of the continuous contact.
   [[nodiscard]] std::vector<Estimate> list(std::string_view name) const override {
+    if (name == "creep_range") return creep_range();
     const std::vector<Estimate> truth = truth_->list(name);
     std::vector<Estimate> zeros;
     for (const double place : fast::shear_borders(solution_)) {
@@ -138,6 +139,14 @@ class LineLoadContact : public SolvedContact<Estimate> {
  private:
   static Estimate beside(double value, const Estimate& truth) {
     return {value, std::fabs(value - truth.value) + truth.error};
+  }
+  /// Each beside the creep of the continuous contact, which has but one.
+  [[nodiscard]] std::vector<Estimate> creep_range() const {
+    const auto creep = fast::thesis_creep(nip_, method_, solution_.contact_length, &work_);
+    if (!creep) SolveAtThesisCreep::refuse("contact_length", solution_.contact_length);
+    const Estimate truth = truth_->number("creep_ratio");
+    return {beside(creep->range.lower, truth), beside(creep->range.upper, truth),
+            beside(creep->chosen, truth)};
   }
   /// Of one side; the other mirrors it.
   [[nodiscard]] double moment(std::string_view name) const {

@@ -46,7 +46,11 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
         name == "normal_displacement" ? ref::normal_displacement : ref::tangential_displacement;
     return long_estimate(displacement(nip_, solution_, method_, y, digits_));
   }
-  [[nodiscard]] std::vector<LongEstimate> list(std::string_view) const override {
+  [[nodiscard]] std::vector<LongEstimate> list(std::string_view name) const override {
+    if (name == "creep_range") {
+      const auto [lower, upper, chosen] = ref::creep_range(nip_, solution_, method_, digits_);
+      return {long_estimate(lower), long_estimate(upper), long_estimate(chosen)};
+    }
     std::vector<LongEstimate> borders;
     for (const Enclosure& border : ref::shear_borders(solution_, digits_))
       borders.push_back(long_estimate(border));

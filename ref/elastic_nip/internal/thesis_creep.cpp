@@ -1,3 +1,5 @@
+#include <utility>
+
 #include <nipref/ref/elastic_nip/internal/thesis_creep.hpp>
 
 namespace nipref::ref {
@@ -50,7 +52,44 @@ class Conditions {
     return best;
   }
 
+  /// The nearest roots on both sides of `chosen`, which is least(): beyond a root, all of them being simple, its
+  /// condition is not met. Where chosen is a root itself, nothing is met on its other side.
+  [[nodiscard]] std::optional<ThesisCreepRange> around(const Interval& chosen) const {
+    std::optional<Interval> below, above;
+    for (const Quadratic& condition : all_) {
+      const auto roots = roots_of(condition);
+      if (!roots) return std::nullopt;
+      for (const Interval& root : *roots) {
+        if (is_root(chosen, root)) continue;
+        const int side = sign(root - chosen);
+        if (side == 0) return std::nullopt;
+        std::optional<Interval>& nearest = side < 0 ? below : above;
+        // Of two that are not told apart, all of both.
+        const auto nearer = [&](const Interval& other) {
+          return side < 0 ? larger(root, other) : -larger(-root, -other);
+        };
+        nearest = nearest ? nearer(*nearest) : root;
+      }
+    }
+    const int at = sign(chosen);
+    if (at > 0) below = chosen;
+    if (at < 0) above = chosen;
+    if (!below || !above) return std::nullopt;
+    return ThesisCreepRange{*below, *above, chosen};
+  }
+
  private:
+  static Interval larger(const Interval& a, const Interval& b) {
+    Interval result = a;
+    if (mpfr_greater_p(b.lower(), a.lower()) != 0) mpfr_set(&result.get()->left, b.lower(), MPFR_RNDD);
+    if (mpfr_greater_p(b.upper(), a.upper()) != 0) mpfr_set(&result.get()->right, b.upper(), MPFR_RNDU);
+    return result;
+  }
+  /// Whether x, which meets a condition as one of its roots does, is told to be that root.
+  static bool is_root(const Interval& x, const Interval& root) {
+    return mpfr_equal_p(x.lower(), root.lower()) != 0 && mpfr_equal_p(x.upper(), root.upper()) != 0;
+  }
+
   /// All conditions but one, whose root x is.
   [[nodiscard]] std::optional<bool> met(const Interval& x, std::size_t but) const {
     bool is_known = true;
@@ -107,15 +146,37 @@ Conditions conditions(const std::vector<Interval>& at_zero, const std::vector<In
 
 }  // namespace
 
+namespace {
+
+/// The conditions of the sign of the shear loads whose creep is nearer to 0, and that creep.
+struct Chosen {
+  Conditions conditions;
+  Interval creep;
+};
+
+std::optional<Chosen> chosen_of(const std::vector<Interval>& at_zero,
+                                const std::vector<Interval>& per_creep) {
+  Conditions inwards = conditions(at_zero, per_creep, -1), outwards = conditions(at_zero, per_creep, 1);
+  const auto in = inwards.least(), out = outwards.least();
+  if (!in || !out || (!*in && !*out)) return std::nullopt;
+  if (!*in || !*out) return *in ? Chosen{std::move(inwards), **in} : Chosen{std::move(outwards), **out};
+  const int nearer = sign(square(**in) - square(**out));
+  if (nearer == 0) return std::nullopt;
+  return nearer > 0 ? Chosen{std::move(outwards), **out} : Chosen{std::move(inwards), **in};
+}
+
+}  // namespace
+
 std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
                                      const std::vector<Interval>& per_creep) {
-  const auto inwards = conditions(at_zero, per_creep, -1).least();
-  const auto outwards = conditions(at_zero, per_creep, 1).least();
-  if (!inwards || !outwards) return std::nullopt;
-  if (!*inwards || !*outwards) return *inwards ? *inwards : *outwards;
-  const int nearer = sign(square(**inwards) - square(**outwards));
-  if (nearer == 0) return std::nullopt;
-  return nearer > 0 ? *outwards : *inwards;
+  const auto chosen = chosen_of(at_zero, per_creep);
+  return chosen ? std::optional(chosen->creep) : std::nullopt;
+}
+
+std::optional<ThesisCreepRange> thesis_creep_range(const std::vector<Interval>& at_zero,
+                                                   const std::vector<Interval>& per_creep) {
+  const auto chosen = chosen_of(at_zero, per_creep);
+  return chosen ? chosen->conditions.around(chosen->creep) : std::nullopt;
 }
 
 }  // namespace nipref::ref

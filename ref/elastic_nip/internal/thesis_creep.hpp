@@ -12,4 +12,11 @@ namespace nipref::ref {
 std::optional<Interval> thesis_creep(const std::vector<Interval>& at_zero,
                                      const std::vector<Interval>& per_creep);
 
+/// That creep ratio, and the lowest and the highest of those around it that meet the conditions, likewise.
+struct ThesisCreepRange {
+  Interval lower, upper, chosen;
+};
+std::optional<ThesisCreepRange> thesis_creep_range(const std::vector<Interval>& at_zero,
+                                                   const std::vector<Interval>& per_creep);
+
 }  // namespace nipref::ref

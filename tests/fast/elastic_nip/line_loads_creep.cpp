@@ -166,3 +166,34 @@ TEST_CASE("the creep range closes on the continuous contact like 1/m, and there 
     CHECK(last_excess < 0.02);
   }
 }
+
+TEST_CASE(
+    "the thesis's creep is an end of its range: within it the conditions hold, beyond it one does not") {
+  const data::ElasticNip nip{6, 0.25, {1.45e5, 1.0 / 3}};
+  for (const double length : {0.05, 0.1, 0.25}) {
+    CAPTURE(length);
+    const auto creep = fast::thesis_creep(nip, 10, length);
+    REQUIRE(creep);
+    const auto [lower, upper] = creep->range;
+    CHECK((creep->chosen == lower || creep->chosen == upper || creep->chosen == 0));
+    CHECK(creep->chosen == fast::thesis_line_loads_for_length(nip, 10, length)->gripped_creep);
+    const auto meets = [&](double chi) {
+      const auto s = fast::gripped_line_loads_for_length(nip, 10, length, chi);
+      bool positive = true, outwards = true, inwards = true, monotone = true;
+      for (std::size_t k = 0; k < s.line_loads.size(); ++k) {
+        positive = positive && s.line_loads[k] > 0;
+        outwards = outwards && s.shear_loads[k] > 0;
+        inwards = inwards && s.shear_loads[k] < 0;
+        monotone = monotone && (k == 0 || std::fabs(s.shear_loads[k]) / s.line_loads[k] >=
+                                              std::fabs(s.shear_loads[k - 1]) / s.line_loads[k - 1]);
+      }
+      return positive && monotone && (outwards || inwards);
+    };
+    const double width = upper - lower;
+    CHECK(meets(lower + 1e-6 * width));
+    CHECK(meets((lower + upper) / 2));
+    CHECK(meets(upper - 1e-6 * width));
+    CHECK_FALSE(meets(lower - 1e-6 * width));
+    CHECK_FALSE(meets(upper + 1e-6 * width));
+  }
+}

@@ -199,3 +199,31 @@ TEST_CASE("where no creep meets the thesis's conditions, the refusal says so and
   problem.creep_ratio = 1e-3;
   CHECK_NOTHROW((void)verify::solve(scene_of(problem, {"load"})));
 }
+
+TEST_CASE(
+    "the range of the thesis's creep is the reference's, which proves it, and holds the creep of the solution") {
+  for (const double load : {25.0, 100.0, 200.0}) {
+    CAPTURE(load);
+    data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
+    scene.wanted = {"creep_range", "creep_ratio"};
+    problem_of(scene).given = data::GivenLoad{load};
+    const auto solution = verify::solve(scene);
+    const auto by_ref = verify::solve_by_ref(scene, 20);
+    const auto& range = solution.profile("creep_range");
+    REQUIRE(range.size() == 3);
+    CHECK(range[0].value < range[1].value);
+    CHECK(range[2].value == solution["creep_ratio"].value);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(range[i].value ==
+            doctest::Approx(std::stod(by_ref.profile("creep_range")[i].value)).scale(0).epsilon(1e-9));
+      CHECK(by_ref.profile("creep_range")[i].proven);
+    }
+  }
+}
+
+TEST_CASE("a range of creep is refused where there is one creep, or none") {
+  data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction"));
+  scene.wanted = {"creep_range"};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("a converged contact has one creep"),
+                       data::BadInput);
+}
