@@ -303,25 +303,28 @@ Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
   // As for the pressure: at its distance from each level's own end, beside it, and as far as the end is known.
   const ViscoelasticPressure& last = ladder.last();
   const ContactPlace place = last.place(position);
-  const double half_length = implementation_->half_length(), size = fast::peak_pressure(last);
+  const double half_length = implementation_->half_length(), peak = fast::peak_pressure(last);
+  // What the pressure does where it acts, and what the sheet does beside it.
+  const double size = peak * (std::fabs(sheet.material.theta2_instantaneous) + std::min(half_length, 1.0));
   const double scale =
       place.e > 0 ? size : implementation_->displacement_size(place) / (half_length * half_length) * size;
   const auto at = [&](double e) {
-    Estimate strain = ladder.estimate_of_fading(
+    return ladder.estimate_of_fading(
         [&, e](const ViscoelasticPressure& contact) {
           return strain_at(contact, {place.half, e});
         },
         size, scale);
-    return strain;
   };
   Estimate strain = at(place.e);
   for (const double beside : {0.8 * place.e, 1.25 * place.e})
     strain.error = std::max(strain.error, at(beside).error);
   strain = implementation_->with_neglected(strain, scale);
-  if (place.e > 0) strain.error += size * sheet.neglected_near_end(half_length, place.e);
+  if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
+  double shifted = 0;
   for (const double moved : {place.e - unsure, place.e + unsure})
-    strain.error += std::fabs(strain_at(last, {place.half, moved}) - strain.value);
+    shifted = std::max(shifted, std::fabs(strain_at(last, {place.half, moved}) - strain.value));
+  strain.error += shifted;
   return times(units.creep, strain);
 }
 
