@@ -49,8 +49,9 @@ struct GivenSpan {
 
 /// How the contour of the contact is found.
 enum class ContourRule {
-  exact,            ///< frictionless: semi-ellipsoidal pressure on an ellipse solves the problem
-  stationary_force  ///< the seeds' rule for lines through the centre (brock2012 33, brock2013 33)
+  exact,             ///< frictionless: semi-ellipsoidal pressure on an ellipse solves the problem
+  stationary_force,  ///< the seeds' rule for lines through the centre (brock2012 33, brock2013 33)
+  similar_contour,  ///< the contact is as the body's own contours are, L(psi) = L1 sqrt(C1/A(psi)) (brock2012 30)
 };
 
 struct HalfSpaceProblem {

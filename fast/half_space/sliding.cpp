@@ -64,8 +64,8 @@ double SlidingLine::pressure(double x) const {
 }
 
 SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, double friction,
-                               Direction motion)
-    : response_(std::move(response)), body_(body), friction_(friction), motion_(motion) {
+                               Direction motion, SpanRule rule)
+    : response_(std::move(response)), body_(body), friction_(friction), motion_(motion), rule_(rule) {
   body.check();
   if (!(friction >= 0) || !std::isfinite(friction))
     throw BadInput("friction", friction, "must be non-negative and finite");
@@ -103,9 +103,9 @@ void SlidingContact::integrate() {
   const auto terms = [&](Direction from_motion) {
     const Shape line = shape(from_motion.turned(motion_));
     const auto [absolute, signed_square, uncancelled] = line.moments();
-    const double ratio = steepness_ / line.steepness(), cube = ratio * ratio * ratio;
-    const double moment = cube * signed_square;
-    return std::array{ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine,
+    const double ratio = span_ratio(line), peak = line.steepness() / steepness_ * ratio;
+    const double cube = peak * ratio * ratio * ratio, moment = cube * signed_square;
+    return std::array{peak * ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine,
                       cube * uncancelled};
   };
   const auto [force, along, across, uncancelled] = half_turn_integral<4>(terms);
@@ -135,17 +135,23 @@ Estimate SlidingContact::peak_pressure() const {
   return {steepness_ * span_.value, steepness_ * (span_.error + rounding() * span_.value)};
 }
 
-double SlidingContact::span_ratio(Direction psi) const { return steepness_ / shape(psi).steepness(); }
+double SlidingContact::span_ratio(const Shape& line) const {
+  if (rule_ == SpanRule::stationary_force) return steepness_ / line.steepness();
+  return std::sqrt(body_.curvature(motion_) / line.curvature);
+}
+
+double SlidingContact::span_ratio(Direction psi) const { return span_ratio(shape(psi)); }
 
 SlidingLine SlidingContact::along(Direction psi) const {
   const Shape line = shape(psi);
-  return {line.leading, line.trailing, span_.value * steepness_ / line.steepness(), steepness_ * span_.value};
+  const double span = span_.value * span_ratio(line);
+  return {line.leading, line.trailing, span, line.steepness() * span};
 }
 
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
-                                Direction motion, double span) {
+                                Direction motion, double span, SpanRule rule) {
   check_positive("span", span);
-  SlidingContact contact(std::move(response), body, friction, motion);
+  SlidingContact contact(std::move(response), body, friction, motion, rule);
   contact.set_span({span, 0});
   const auto [value, error] = contact.force_factor_;
   contact.force_ = {value * span * span * span, error * span * span * span};
@@ -153,9 +159,9 @@ SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, 
 }
 
 SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
-                                 Direction motion, double force) {
+                                 Direction motion, double force, SpanRule rule) {
   check_positive("force", force);
-  SlidingContact contact(std::move(response), body, friction, motion);
+  SlidingContact contact(std::move(response), body, friction, motion, rule);
   const auto [value, error] = contact.force_factor_;
   const double span = std::cbrt(force / value);
   contact.set_span({span, span * (error / value / 3 + contact.rounding())});

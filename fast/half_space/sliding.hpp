@@ -20,12 +20,18 @@ struct SlidingLine {
   [[nodiscard]] double pressure(double x) const;
 };
 
+/// How the spans of the lines go together.
+enum class SpanRule {
+  stationary_force,  ///< peak pressures are equal (brock2012 33)
+  similar_contour    ///< as the body's own contours: like the root of its radius of curvature (brock2012 30)
+};
+
 /// A rigid smooth body that slides with friction, as the papers have it: on every line through the point of
 /// first touch K H[sigma33] + Gamma sigma33 = curvature x, Gamma = friction (S cos(psi - theta) - S' sin(psi
 /// - theta)), K, S and S' the compliance and the couplings of that line; the papers have no S', which acts
 /// where the motion is oblique to an axis in the surface, and no shear compliances, which friction adds to K where the
 /// surface is no plane of symmetry. The spans follow from the force being stationary,
-/// which makes the peak pressures of all lines equal. (brock2012 23-36, brock2013 27-36, their 1/Q^2
+/// which makes the peak pressures of all lines equal, or from the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2
 /// corrected to 1/Q^3.) This is the papers' construction and not the solution of the contact problem: without
 /// friction that is EllipticContact, with 4/pi times the force for the same span of a sphere at rest. The
 /// papers define no approach of the bodies.
@@ -35,7 +41,8 @@ class SlidingContact {
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive
   /// friction F3, the force that keeps the body sliding.
   [[nodiscard]] Estimate shear_force() const;
-  [[nodiscard]] Estimate peak_pressure() const;  ///< the same in all directions, unit of stress
+  /// On the line along the motion; where the force is stationary the same in all directions. Unit of stress.
+  [[nodiscard]] Estimate peak_pressure() const;
   /// First moment of the pressure over the force, counted from the point of first touch along the motion:
   /// <= 0 for a positive coupling. Unit of length; the error is relative to the span.
   [[nodiscard]] Estimate centre_along() const { return centre_along_; }
@@ -50,8 +57,10 @@ class SlidingContact {
 
  private:
   struct Shape;
-  SlidingContact(SurfaceResponse response, const Indenter& body, double friction, Direction motion);
+  SlidingContact(SurfaceResponse response, const Indenter& body, double friction, Direction motion,
+                 SpanRule rule);
   [[nodiscard]] Shape shape(Direction psi) const;
+  [[nodiscard]] double span_ratio(const Shape& line) const;
   void integrate();
   void set_span(Estimate span);
 
@@ -59,11 +68,14 @@ class SlidingContact {
   Indenter body_;
   double friction_;
   Direction motion_;
+  SpanRule rule_;
   double steepness_;  ///< peak pressure over L1
   Estimate force_factor_{}, moment_along_{}, moment_across_{};
   Estimate span_{}, force_{}, centre_along_{}, centre_across_{};
-  friend SlidingContact sliding_for_span(SurfaceResponse, const Indenter&, double, Direction, double);
-  friend SlidingContact sliding_for_force(SurfaceResponse, const Indenter&, double, Direction, double);
+  friend SlidingContact sliding_for_span(SurfaceResponse, const Indenter&, double, Direction, double,
+                                         SpanRule);
+  friend SlidingContact sliding_for_force(SurfaceResponse, const Indenter&, double, Direction, double,
+                                          SpanRule);
 };
 
 /// The contact with span L1 along the motion, > 0 and finite, unit of length. friction >= 0 and finite,
@@ -71,10 +83,10 @@ class SlidingContact {
 /// compliance (a subcritical speed). BadInput otherwise. The integral over the directions is exact to
 /// rounding if the response is analytic; the estimates say so or what is missing.
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
-                                Direction motion, double span);
+                                Direction motion, double span, SpanRule rule = SpanRule::stationary_force);
 
 /// The contact that carries the force F3 > 0, finite; otherwise the same.
 SlidingContact sliding_for_force(SurfaceResponse response, const Indenter& body, double friction,
-                                 Direction motion, double force);
+                                 Direction motion, double force, SpanRule rule = SpanRule::stationary_force);
 
 }  // namespace nipref::fast

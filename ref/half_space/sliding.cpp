@@ -77,16 +77,23 @@ CrowdedDirections directions_for(const PeakOfCompliance& peak, const Indenter& b
 /// int curvature span^(power + 2)/h weight(line moments of |x|^power) over the lines, stresses as `lines` count them, the span
 /// along the motion 1. On a line of span L and curvature C the pressure is (C/h) L times that of span 1, and L = steepness
 /// h/(C Q).
+/// L(psi)/L(0).
+Float span_ratio_of(SpanRule rule, const SlidingLine& along, const SlidingLine& line, const Indenter& body,
+                    const Exact& degrees) {
+  const Float relative = to_float(body.along) / curvature_of(body, degrees);
+  if (rule == SpanRule::similar_contour) return sqrt(relative);
+  return relative * along.Q() / along.h * line.h / line.Q();
+}
+
 using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
 Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& directions,
-                         const Exact& friction, const Indenter& body, int digits, int working, int power,
-                         const LineWeight& weight) {
+                         const Exact& friction, const Indenter& body, SpanRule rule, int digits, int working,
+                         int power, const LineWeight& weight) {
   const SlidingLine along(lines, friction, Exact(0.0));
-  const Float steepness = to_float(body.along) * along.Q() / along.h;
   return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
     const SlidingLine line(lines, friction, degrees);
     const Float curvature = curvature_of(body, degrees);
-    const Float span = steepness * line.h / (curvature * line.Q());
+    const Float span = span_ratio_of(rule, along, line, body, degrees);
     return curvature * pow(span, power + 2) / line.h *
            weight(line_moment(line.omega, power, working), degrees);
   });
@@ -94,19 +101,19 @@ Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& d
 
 /// In force = factor span^3.
 Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
-                    const Indenter& body, int digits, int working) {
+                    const Indenter& body, SpanRule rule, int digits, int working) {
   return pressure_integral(
-      lines, directions, friction, body, digits, working, 1,
+      lines, directions, friction, body, rule, digits, working, 1,
       [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
 }
 
 /// Of the pressure's first moment in a direction, in moment = factor span^4: as much as there is of it, added to what it is
 /// where all of it points the same way, so that what vanishes is integrated to digits of that.
 Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
-                     const Indenter& body, int digits, int working,
+                     const Indenter& body, SpanRule rule, int digits, int working,
                      const std::function<Float(const Exact& degrees)>& component, bool with_moment) {
   return pressure_integral(
-      lines, directions, friction, body, digits, working, 2,
+      lines, directions, friction, body, rule, digits, working, 2,
       [&](const LineMoment& moment, const Exact& degrees) -> Float {
         const Float all = moment.front + moment.back;
         return with_moment ? Float(all + (moment.front - moment.back) * component(degrees)) : all;
@@ -135,7 +142,8 @@ Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int
     const WorkingSurface lines(surface, working);
     const Indenter unit{Exact(1.0), Exact(1.0)};
     const CrowdedDirections directions = directions_for(peak_of_compliance(surface), unit);
-    const auto [fine, coarse] = force_factor(lines, directions, friction, unit, digits, working);
+    const auto [fine, coarse] =
+        force_factor(lines, directions, friction, unit, SpanRule::stationary_force, digits, working);
     return estimated(fine, abs(fine - coarse), digits);
   });
 }
@@ -146,25 +154,28 @@ struct SlidingContact::Implementation {
   Exact friction;
   HalfSpaceLoad load;
   int digits;
+  SpanRule rule;
   int working = 0;
   long exponent = 0;
   Float steepness = {};                       ///< peak pressure over span
   mutable std::optional<Levels> factor = {};  ///< in force = factor span^3, when it is first asked for
 
   [[nodiscard]] WorkingSurface lines() const { return {surface, working, exponent}; }
-  /// Of the papers' rule: A(0) Q(0) h/(A Q h(0)).
   [[nodiscard]] Float ratio(const Exact& degrees) const {
-    const SlidingLine line(lines(), friction, degrees);
-    return steepness_in_unit() * line.h / (curvature_of(body, degrees) * line.Q());
+    const SlidingLine along(lines(), friction, Exact(0.0)), line(lines(), friction, degrees);
+    return span_ratio_of(rule, along, line, body, degrees);
   }
-  [[nodiscard]] Float steepness_in_unit() const { return ldexp(steepness, -exponent); }
+  /// Peak pressure over span.
+  [[nodiscard]] Float steepness_of(const SlidingLine& line, const Exact& degrees) const {
+    return ldexp(curvature_of(body, degrees) * line.Q() / line.h, exponent);
+  }
   /// A function of the factor.
   template <class Function>
   [[nodiscard]] Estimated of_factor(const Function& function) const {
     const WorkingDigits scope(working);
     if (!factor) {
       const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
-      const auto [fine, coarse] = force_factor(lines(), directions, friction, body, digits, working);
+      const auto [fine, coarse] = force_factor(lines(), directions, friction, body, rule, digits, working);
       factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
     }
     return of_levels(function(factor->fine), function(factor->coarse), digits);
@@ -174,7 +185,8 @@ struct SlidingContact::Implementation {
     const WorkingDigits scope(working);
     const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
     const auto integral = [&](bool with_moment) {
-      return moment_factor(lines(), directions, friction, body, digits, working, component, with_moment);
+      return moment_factor(lines(), directions, friction, body, rule, digits, working, component,
+                           with_moment);
     };
     const Levels both = integral(true), size = integral(false);
     const Float fine = ldexp(both.fine - size.fine, exponent),
@@ -205,8 +217,8 @@ struct SlidingContact::Implementation {
 };
 
 SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
-                               const HalfSpaceLoad& load, int digits) {
-  Implementation made{std::move(surface), body, friction, load, digits};
+                               const HalfSpaceLoad& load, int digits, SpanRule rule) {
+  Implementation made{std::move(surface), body, friction, load, digits, rule};
   made.working = working_digits(digits);
   made.exponent = stress_exponent(made.surface);
   const WorkingDigits scope(made.working);
@@ -254,13 +266,12 @@ Estimated SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
   const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
   const Float lead = -line.omega, trail = 1 + line.omega, ratio = implementation_->ratio(degrees);
-  const Float there = to_float(x);
+  const Float there = to_float(x), steepness = implementation_->steepness_of(line, degrees);
   const auto at = [&](const Float& along, const Float& change) -> Float {
     const Float span = ratio * along;
     const Float ahead = lead * span - there + change * span, behind = there + trail * span + change * span;
     if (!(ahead > Float(0) && behind > Float(0))) return 0;
-    return implementation_->steepness * along * pow(ahead / (trail * span), trail) *
-           pow(behind / (lead * span), lead);
+    return steepness * span * pow(ahead / (trail * span), trail) * pow(behind / (lead * span), lead);
   };
   return with_shifted_ends(*implementation_, at);
 }

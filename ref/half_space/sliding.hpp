@@ -28,19 +28,23 @@ Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction
 /// integral of sigma33 |x| over the lines of half a turn. (brock2012 36, brock2013 36 with Q^3)
 Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
 
+/// How the spans of the lines go together: such that peak pressures are equal, or as the body's own contours, like the
+/// root of its radius of curvature. (brock2012 33, 30)
+enum class SpanRule { stationary_force, similar_contour };
+
 /// All of that for a body and a load. Force = factor span^3 is monotone, so that a given force is turned into the
 /// span in closed form.
 class SlidingContact {
  public:
   /// The integral over the lines is made when it is first needed: BadInput "digits" where they do not give them.
   SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
-                 const HalfSpaceLoad& load, int digits);
+                 const HalfSpaceLoad& load, int digits, SpanRule rule = SpanRule::stationary_force);
 
   [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
   [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
   [[nodiscard]] Estimated force() const;
   [[nodiscard]] Estimated friction_force() const;
-  [[nodiscard]] Estimated peak_pressure() const;  ///< the same on every line, unit of stress
+  [[nodiscard]] Estimated peak_pressure() const;  ///< on the line along the motion, unit of stress
   [[nodiscard]] Estimated leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
   /// At x on a line; 0 outside of the contact. The error is that of the ends too.
   [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;

@@ -179,8 +179,13 @@ ref::EllipticContact ellipse(const RefSurface& surface, const data::HalfSpacePro
 }
 
 ref::SlidingContact slide(const RefSurface& surface, const data::HalfSpaceProblem& problem, int digits) {
-  return {surface.answer(), std::visit(RefIndenterOf{}, problem.body), ref::Exact(problem.friction),
-          problem.given, digits};
+  const bool similar = problem.rule == data::ContourRule::similar_contour;
+  return {surface.answer(),
+          std::visit(RefIndenterOf{}, problem.body),
+          ref::Exact(problem.friction),
+          problem.given,
+          digits,
+          similar ? ref::SpanRule::similar_contour : ref::SpanRule::stationary_force};
 }
 
 ref::RollingSphere roll(const RefSurface& surface, const data::HalfSpaceProblem& problem, int digits) {

@@ -97,8 +97,9 @@ void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProbl
 
 ContourRule read_rule(const TomlTable& method) {
   method.allow({"kind"});
-  return method.choice("kind", {"exact", "stationary-force"}) == "exact" ? ContourRule::exact
-                                                                         : ContourRule::stationary_force;
+  const std::string kind = method.choice("kind", {"exact", "stationary-force", "similar-contour"});
+  if (kind == "exact") return ContourRule::exact;
+  return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
 }
 
 }  // namespace

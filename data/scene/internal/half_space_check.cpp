@@ -77,11 +77,13 @@ void check_rolling(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 }
 
 void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
-  if (problem.rule != ContourRule::exact) return;
+  if (problem.rule == ContourRule::stationary_force) return;
   if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
-    origin.refuse("method.kind", "exact",
-                  "must be stationary-force for a rolling sphere: no exact solution is known");
+    origin.refuse(
+        "method.kind", problem.rule == ContourRule::exact ? "exact" : "similar-contour",
+        "must be stationary-force for a rolling sphere: no exact solution is known, and (30) is a die's");
   }
+  if (problem.rule != ContourRule::exact) return;
   require(problem.friction == 0, origin, "sliding.friction", problem.friction,
           "must be 0 with the exact method, which is frictionless");
 }
@@ -95,6 +97,8 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string&
       on_line{"pressure", "shear"};
   if (problem.rule != ContourRule::exact && std::ranges::count(of_the_ellipse, name) != 0)
     origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
+  if (problem.rule == ContourRule::similar_contour && name == "peak_pressure")
+    origin.refuse(key, name, "must be left out with similar-contour: each line has its own peak");
   if (!std::holds_alternative<RigidRollingSphere>(problem.body) && std::ranges::count(of_rolling, name) != 0)
     origin.refuse(key, name, "must be wanted of a rolling sphere only");
   if (!problem.profile || !find_scene_result(name)->is_profile) return;

@@ -47,7 +47,8 @@ TEST_CASE("scenes are drawn to the ends of their domains, and few are none") {
   constexpr int count = 200;
   for (int i = 0; i < count; ++i) {
     for (const std::uint64_t kind : {0U, 1U, 3U, 4U, 5U}) {
-      const auto drawn = verify::draw_scene("ends", 11 * static_cast<std::uint64_t>(i) + kind);
+      const auto drawn =
+          verify::draw_scene("ends", verify::drawn_kinds().size() * static_cast<std::uint64_t>(i) + kind);
       models.insert(drawn.text("material.model"));
       least_accuracy = std::min(least_accuracy, drawn.number("accuracy"));
       largest_accuracy = std::max(largest_accuracy, drawn.number("accuracy"));

@@ -40,7 +40,7 @@ verify::SceneFindings audited(std::uint64_t index, const verify::SceneSolvers& s
 }
 
 /// Scenes of this seed: an elastic nip that the reference has too, others with friction, memory and on a half-space.
-constexpr std::uint64_t elastic = 22, gripped = 1, rolling_elastic = 2, operators = 5, sphere = 9;
+constexpr std::uint64_t elastic = 36, gripped = 1, rolling_elastic = 2, operators = 5, sphere = 9;
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -278,4 +279,48 @@ TEST_CASE("results of lines, of points on them and of rolling spheres are refuse
           "0, 0, 1, 0, 1]\ndensity = 1.0\n" +
           rolling + load + rule,
       "must be isotropic under a rolling sphere");
+}
+
+TEST_CASE(
+    "a contact similar to the body's contours: its spans are theirs, its force their integral, by both paths") {
+  data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
+  auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
+  scene.wanted = {"span_along", "span_ratio",  "normal_force", "centre_along",
+                  "span",       "leading_end", "compliance"};
+  const auto fast = verify::solve(scene);
+  const auto by_ref = verify::solve_by_ref(scene, 16);
+  for (const std::string& name : scene.wanted) {
+    CAPTURE(name);
+    for (std::size_t i = 0; i < fast.profile(name).size(); ++i) {
+      const fast::Estimate number = fast.profile(name)[i];
+      const verify::LongEstimate& truth = by_ref.profile(name)[i];
+      CHECK(std::fabs(number.value - std::stod(truth.value)) <=
+            number.error + std::stod(truth.error) + 1e-15 * std::fabs(number.value));
+    }
+  }
+  // At rest without friction p = (C/K) sqrt(L^2/4 - x^2) on a line, so that F = int C L^3/(12 K) dpsi, L = L1 sqrt(C1/C).
+  problem.speed = problem.friction = 0;
+  const auto at_rest = verify::solve(scene);
+  const double along = 1 / 0.02, across = 1 / 0.01, length = at_rest["span_along"].value;
+  CHECK(at_rest["span_ratio"].value == doctest::Approx(std::sqrt(along / across)).scale(0).epsilon(1e-14));
+  double integral = 0;
+  constexpr int parts = 2000;
+  for (int i = 0; i < parts; ++i) {
+    const double psi = std::acos(-1.0) * (i + 0.5) / parts;
+    integral += 1 / std::sqrt(along * std::pow(std::cos(psi), 2) + across * std::pow(std::sin(psi), 2));
+  }
+  const double force = std::pow(along, 1.5) * std::pow(length, 3) /
+                       (12 * at_rest.profile("compliance")[0].value) * integral * std::acos(-1.0) / parts;
+  CHECK(at_rest["normal_force"].value == doctest::Approx(force).scale(0).epsilon(1e-12));
+}
+
+TEST_CASE("a contact similar to the body's contours has no peak of its own, and no sphere rolls on one") {
+  data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
+  scene.wanted = {"peak_pressure"};
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("each line has its own peak"),
+                       data::BadInput);
+  scene = data::load_scene(data::example_scene("half-space-rolling-sphere"));
+  scene.wanted = {"span_along"};
+  std::get<data::HalfSpaceProblem>(scene.system).rule = data::ContourRule::similar_contour;
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("(30) is a die's"), data::BadInput);
 }

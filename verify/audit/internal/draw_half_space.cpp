@@ -101,6 +101,7 @@ std::vector<std::string> results_of(data::ContourRule rule, Body body) {
                                   "coupling",       "critical_speed"};
   wanted.insert(wanted.end(), {"centre_along", "centre_across", "leading_end", "trailing_end"});
   if (body == Body::rolling_sphere) wanted.insert(wanted.end(), {"creep", "compressed_radius"});
+  if (rule == data::ContourRule::similar_contour) std::erase(wanted, "peak_pressure");
   if (rule == data::ContourRule::exact)
     wanted.insert(wanted.end(), {"axis_ratio", "orientation", "approach"});
   return wanted;
@@ -124,7 +125,9 @@ DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule)
     set_transversely_isotropic(random, drawn);
   }
   const double radius = set_body(random, body, drawn);
-  drawn.set("method.kind", rule == data::ContourRule::exact ? "exact" : "stationary-force");
+  drawn.set("method.kind", rule == data::ContourRule::exact             ? "exact"
+                           : rule == data::ContourRule::similar_contour ? "similar-contour"
+                                                                        : "stationary-force");
   drawn.set("wanted", results_of(rule, body));
   const double angle = random.uniform(-90, 90);
   drawn.set("profile.positions", std::vector<double>{0, 90, angle, -angle, random.uniform(-90, 90)});
@@ -139,7 +142,7 @@ DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule)
   if (body != Body::rolling_sphere) {
     drawn.set("sliding.direction",
               random.chance(0.2) ? 90 * (static_cast<double>(random.index(3)) - 1) : random.uniform(-90, 90));
-    if (rule == data::ContourRule::stationary_force && random.chance(0.7))
+    if (rule != data::ContourRule::exact && random.chance(0.7))
       drawn.set("sliding.friction", random.uniform(0, 1));
   }
   drawn.set(motion + ".speed", draw_speed(random, drawn));

@@ -61,6 +61,7 @@ constexpr std::array kinds{
     Kind{"rolling sphere", draw_half_space<Body::rolling_sphere, data::ContourRule::stationary_force>},
     Kind{"sphere, exact", draw_half_space<Body::sphere, data::ContourRule::exact>},
     Kind{"sphere, papers' rule", draw_half_space<Body::sphere, data::ContourRule::stationary_force>},
+    Kind{"die, similar contour", draw_half_space<Body::die, data::ContourRule::similar_contour>},
 };
 
 }  // namespace

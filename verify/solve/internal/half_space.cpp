@@ -209,11 +209,15 @@ struct Slide {
 
   fast::SlidingContact operator()(const data::GivenNormalForce& load) const {
     return fast::sliding_for_force(response, std::visit(IndenterOf{}, problem.body), problem.friction, along,
-                                   load.force);
+                                   load.force, rule());
   }
   fast::SlidingContact operator()(const data::GivenSpan& span) const {
     return fast::sliding_for_span(response, std::visit(IndenterOf{}, problem.body), problem.friction, along,
-                                  span.along);
+                                  span.along, rule());
+  }
+  [[nodiscard]] fast::SpanRule rule() const {
+    return problem.rule == data::ContourRule::similar_contour ? fast::SpanRule::similar_contour
+                                                              : fast::SpanRule::stationary_force;
   }
 };
 
@@ -280,7 +284,8 @@ class BySlidingRule : public ByRule<fast::SlidingContact> {
       return std::fabs(std::log(std::max(distance, distance_error) / line.span));
     };
     const double of_powers = uncertainty() * (4 + logarithm(ahead) + logarithm(behind));
-    return times(peak_pressure(), {shape.value, shape.error + shape.value * of_powers});
+    const Estimate peak{line.peak_pressure, uncertainty() * line.peak_pressure};
+    return times(peak, {shape.value, shape.error + shape.value * of_powers});
   }
 };
 
