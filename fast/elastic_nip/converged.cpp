@@ -88,6 +88,12 @@ struct ConvergedElasticNip::Implementation {
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
   }
   [[nodiscard]] bool grips() const { return surface.friction == data::Friction::full; }
+  /// What pressure and shear together lack at y, unit of length, dimensionless.
+  [[nodiscard]] double tractions_lack(double y) const {
+    const double shear =
+        grips() ? 2 * traction_at(y, &Traction::shear, fast::peak_shear(ladder.last())).error : 0;
+    return (pressure_at(y).error + shear) / units.pressure;
+  }
   [[nodiscard]] Estimate pressure_at(double y) const {
     return traction_at(y, &Traction::pressure, ladder.last().traction(half_length()).pressure);
   }

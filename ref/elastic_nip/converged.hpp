@@ -42,10 +42,10 @@ class ConvergedElasticNip {
   /// makes. Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
-  [[nodiscard]] Enclosure surface_strain(double y) const;           ///< v', dimensionless
-  [[nodiscard]] int terms() const;                                  ///< of the expansion
-  [[nodiscard]] long kernel_values() const;                         ///< of I1, taken so far
-  [[nodiscard]] long coupling_values() const;                       ///< of I3, taken so far
+  [[nodiscard]] Enclosure surface_strain(double y) const;  ///< v', dimensionless
+  [[nodiscard]] int terms() const;                         ///< of the expansion
+  [[nodiscard]] long kernel_values() const;                ///< of I1, taken so far
+  [[nodiscard]] long coupling_values() const;              ///< of I3, taken so far
 
  private:
   struct Implementation;
