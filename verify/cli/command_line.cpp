@@ -55,8 +55,8 @@ void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
   sub->add_option(verb.words.empty() ? "option" : verb.words, raw.words, verb.meaning_of_words)
       ->option_text(verb.words.empty() ? "name=value ..." : "...");
   for (const OptionText& option : verb.options) {
-    sub->add_option((option.letter.empty() ? "" : "-" + option.letter + ",") + "--" + option.name,
-                    raw.options[option.name], option.meaning + "; also " + option.name + "=...");
+    sub->add_option(names_of(option), raw.options[option.name],
+                    option.meaning + "; also " + option.name + "=...");
   }
   for (const OptionText& flag : verb.flags)
     sub->add_flag("--" + flag.name, raw.flags[flag.name], flag.meaning);

@@ -274,6 +274,10 @@ std::string_view exit_statuses() {
          "An error is one line on standard error; with --json it is an answer on standard output as well.";
 }
 
+std::string names_of(const OptionText& option) {
+  return (option.letter.empty() ? "" : "-" + option.letter + ",") + "--" + option.name;
+}
+
 std::span<const VerbText> verbs() { return all_verbs; }
 
 const VerbText& find_verb(const std::string& name) {

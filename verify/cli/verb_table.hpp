@@ -12,6 +12,9 @@ struct OptionText {
   std::string letter = {};  ///< "o" where -o is short for it
 };
 
+/// "-o,--output"
+std::string names_of(const OptionText& option);
+
 /// What a verb takes, and what its help says.
 struct VerbText {
   std::string name;

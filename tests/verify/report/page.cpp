@@ -19,6 +19,7 @@
 #include <nipref/verify/figures/figures.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/report/page.hpp>
+#include <nipref/verify/support/text.hpp>
 
 #include "support/scratch_file.hpp"
 
@@ -246,14 +247,14 @@ TEST_CASE("what became of an older report stands at the top of the page") {
 
 TEST_CASE("the report's text is one screen of 80 columns") {
   Report report = small_report();
-  std::istringstream lines(report_text(report, "somewhere"));
+  std::istringstream lines(plain(report_text(report, "somewhere")));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     CAPTURE(line);
     CHECK(line.size() <= 80);
   }
   CHECK(count <= 30);
-  const std::string text = report_text(report, "somewhere");
+  const std::string text = plain(report_text(report, "somewhere"));
   CHECK(in_page(text, "audit      all 3 quantities kept; closest to its promise: "));
   CHECK(in_page(text, "1 of 2 promised ratios met"));
   CHECK(in_page(text, "page       somewhere\n"));
@@ -263,7 +264,8 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   CHECK_FALSE(report.kept(true));  // a ratio of times is
   report.quantities[0].allowance_used = 1.5;
   CHECK_FALSE(report.kept(false));
-  CHECK(in_page(report_text(report, ""), "2 of 3 quantities kept; closest to its promise: I1 with 150 %"));
+  CHECK(in_page(plain(report_text(report, "")),
+                "2 of 3 quantities kept; closest to its promise: I1 with 150 %"));
 }
 
 TEST_CASE(

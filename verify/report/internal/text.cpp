@@ -6,36 +6,24 @@
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/report/internal/counts.hpp>
 #include <nipref/verify/report/report.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
 
-constexpr std::size_t columns = 80;
-constexpr std::size_t margin = 11;
-
-/// A part's name, and what there is to say of it, broken into lines at spaces.
+/// A part's name, and what there is to say of it.
 std::string paragraph(std::string_view part, std::string_view says) {
-  std::string text, line = fmt::format("{:<{}}", part, margin);
-  bool is_empty = true;
-  while (!says.empty()) {
-    const std::size_t end = std::min(says.find(' '), says.size());
-    const std::string_view word = says.substr(0, end);
-    if (!is_empty && line.size() + 1 + word.size() > columns) {
-      text += line + "\n";
-      line = std::string(margin, ' ');
-      is_empty = true;
-    }
-    if (!is_empty) line += ' ';
-    line += word;
-    is_empty = false;
-    says.remove_prefix(std::min(end + 1, says.size()));
-  }
-  return text + line + "\n";
+  return folded(fmt::format("{:<11}{}\n", part, says));
+}
+
+/// In the colour of a verdict.
+std::string judged(std::size_t some, std::size_t all, std::string_view what) {
+  return verdict(some == all, counted(some, all, what));
 }
 
 std::string audit_line(const Report& report) {
   const AuditResult* const closest = closest_to_its_promise(report.quantities);
-  std::string text = counted(kept_in(report.quantities), report.quantities.size(), "quantities kept");
+  std::string text = judged(kept_in(report.quantities), report.quantities.size(), "quantities kept");
   if (closest != nullptr)
     text += fmt::format("; closest to its promise: {} with {:.0f} %", closest->quantity->name,
                         100 * closest->allowance_used);
@@ -47,7 +35,7 @@ std::string speed_line(const Report& report) {
   for (const BenchRatio* ratio : headline_ratios(report.speed))
     text += fmt::format("{}: {} times; ", ratio->what, two_digits(ratio->measured));
   const auto met = static_cast<std::size_t>(std::ranges::count_if(report.speed.ratios, &BenchRatio::met));
-  return text + counted(met, report.speed.ratios.size(), "promised ratios met");
+  return text + judged(met, report.speed.ratios.size(), "promised ratios met");
 }
 
 std::string contacts_line(const Report& report) {
@@ -63,15 +51,15 @@ std::string contacts_line(const Report& report) {
       report.hard_cases, [](const ContactAudit& audit) { return audit.kept().value_or(false); });
   return fmt::format(
       "{} random scenes, {} numbers with a truth: errors of {}; {} hard cases with a truth kept", scenes,
-      numbers, uncovered == 0 ? "all cover" : fmt::format("{} do NOT cover", uncovered),
+      numbers, uncovered == 0 ? good("all cover") : bad(fmt::format("{} do NOT cover", uncovered)),
       fraction(static_cast<std::size_t>(kept), static_cast<std::size_t>(with_truth)));
 }
 
 std::string witness_line(const Witness& witness) {
   if (!witness.installed) return "skipped: CalculiX is not installed";
   return "CalculiX confirms " +
-         counted(static_cast<std::size_t>(std::ranges::count_if(witness.contacts, &Witnessed::agrees)),
-                 witness.contacts.size(), "contacts");
+         judged(static_cast<std::size_t>(std::ranges::count_if(witness.contacts, &Witnessed::agrees)),
+                witness.contacts.size(), "contacts");
 }
 
 std::string tables_line(const Report& report) {
@@ -86,7 +74,7 @@ std::string tables_line(const Report& report) {
   }
   return fmt::format("{} cells of {} tables: {}{}", cells, report.tables.size(),
                      text.substr(std::min<std::size_t>(2, text.size())),
-                     report.tables_fall_short ? "; NOT all of these are known" : "");
+                     report.tables_fall_short ? "; " + bad("NOT all of these are known") : "");
 }
 
 std::string seeds_line(const Report& report) {
@@ -114,7 +102,7 @@ std::string golden_line(const Report& report) {
     rows += one.file.rows.size();
     looked_at += one.checked.rows;
   }
-  return fmt::format("{}; {} of {} values looked at", counted(kept, report.golden.size(), "quantities kept"),
+  return fmt::format("{}; {} of {} values looked at", judged(kept, report.golden.size(), "quantities kept"),
                      looked_at, rows);
 }
 
@@ -147,8 +135,8 @@ std::string report_text(const Report& report, const std::string& where_more_is) 
          paragraph("tables", tables_line(report)) + paragraph("seeds", seeds_line(report)) +
          paragraph("claims", claims_line(report)) +
          paragraph("limits",
-                   counted(approached, report.limits.size(), "closed forms approached as they must be")) +
-         paragraph("errata", counted(settled, report.errata.size(), "misprinted formulas settled")) +
+                   judged(approached, report.limits.size(), "closed forms approached as they must be")) +
+         paragraph("errata", judged(settled, report.errata.size(), "misprinted formulas settled")) +
          paragraph("golden", golden_line(report)) + paragraph("page", where_more_is);
 }
 
