@@ -145,7 +145,7 @@ TEST_CASE("the strain is the slope of the tangential displacement, in the contac
   }
 }
 
-TEST_CASE("nothing slips where it sticks; without friction the mean slip in the contact is none") {
+TEST_CASE("nothing slips where it sticks, and without friction the mean slip in the contact is none") {
   const auto gripped = verify::solve(stretching("intermediate-full-friction", 9));
   const auto& none = gripped.profile("slip");
   for (std::size_t i = 0; i + 1 < none.size(); ++i) {
