@@ -190,7 +190,7 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
                                             const SurfaceDirection& psi, int digits) {
   check_digits(digits);
   oblique_cosine(motion, psi, 4 * digits);
-  if (!surface_wave_inertia(solid, psi, 24)) return std::nullopt;
+  if (!surface_wave_inertia(solid, psi, bits_of(digits * std::numbers::ln10))) return std::nullopt;
   return enclose(digits, 0, [&](double nats) {
     const auto inertia = surface_wave_inertia(solid, psi, bits_of(nats));
     if (!inertia) {

@@ -21,7 +21,8 @@ Enclosure limiting_speed(const ExactStiffness& solid, const SurfaceDirection& mo
 
 /// The speed of the surface wave, where det M = 0 and the compliance has its pole. Proven by opposite signs
 /// of det M in interval arithmetic; M falls with the speed and never has two eigenvalues below 0, so there is
-/// no other. Nothing where no such wave is slower than 1 - 1e-12 of the limiting speed.
+/// no other. Nothing where no such wave is slower than the limiting speed in these digits: next to a
+/// direction in which the limiting wave itself leaves the surface free there is one as near to it as one likes.
 std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const SurfaceDirection& motion,
                                             const SurfaceDirection& psi, int digits);
 

@@ -53,9 +53,6 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
   }
   return std::nullopt;
 }
-
-/// w = sqrt(1 - inertia/limiting): near the limiting speed M is smooth in w.
-constexpr double nearest_w = 1.0 / (1 << 20);
 /// With which a bracket of the root lies below the limiting speed.
 constexpr mpfr_prec_t fewest_bits = 48;
 
@@ -111,17 +108,19 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
 
 std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
                                              mpfr_prec_t wanted_bits) {
-  const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 2 * bits + 64;
+  const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 3 * bits + 64;
   const WorkingDigits working(digits_of(precision));
-  const Float limit = middle_of(limiting_inertia(solid, psi, 64));
+  const Float limit = middle_of(limiting_inertia(solid, psi, bits + 24));
+  // Next to where the limiting wave itself leaves the surface free a surface wave is as near as one likes.
+  const Float nearest_w = power_of_two(-bits / 2 - 4);
   const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };
   const auto f = [&](const Float& w) {
     const auto value = determinant(solid, psi, inertia(w), precision);
     if (!value) refuse_proof(psi, surface_wave);
     return middle_of(*value);
   };
-  if (!(f(Float(nearest_w)) < 0)) return std::nullopt;
-  const auto w = bracketed_root(f, Float(1), Float(nearest_w), power_of_two(-bits - 8));
+  if (!(f(nearest_w) < 0)) return std::nullopt;
+  const auto w = bracketed_root(f, Float(1), nearest_w, power_of_two(-bits - 8));
   if (!w) refuse_proof(psi, surface_wave);
   return proven_bracket(solid, psi, inertia(*w), bits, precision);
 }

@@ -18,7 +18,7 @@ inline constexpr auto surface_wave = "surface wave";
 /// Of the limiting speed.
 Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t bits);
 
-/// Of the surface wave; nothing where none is slower than 1 - 1e-12 of the limiting speed.
+/// Of the surface wave; nothing where none is slower than 1 - 2^(-bits - 8) of the limiting speed.
 std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const SurfaceDirection& psi,
                                              mpfr_prec_t bits);
 

@@ -474,3 +474,25 @@ TEST_CASE("where no proof is found, that is said of the solid") {
   CHECK_THROWS_WITH_AS(ref::critical_speed(solid, degrees(30), 20),
                        doctest::Contains("solid = (as given): must be"), data::BadInput);
 }
+
+TEST_CASE(
+    "next to a direction whose limiting wave leaves the surface free the surface wave is found, however near") {
+  // In the isotropic plane of this solid its slowest wave is polarised across it. Off that plane by psi the surface wave
+  // is slower by a part of the order of psi^4.
+  const data::TransverselyIsotropicSolid solid{452.1195822851164, 106.19561867964458, 16.527558334339567,
+                                               75.78427765697768, 341.9812791367929,  0.9470167972555632};
+  const ref::ExactStiffness stiffness =
+      exact_stiffness(ref::ExactTransverse(solid), data::SymmetryAxis::in_plane);
+  const auto motion = ref::SurfaceDirection::of_degrees(ref::Exact(0.0));
+  const auto slower_by = [&](double psi) {
+    const auto line = ref::SurfaceDirection::of_degrees(ref::Exact(psi));
+    const auto wave = ref::surface_wave_speed(stiffness, motion, line, 30);
+    REQUIRE(wave.has_value());
+    return static_cast<double>(1 - Float(wave->value_text()) /
+                                       Float(ref::limiting_speed(stiffness, motion, line, 30).value_text()));
+  };
+  const double near = slower_by(0.01), nearer = slower_by(0.005);
+  CHECK(near > 0);
+  CHECK(near < 1e-14);
+  CHECK(near / nearer == doctest::Approx(16).epsilon(1e-3));
+}

@@ -117,6 +117,9 @@ Quantity entry_separation() {
       "Psi_R, degrees: lines nearer to the motion see more than the Rayleigh speed, of which `speed` is beyond",
       "brock2012 (55)");
   entry.unit = "degree";
+  // Its square is what the speed is beyond: two words of that, against one, leave so much at the first doubles beyond.
+  entry.scale = "1e-5 or the value";
+  entry.envelope = [](Doubles) { return 1e-5; };
   entry.arguments = {{"poisson", ArgumentKind::poisson, {}, {}}, {"speed", ArgumentKind::positive, {}, {}}};
   const auto next_to_rayleigh = [](double poisson) {
     return std::nextafter(fast::isotropic_rayleigh_speed(poisson), 1);
