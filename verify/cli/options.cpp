@@ -55,7 +55,10 @@ SceneRequest scene_request(const CommandLine& line, std::string_view verb, int u
 
 std::size_t points_option(const CommandLine& line) { return count_option(line, "points", 100'000'000, 0); }
 
-std::size_t scenes_option(const CommandLine& line) { return count_option(line, "scenes", 1'000'000, 300); }
+std::size_t scenes_option(const CommandLine& line) {
+  // A report has much else to do.
+  return count_option(line, "scenes", 1'000'000, line.verb == "report" ? 100 : 300);
+}
 
 std::string seed_option(const CommandLine& line) { return line.option("seed").value_or("1"); }
 

@@ -40,6 +40,9 @@ const OptionText points_text{
 const OptionText density_option{
     "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
 
+const OptionText report_density_option{
+    "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 0.3)"};
+const OptionText report_scenes_option{"scenes", "random scenes to be audited, 1 to 1000000 (default 100)"};
 const OptionText scenes_option{"scenes",
                                "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
 const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
@@ -245,14 +248,15 @@ const std::array all_verbs{
         {strict_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref bench I1", "nipref bench elastic-nip --strict", "nipref bench I1 --with ./mine.so",
          "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
-    VerbText{"report",
-             "Everything at once: one screen of text, and with -o a page with all plots and tables.",
-             "",
-             "",
-             {report_output_option, older_report_option, density_option, scenes_option, seed_option},
-             {quick_flag, thorough_flag, strict_flag, quiet_flag, json_flag, no_times_flag},
-             {"nipref report -o report", "nipref report --quick",
-              "nipref report --against old/report.json -o new"}},
+    VerbText{
+        "report",
+        "Everything at once: one screen of text, and with -o a page with all plots and tables.",
+        "",
+        "",
+        {report_output_option, older_report_option, report_density_option, report_scenes_option, seed_option},
+        {quick_flag, thorough_flag, strict_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref report -o report", "nipref report --quick",
+         "nipref report --against old/report.json -o new"}},
 };
 
 std::vector<std::string_view> names_of(std::span<const VerbText> verbs) {
