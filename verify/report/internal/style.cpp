@@ -55,16 +55,16 @@ td details, td details[open] { margin: 0; border: 0; padding: 0; } td summary { 
 .good { color: var(--good); } .bad { color: var(--bad); font-weight: 700; } .odd { color: var(--odd); }
 .match { background: var(--good-back); } .misprint { background: var(--odd-back); } .seed-error { background: var(--bad-back); }
 .unexplained { background: var(--ask-back); } .input { color: var(--soft); }
-@page { size: A4; margin: 14mm; }
+@page { size: A4 landscape; margin: 12mm; }
 @media print {
   :root { color-scheme: light; --back: #ffffff; --text: #000000; --soft: #444444; --line: #999999; --card: #ffffff; --link: #000000;
     --good: #0b5c22; --bad: #8f1d17; --odd: #5f3900; --good-back: #e3f5e6; --bad-back: #fde4e1; --odd-back: #fff1d6; --ask-back: #e8e6f5; }
   body { font-size: 9.5pt; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   main, header, nav, footer { max-width: none; padding: 0; }
-  .plots { grid-template-columns: 1fr 1fr; } .beside { grid-template-columns: 1fr; }
+  .plots { grid-template-columns: 1fr 1fr 1fr; }
   figure, tr, .headline li { break-inside: avoid; } h2, h3, summary { break-after: avoid; }
   .scroll { overflow: visible; } figure.sheet .scroll img { min-width: 0; } table { font-size: 6.5pt; }
-  th, td { padding: .1rem .25rem; } .wide { min-width: 0; overflow-wrap: anywhere; }
+  th, td { padding: .1rem .25rem; } .wide { min-width: 26mm; overflow-wrap: anywhere; }
 }
 )css";
 
