@@ -21,8 +21,11 @@ using Solution = SceneSolution<Estimate>;
 constexpr double best_accuracy = 1e-13;
 constexpr int ref_digits = 20;
 constexpr double longest_by_ref = 20;  // L/B
-/// Of the scenes that are compared with what takes the reference a second.
-constexpr double dear_share = 1.0 / 16;
+/// Of the scenes that are compared with what takes the reference a second, or ten where each line has equations of its
+/// own.
+constexpr double dear_share = 1.0 / 16, dearest_share = 1.0 / 64;
+/// Over the critical speed: beyond it integrals over lines that differ need thousands of them.
+constexpr double fastest_by_ref = 0.98;
 
 /// What the reference says: more digits than a double's, and how far it may be off.
 struct RefNumber {
@@ -173,21 +176,27 @@ bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, s
   return name != "span_ratio" && std::holds_alternative<data::GivenNormalForce>(problem.given);
 }
 
-/// Twofold integrals next to the critical speed, and any integral where each line has an eigenproblem of its own: they take
-/// the reference minutes.
-bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name) {
+/// Twofold integrals next to the critical speed, and integrals over lines that differ, next to it or with 21 constants:
+/// they take the reference minutes.
+bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name,
+                 double critical_speed) {
   if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, name);
-  return problem.rule != data::ContourRule::exact && (name == "centre_along" || name == "centre_across");
+  if (problem.rule != data::ContourRule::exact && (name == "centre_along" || name == "centre_across"))
+    return true;
+  const bool lines_crowd = !surface.all_lines_are_alike() && problem.speed > fastest_by_ref * critical_speed;
+  return lines_crowd && name != "critical_speed" && is_dear(problem, surface, name);
 }
 
-/// What takes the reference a second if `dear` only.
+/// What takes the reference a second or ten of the scenes drawn for it only.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
-                      const std::vector<std::string>& wanted, const Solution& solved, bool dear) {
+                      const std::vector<std::string>& wanted, const Solution& solved, Random& random) {
   const RefSurface surface(problem);
+  const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
+  const double critical_speed = solved["critical_speed"].value;
   comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
     const std::string_view name = result.what->name;
-    if (is_too_dear(problem, surface, name) || (!dear && is_dear(problem, surface, name)))
+    if (is_too_dear(problem, surface, name, critical_speed) || (!dear && is_dear(problem, surface, name)))
       return std::optional<Other>();
     try {
       const LongEstimate number =
@@ -256,7 +265,7 @@ void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& rando
   findings.seconds = solved.seconds;
   Comparisons comparisons(findings, solved, given_results(drawn));
   if (const auto* problem = std::get_if<data::HalfSpaceProblem>(&scene.system)) {
-    compare_with_ref(comparisons, *problem, scene.wanted, solved, random.chance(dear_share));
+    compare_with_ref(comparisons, *problem, scene.wanted, solved, random);
   } else {
     compare_with_ref(comparisons, drawn, solved, solvers);
     compare_at_best(comparisons, drawn, solvers);

@@ -121,8 +121,24 @@ Settlement parts() {
           integral(cosine, from, to), 1e-14};
 }
 
-/// A rigid rotation C of the sheet, u = C y and v = -C x, stretches nothing.
-Settlement rotation() { return {"dv/dy of a rotation C = 1", -1, 0, 0, 0}; }
+/// dv/dy under a shear load with the rotation C = 1 that the sheet may have besides, u = C y: v = -C x leaves it to
+/// Hooke's law in plane strain, over theta1 + theta2 as v is.
+Settlement rotation() {
+  const auto in_the_sheet = [](const char* name, const char* alpha, Assignments more = {}) {
+    more.insert(more.end(), {{"alpha", alpha}, {"depth", "0.5"}, {"load", "shear"}});
+    return SettledRow(name, more);
+  };
+  const auto v = [&](const char* alpha) {
+    return in_the_sheet("sheet.v", alpha, {{"eta", "3"}, {"poisson", "0.25"}}).by_fast;
+  };
+  constexpr double poisson = 0.25, step = 0x1p-9;
+  const double slope = (v("0.751953125") - v("0.748046875")) / (2 * step);
+  const double across = in_the_sheet("sheet.sx", "0.75").by_ref,
+               along = in_the_sheet("sheet.sy", "0.75").by_ref;
+  const double truth = (along - poisson / (1 - poisson) * across) / 2;
+  return {"dv/dy over theta1 + theta2 at alpha = 0.75, depth 0.5, with a rotation C = 1, nu = 1/4", slope - 1,
+          slope, truth, 1e-5};
+}
 
 /// One residue A, B at a, b of (6.10) and one term e^-lambda t of the material, after the load has passed: what (6.19)
 /// leaves for T < 0, B J4 - A J3. Phi and Psi of (6.21) are those that the last sum of (6.23) needs.
