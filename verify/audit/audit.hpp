@@ -20,6 +20,9 @@ using Evaluator = std::function<void(std::span<const Point> points, std::span<do
 /// fast, with a NaN where it refuses a point.
 Evaluator fast_evaluator(const Quantity& quantity, fast::Accuracy accuracy);
 
+/// The points of an audit come in blocks of so many at most, each drawn and searched by itself.
+inline constexpr std::size_t points_of_block = 4096;
+
 struct AuditOptions {
   /// About so many points; all hard cases are among them from about 10000 for each position on. 0: `density`
   /// times as many as the quantity's entry says, but one at least.
@@ -33,7 +36,8 @@ struct AuditOptions {
   std::vector<Point> more_points = {};
   std::optional<double> promise = {};  ///< units in the last place of the scale; none: the quantity's own
   std::string seed = {};               ///< any text: another one, other random points
-  bool search = true;                  ///< a tenth of the points is for a local search around the worst few
+  bool search = true;  ///< a tenth of the points of each block is for a local search around its worst few
+  std::size_t block = points_of_block;  ///< most points of a block
 
   /// The points that are asked for of this quantity.
   [[nodiscard]] std::size_t points_of(const Quantity& quantity) const;
@@ -64,13 +68,14 @@ struct AuditResult {
 };
 
 /// Another number, other points for the same options.
-inline constexpr int sampler_version = 2;
+inline constexpr int sampler_version = 3;
 
 /// The points that an audit looks at before its local search.
 std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options);
 
 /// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, round, dense and random
-/// points, then a local search around the worst few. Deterministic, whatever the number of threads. At full
+/// points, and in each block of them a local search around its worst few. Deterministic, whatever the number of threads.
+/// Memory: all points, for the spread. (The command line's audits, which do not tell that, keep a block.) At full
 /// accuracy the allowance is promise * ulp(scale); at a lower one rtol * scale, but not less than that. Points of
 /// ranges that the reference refuses are left out; BadInput if it refuses all of them.
 /// Throws Interrupted (support/internal/interrupt.hpp) if the process is.

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <numeric>
 
 #include <nipref/verify/audit/error_spread.hpp>
+#include <nipref/verify/audit/internal/error_tally.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -133,23 +133,29 @@ double place_on_axis(ArgumentKind kind, double value) {
   return spans_decades(kind) ? std::clamp(std::fabs(value), least_of_axis, most_of_axis) : value;
 }
 
+ErrorSpread error_spread(const ErrorTally& errors) {
+  return {.mean = errors.mean(),
+          .median = errors.percentile(0.5),
+          .percentile_90 = errors.percentile(0.9),
+          .percentile_99 = errors.percentile(0.99),
+          .percentile_999 = errors.percentile(0.999)};
+}
+
+void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
+                std::span<const Finding> findings) {
+  spread.along = varied_argument(quantity, points);
+  spread.decades = decades_of(spread.along, points, findings);
+  spread.wrong = wrong_region(points, findings);
+  spread.dots = dots_of(quantity, spread.along, points, findings);
+}
+
 ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
                          std::span<const Finding> findings) {
-  std::vector<double> errors;
-  errors.reserve(findings.size());
-  for (const Finding& finding : findings) errors.push_back(finding.ulps);
-  std::ranges::sort(errors);
-  const double sum = std::accumulate(errors.begin(), errors.end(), 0.0);
-  const std::size_t along = varied_argument(quantity, points);
-  return {sum / static_cast<double>(errors.size()),
-          percentile(errors, 0.5),
-          percentile(errors, 0.9),
-          percentile(errors, 0.99),
-          percentile(errors, 0.999),
-          along,
-          decades_of(along, points, findings),
-          wrong_region(points, findings),
-          dots_of(quantity, along, points, findings)};
+  ErrorTally errors;
+  for (const Finding& finding : findings) errors.add(finding.ulps);
+  ErrorSpread spread = error_spread(errors);
+  add_places(spread, quantity, points, findings);
+  return spread;
 }
 
 }  // namespace nipref::verify

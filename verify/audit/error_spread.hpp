@@ -43,10 +43,11 @@ double place_on_axis(ArgumentKind kind, double value);
 /// How errors are spread over points. A largest error alone misleads where it is a spike.
 struct ErrorSpread {
   double mean, median, percentile_90, percentile_99,
-      percentile_999;           ///< units in the last place of the scale
-  std::size_t along;            ///< the number of the argument by whose decades the errors are sorted
-  std::vector<Decade> decades;  ///< in the order of magnitude
-  std::optional<WrongRegion> wrong;
+      percentile_999;  ///< units in the last place of the scale
+  // Of points that are kept, by add_places:
+  std::size_t along = 0;             ///< the number of the argument by whose decades the errors are sorted
+  std::vector<Decade> decades = {};  ///< in the order of magnitude
+  std::optional<WrongRegion> wrong = {};
   /// In the order of the argument, or of its magnitude where that spans decades: of each of a hundred parts of its axis
   /// the largest and a few more. What lies beyond the ends of such an axis, 0 too, is taken to lie there. Errors that are
   /// infinite are left out.
@@ -60,8 +61,15 @@ struct Finding {
   double allowance_used;  ///< error over what is allowed
 };
 
-/// Of at least one point; each has a finding. Percentiles are errors that were found: the smallest that at least so
-/// many of a hundred points do not exceed.
+class ErrorTally;
+
+/// Percentiles are errors that at least so many of a hundred points do not exceed: a thirty-second more at most than the
+/// smallest such error that was found, or 1/64 where that is less, and never more than the largest. Of at least one.
+ErrorSpread error_spread(const ErrorTally& errors);
+/// Where they lie. Of at least one point; each has a finding.
+void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
+                std::span<const Finding> findings);
+/// Both.
 ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
                          std::span<const Finding> findings);
 

@@ -34,7 +34,9 @@ AuditOptions audit_options(const CommandLine& line) {
       throw data::BadInput(name, line.option(name).value_or("(given)"), "must be left out beside " + first);
     first = name;
   }
-  return {points_option(line), accuracy_option(line), {}, density_option(line)};
+  AuditOptions options{points_option(line), accuracy_option(line), {}, density_option(line)};
+  options.seed = seed_option(line);
+  return options;
 }
 
 std::vector<AuditResult> audit_all(const std::vector<const Quantity*>& quantities, AuditOptions options,

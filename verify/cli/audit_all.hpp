@@ -11,8 +11,8 @@
 
 namespace nipref::verify {
 
-/// How many points and which accuracy the command line asks for: --points, or one of --density, --quick and
-/// --thorough, and --rtol. BadInput for what is out of its domain, and for two of the first four.
+/// How many points, drawn from what, and which accuracy the command line asks for: --points, or one of --density, --quick
+/// and --thorough, --seed and --rtol. BadInput for what is out of its domain, and for two of the first four.
 AuditOptions audit_options(const CommandLine& line);
 
 /// Audits one quantity after the other, in these ranges of its arguments (see ranges.hpp). Those that are finished, if the

@@ -8,6 +8,7 @@
 
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/golden/checksums.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -81,6 +82,12 @@ Json version_json() {
           {"instruction_set", fast::instruction_set()},
           {"processor", processor_name()},
           {"cores", cores()}};
+}
+
+Json program_json() {
+  Json program = version_json().without("processor").without("cores");
+  program.set("sha256", sha256(bytes_of("/proc/self/exe")));
+  return program;
 }
 
 }  // namespace nipref::verify

@@ -21,4 +21,8 @@ std::string machine_text();
 /// The same as "nipref" in every answer.
 Json version_json();
 
+/// This program, whatever machine it runs on: what it was built from and with, the instruction set that fast uses, and
+/// the SHA-256 of the program's file.
+Json program_json();
+
 }  // namespace nipref::verify

@@ -38,6 +38,7 @@ int run(const verify::CommandLine& line, std::ostream& out) {
   if (line.verb == "solve") return verify::solve_verb(line, out);
   if (line.verb == "balance") return verify::balance_verb(line, out);
   if (line.verb == "audit") return verify::audit_verb(line, out);
+  if (line.verb == "merge") return verify::merge_verb(line, out);
   if (line.verb == "points") return verify::points_verb(line, out);
   if (line.verb == "grade") return verify::grade_verb(line, out);
   if (line.verb == "golden") return verify::golden_verb(line, out);

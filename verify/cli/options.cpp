@@ -53,7 +53,10 @@ SceneRequest scene_request(const CommandLine& line, std::string_view verb, int u
   return {scene_file_of(line, verb), path == "ref" ? std::optional(digits) : std::nullopt};
 }
 
-std::size_t points_option(const CommandLine& line) { return count_option(line, "points", 100'000'000, 0); }
+std::size_t points_option(const CommandLine& line) {
+  // An audit keeps a block of them at a time.
+  return count_option(line, "points", line.verb == "audit" ? 1'000'000'000'000 : 100'000'000, 0);
+}
 
 std::size_t scenes_option(const CommandLine& line) {
   // A report has much else to do.

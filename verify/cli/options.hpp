@@ -16,7 +16,7 @@ namespace nipref::verify {
 // if it is wrong.
 
 fast::Accuracy accuracy_option(const CommandLine& line);
-/// 0 if it is not there; "1e4" is a whole number too.
+/// 0 if it is not there; "1e4" is a whole number too; to 1e8, of an audit to 1e12.
 std::size_t points_option(const CommandLine& line);
 
 /// Random scenes that an audit of contacts draws, 300 if it is not said; "1e4" is a whole number too.

@@ -36,7 +36,7 @@ const OptionText form_option{
     "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
 const OptionText points_text{
     "points",
-    "points for each of the named quantities, 1 to 1e8 (default: each its own, 3 to 20000, see list)"};
+    "points for each of the named quantities, 1 to 1e12 (default: each its own, 3 to 20000, see list)"};
 const OptionText density_option{
     "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
 
@@ -46,6 +46,15 @@ const OptionText report_scenes_option{"scenes", "random scenes to be audited, 1 
 const OptionText scenes_option{"scenes",
                                "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
 const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
+const OptionText audit_seed_option{"seed", "any text, from which points and scenes are drawn (default 1)"};
+const OptionText out_option{
+    "out",
+    "folder, made if need be, to which each finished block of 4096 points, or 32 scenes, is "
+    "written; the same command goes on where it was ended, killed or not"};
+const OptionText shard_option{
+    "shard",
+    "with --out: do this part of the blocks, i/N for the i-th of N processes, or env for what Open MPI, MPICH, Slurm "
+    "or an indexed job of Kubernetes says (there JOB_COMPLETIONS is to be set); then merge"};
 
 const OptionText sweep_points_text{"points",
                                    "values of each range, 1 to 1e8 (default 100); combinations up to 1e7"};
@@ -198,11 +207,20 @@ const std::array all_verbs{
         "quantity",
         "names of quantities, and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their "
         "whole domain; or contacts for hard cases of whole contacts and random scenes (default: all of it)",
-        {points_text, density_option, rtol_option, scenes_option, seed_option, since_option, isa_option},
+        {points_text, density_option, rtol_option, scenes_option, audit_seed_option, since_option, isa_option,
+         out_option, shard_option},
         {changed_flag, quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref audit --changed --quick", "nipref audit I1 I6 --points 1e6",
-         "nipref audit I6 alpha=1e-6..20:log eta=2", "nipref audit contacts --scenes 20000 --seed 7"},
+         "nipref audit I6 alpha=1e-6..20:log eta=2", "nipref audit contacts --scenes 20000 --seed 7",
+         "mpirun -n 8 nipref audit I1 --points 1e9 --out run --shard env"},
         true},
+    VerbText{"merge",
+             "What the shards of an audit have found, as one process would have told it.",
+             "run",
+             "folders that 'audit --out' has written, of one and the same program, command and inputs",
+             {},
+             {json_flag, no_times_flag},
+             {"nipref merge run", "nipref merge run-of-one-machine run-of-another --json"}},
     VerbText{
         "points",
         "Arguments for somebody else's program, as CSV; it adds a column of values for grade.",

@@ -13,6 +13,7 @@ int eval_verb(const CommandLine& line, std::ostream& out);
 int solve_verb(const CommandLine& line, std::ostream& out);
 int balance_verb(const CommandLine& line, std::ostream& out);
 int audit_verb(const CommandLine& line, std::ostream& out);
+int merge_verb(const CommandLine& line, std::ostream& out);
 int points_verb(const CommandLine& line, std::ostream& out);
 int grade_verb(const CommandLine& line, std::ostream& out);
 int golden_verb(const CommandLine& line, std::ostream& out);

@@ -4,10 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace nipref::verify {
+#include <nipref/verify/support/sha256.hpp>
 
-/// SHA-256 of these bytes, 64 hexadecimal digits.
-std::string sha256(std::string_view bytes);
+namespace nipref::verify {
 
 /// Every byte of a file. BadInput if it cannot be read.
 std::string bytes_of(const std::filesystem::path& path);

@@ -1,3 +1,5 @@
+#include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -60,6 +62,56 @@ Json Json::without(std::string_view key) const {
   return Json(Value{std::move(changed)});
 }
 
-std::string Json::text() const { return value_->tree.dump(2, ' ', false, Tree::error_handler_t::replace) + "\n"; }
+std::string Json::text() const {
+  return value_->tree.dump(2, ' ', false, Tree::error_handler_t::replace) + "\n";
+}
+std::string Json::line() const { return value_->tree.dump(-1, ' ', false, Tree::error_handler_t::replace); }
+
+Json Json::parse(std::string_view text) {
+  Tree tree = Tree::parse(text, nullptr, false);
+  if (tree.is_discarded()) throw JsonMisfit("no JSON");
+  return Json(Value{std::move(tree)});
+}
+
+Json Json::at(std::string_view key) const {
+  const auto found = value_->tree.find(std::string(key));
+  if (!value_->tree.is_object() || found == value_->tree.end()) throw JsonMisfit(std::string(key));
+  return Json(Value{*found});
+}
+
+std::vector<Json> Json::items() const {
+  if (!value_->tree.is_array()) throw JsonMisfit("no list");
+  std::vector<Json> list;
+  for (const Tree& item : value_->tree) list.push_back(Json(Value{item}));
+  return list;
+}
+
+std::string Json::as_text() const {
+  if (!value_->tree.is_string()) throw JsonMisfit("no text");
+  return value_->tree.get<std::string>();
+}
+
+std::uint64_t Json::as_count() const {
+  if (!value_->tree.is_number_unsigned() &&
+      !(value_->tree.is_number_integer() && value_->tree.get<long>() >= 0))
+    throw JsonMisfit("no count");
+  return value_->tree.get<std::uint64_t>();
+}
+
+bool Json::is_null() const { return value_->tree.is_null(); }
+
+Json exact_json(double number) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%a", number);
+  return std::string_view(text.data());
+}
+
+double exact_double(const Json& json) {
+  const std::string text = json.as_text();
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0') throw JsonMisfit("no number");
+  return number;
+}
 
 }  // namespace nipref::verify

@@ -1,15 +1,22 @@
 #pragma once
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace nipref::verify {
+
+/// Thrown where text is no JSON, or JSON is not what is read from it: what, in a word or two.
+struct JsonMisfit : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// What a verb answers to machines: null, a truth value, a number, text, a list, or an object whose keys keep
 /// their order. What is not known is null: an empty optional, and a number that is infinite or none. A wall
@@ -50,6 +57,16 @@ class Json {
 
   /// Indented by two, with a line break at the end; what is no UTF-8 is replaced.
   [[nodiscard]] std::string text() const;
+  /// The same in one line, with no line break.
+  [[nodiscard]] std::string line() const;
+
+  // Reading: JsonMisfit where it is something else.
+  static Json parse(std::string_view text);
+  [[nodiscard]] Json at(std::string_view key) const;
+  [[nodiscard]] std::vector<Json> items() const;
+  [[nodiscard]] std::string as_text() const;
+  [[nodiscard]] std::uint64_t as_count() const;
+  [[nodiscard]] bool is_null() const;
 
  private:
   struct Value;
@@ -64,5 +81,10 @@ Json json_list(const Items& items, ToJson to_json) {
   for (const auto& item : items) list.push_back(to_json(item));
   return list;
 }
+
+/// A double as text that stands for it to the last bit, infinities too.
+Json exact_json(double number);
+/// JsonMisfit for what is no such text.
+double exact_double(const Json& json);
 
 }  // namespace nipref::verify

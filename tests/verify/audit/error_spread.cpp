@@ -19,7 +19,7 @@ Finding of_ulps(double ulps) { return {ulps, ulps * 1e-16, ulps / 10}; }
 
 }  // namespace
 
-TEST_CASE("percentiles are errors that were found, and a spike does not move the median") {
+TEST_CASE("percentiles are errors that were found or a little more, and a spike does not move the median") {
   std::vector<Point> points;
   std::vector<Finding> findings;
   for (int i = 1; i <= 1000; ++i) {
@@ -27,9 +27,12 @@ TEST_CASE("percentiles are errors that were found, and a spike does not move the
     findings.push_back(of_ulps(i == 500 ? 1e6 : i * 1e-3));
   }
   const ErrorSpread spread = error_spread(two_positions(), points, findings);
-  CHECK(spread.median == 0.501);
-  CHECK(spread.percentile_90 == 0.901);
-  CHECK(spread.percentile_99 == 0.991);
+  const auto is_a_little_above = [](double told, double exact) {
+    return told >= exact && told <= exact * (1 + 1.0 / 32);
+  };
+  CHECK(is_a_little_above(spread.median, 0.501));
+  CHECK(is_a_little_above(spread.percentile_90, 0.901));
+  CHECK(is_a_little_above(spread.percentile_99, 0.991));
   CHECK(spread.percentile_999 == 1.0);
   CHECK(spread.mean == doctest::Approx((500.5 - 0.5 + 1e6) / 1000));
 }

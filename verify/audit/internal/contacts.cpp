@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -134,19 +135,61 @@ std::string verdict_of(const ContactAudit& audit) {
 
 }  // namespace
 
+std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
+  static_assert(hard_case_groups == 2 * poissons.size() * ratios.size());
+  const double ratio = ratios[group % ratios.size()];
+  const double poisson = poissons[group / ratios.size() % poissons.size()];
+  const Friction friction = group < hard_case_groups / 2 ? Friction::none : Friction::full;
+  std::vector<ContactAudit> audits;
+  for (const int m : elements) audits.push_back(audit_line_loads(friction, ratio, poisson, m));
+  audits.push_back(audit_converged(friction, ratio, poisson));
+  return audits;
+}
+
 std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress) {
   std::vector<ContactAudit> audits;
-  for (const Friction friction : {Friction::none, Friction::full}) {
-    for (const double poisson : poissons) {
-      for (const double ratio : ratios) {
-        if (interrupted()) return audits;
-        progress(fmt::format("L/B = {:g}, poisson = {:.3g}", ratio, poisson));
-        for (const int m : elements) audits.push_back(audit_line_loads(friction, ratio, poisson, m));
-        audits.push_back(audit_converged(friction, ratio, poisson));
-      }
-    }
+  for (std::size_t group = 0; group < hard_case_groups && !interrupted(); ++group) {
+    progress(fmt::format("{} of {}", group + 1, hard_case_groups));
+    std::ranges::move(audit_hard_cases(group), std::back_inserter(audits));
   }
   return audits;
+}
+
+namespace {
+
+// What a case has that may not be known.
+constexpr std::array optional_numbers{&ContactAudit::condition, &ContactAudit::oscillation,
+                                      &ContactAudit::error, &ContactAudit::kernel_error,
+                                      &ContactAudit::discretisation_error};
+
+}  // namespace
+
+Json contact_audit_found(const ContactAudit& audit) {
+  std::vector<Json> numbers;
+  for (const auto number : optional_numbers)
+    numbers.push_back(audit.*number ? exact_json(*(audit.*number)) : Json());
+  return {{"system", audit.system},
+          {"ratio", exact_json(audit.ratio)},
+          {"poisson", exact_json(audit.poisson)},
+          {"unknowns", audit.unknowns},
+          {"allowed", exact_json(audit.allowed)},
+          {"numbers", numbers}};
+}
+
+ContactAudit contact_audit_of(const Json& found) {
+  ContactAudit audit{.system = found.at("system").as_text(),
+                     .ratio = exact_double(found.at("ratio")),
+                     .poisson = exact_double(found.at("poisson")),
+                     .unknowns = static_cast<int>(found.at("unknowns").as_count()),
+                     .condition = {},
+                     .oscillation = {},
+                     .allowed = exact_double(found.at("allowed"))};
+  const std::vector<Json> numbers = found.at("numbers").items();
+  if (numbers.size() != optional_numbers.size()) throw JsonMisfit("numbers");
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!numbers[i].is_null()) audit.*optional_numbers[i] = exact_double(numbers[i]);
+  }
+  return audit;
 }
 
 std::string contact_audit_text(const std::vector<ContactAudit>& audits) {

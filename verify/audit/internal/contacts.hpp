@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -35,6 +36,15 @@ struct ContactAudit {
 /// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side; those that are finished
 /// if the process is interrupted.
 std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress);
+
+/// They come in groups of a friction, a Poisson's ratio and an L/B, with as many elements as there are.
+inline constexpr std::size_t hard_case_groups = 30;
+std::vector<ContactAudit> audit_hard_cases(std::size_t group);
+
+/// Of one of them as a block of a run tells it.
+Json contact_audit_found(const ContactAudit& audit);
+/// JsonMisfit for what contact_audit_found does not give.
+ContactAudit contact_audit_of(const Json& found);
 
 std::string contact_audit_text(const std::vector<ContactAudit>& audits);
 Json contact_audit_json(const std::vector<ContactAudit>& audits);

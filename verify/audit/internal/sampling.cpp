@@ -127,14 +127,16 @@ std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
   return order;
 }
 
-/// One point in each cell of each range, the cells of different ranges combined at random (Latin hypercube).
-void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random& random) {
+/// One point in each of the part's cells of each range, the cells of different ranges combined at random (Latin
+/// hypercube).
+void spread_over_ranges(const Ranges& ranges, std::vector<Point>& points, Random& random, std::size_t cells,
+                        Part part) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!ranges[i] || ranges[i]->fixed()) continue;
-    const std::vector<std::size_t> cells = shuffled(points.size(), random);
+    const std::vector<std::size_t> order = shuffled(points.size(), random);
     for (std::size_t j = 0; j < points.size(); ++j) {
-      const double fraction =
-          (static_cast<double>(cells[j]) + random.uniform()) / static_cast<double>(points.size());
+      const double fraction = (static_cast<double>(part.index + order[j] * part.of) + random.uniform()) /
+                              static_cast<double>(cells);
       points[j][i] = ranges[i]->at(fraction);
     }
   }
@@ -186,6 +188,12 @@ std::vector<Point> thinned(std::vector<Point> points, std::size_t limit) {
   return kept;
 }
 
+std::vector<Point> Part::taken(const std::vector<Point>& points) const {
+  std::vector<Point> some;
+  for (std::size_t i = index; i < points.size(); i += of) some.push_back(points[i]);
+  return some;
+}
+
 std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, Random& random) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
@@ -222,12 +230,12 @@ std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, 
 }
 
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
-                                Random& random) {
-  if (quantity.draw && ranges.empty()) return random_points(quantity, ranges, count, random);
+                                Random& random, Part part) {
+  if (quantity.draw && ranges.empty()) return random_points(quantity, ranges, part.size(count), random);
   std::vector<Point> points;
-  points.reserve(count);
+  points.reserve(part.size(count));
   const ArgumentKind kind = quantity.arguments.front().kind;
-  for (std::size_t cell = 0; cell < count; ++cell) {
+  for (std::size_t cell = part.index; cell < count; cell += part.of) {
     Point point = draw_point(quantity, ranges, random);
     if (!quantity.draw && !has_range(ranges, 0)) {
       const double value =
@@ -236,7 +244,7 @@ std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, 
     }
     points.push_back(std::move(point));
   }
-  spread_over_ranges(ranges, points, random);
+  spread_over_ranges(ranges, points, random, count, part);
   return points;
 }
 

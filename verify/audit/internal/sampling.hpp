@@ -13,6 +13,17 @@ namespace nipref::verify {
 // points. Ranges restrict arguments that have one: those are drawn evenly as the range is spaced; where none has one,
 // or none is given, the draws are those of the whole domain.
 
+/// Number `index`, and then every `of`-th.
+struct Part {
+  std::size_t index = 0, of = 1;
+
+  /// How many of so many it has.
+  [[nodiscard]] std::size_t size(std::size_t count) const {
+    return index < count ? (count - index - 1) / of + 1 : 0;
+  }
+  [[nodiscard]] std::vector<Point> taken(const std::vector<Point>& points) const;
+};
+
 /// One random value of an argument: half log-uniform over the whole domain, half over its middle.
 double draw(ArgumentKind kind, Random& random);
 
@@ -30,10 +41,10 @@ std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, R
 /// Each position at the quarters up to 50, where codes that interpolate have their knots, the other arguments random.
 std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
-/// `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
+/// A part of `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
 /// cell; each argument that has a range is spread so over that.
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
-                                Random& random);
+                                Random& random, Part part = {});
 
 /// `count` random points.
 std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,

@@ -33,7 +33,7 @@ std::string scene_tally_text(const std::vector<SceneTally>& tallies) {
   for (const SceneTally& tally : tallies) {
     table.add({verdict(tally.kept(), tally.kept() ? "kept" : "BROKEN"), std::string(tally.kind),
                fmt::format("{}", tally.numbers), fmt::format("{}", tally.uncovered),
-               fmt::format("{:.3g}", tally.worst.largest_ratio), or_dash(tally.median_overestimate, 3)});
+               fmt::format("{:.3g}", tally.worst.largest_ratio), or_dash(tally.median_overestimate(), 3)});
     table.add_below(fmt::format(
         "{} scenes, {} refused; {} unchecked; accuracy missed {}, unsaid {}; slowest {:.2g} s", tally.scenes,
         tally.refused, tally.unchecked, tally.missed_said, tally.missed_unsaid, tally.slowest.seconds));
@@ -51,7 +51,7 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"kind", tally.kind},
         {"scenes", tally.scenes},
         {"refused", tally.refused},
-        {"first_refusal", Json::unless_empty(tally.refusal)},
+        {"first_refusal", Json::unless_empty(tally.refused > 0 ? tally.refusal.refused : "")},
         {"failed", tally.failed},
         {"first_failure", failure_json(tally)},
         {"numbers", tally.numbers},
@@ -59,7 +59,7 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"not_covered", tally.uncovered},
         {"missed_said", tally.missed_said},
         {"missed_unsaid", tally.missed_unsaid},
-        {"median_overestimate", tally.median_overestimate},
+        {"median_overestimate", tally.median_overestimate()},
         {"largest_error_over_estimate", tally.worst.largest_ratio},
         {"worst",
          {{"index", tally.worst.index},

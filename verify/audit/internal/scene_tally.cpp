@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
@@ -7,44 +9,103 @@
 namespace nipref::verify {
 namespace {
 
-std::optional<double> middle_of(std::vector<double> numbers) {
-  if (numbers.empty()) return {};
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::ranges::nth_element(numbers, middle);
-  return *middle;
+constexpr std::array counts{&SceneTally::scenes,      &SceneTally::refused,      &SceneTally::failed,
+                            &SceneTally::numbers,     &SceneTally::unchecked,    &SceneTally::uncovered,
+                            &SceneTally::missed_said, &SceneTally::missed_unsaid};
+
+/// Of two that there are, the one with more of something, or the first.
+template <class Member>
+void take_worse(SceneFindings& kept, bool is_there, const SceneFindings& other, bool other_is_there,
+                Member member) {
+  if (!other_is_there) return;
+  if (is_there &&
+      (kept.*member > other.*member || (kept.*member == other.*member && kept.index < other.index)))
+    return;
+  kept = other;
 }
 
-void add(SceneTally& tally, const SceneFindings& findings) {
-  if (tally.scenes == 0) tally.worst = tally.slowest = findings;
-  ++tally.scenes;
-  if (!findings.refused.empty() && tally.refused++ == 0) tally.refusal = findings.refused;
-  if (!findings.failed.empty() && tally.failed++ == 0) tally.failure = findings;
-  tally.numbers += findings.numbers;
-  tally.unchecked += findings.unchecked;
-  tally.uncovered += findings.uncovered;
-  tally.missed_said += findings.missed_said;
-  tally.missed_unsaid += findings.missed_unsaid;
-  if (findings.largest_ratio > tally.worst.largest_ratio) tally.worst = findings;
-  if (findings.seconds > tally.slowest.seconds) tally.slowest = findings;
+void take_first(SceneFindings& kept, bool is_there, const SceneFindings& other, bool other_is_there) {
+  if (other_is_there && (!is_there || other.index < kept.index)) kept = other;
+}
+
+SceneTally tally_of(const SceneFindings& findings) {
+  SceneTally tally{.kind = drawn_kinds()[findings.index % drawn_kinds().size()],
+                   .scenes = 1,
+                   .refused = findings.refused.empty() ? 0U : 1U,
+                   .failed = findings.failed.empty() ? 0U : 1U,
+                   .numbers = findings.numbers,
+                   .unchecked = findings.unchecked,
+                   .uncovered = findings.uncovered,
+                   .missed_said = findings.missed_said,
+                   .missed_unsaid = findings.missed_unsaid,
+                   .refusal = findings,
+                   .failure = findings,
+                   .worst = findings,
+                   .slowest = findings};
+  for (const double overestimate : findings.overestimates) tally.overestimates.add(overestimate);
+  return tally;
+}
+
+Json findings_found(const SceneFindings& findings) {
+  return {{"index", findings.index},
+          {"refused", findings.refused},
+          {"failed", findings.failed},
+          {"ratio", exact_json(findings.largest_ratio)},
+          {"where", findings.where},
+          {"scene", findings.toml},
+          {"times", {{"seconds", exact_json(findings.seconds)}}}};
+}
+
+SceneFindings findings_of(const Json& found) {
+  SceneFindings findings;
+  findings.index = found.at("index").as_count();
+  findings.refused = found.at("refused").as_text();
+  findings.failed = found.at("failed").as_text();
+  findings.largest_ratio = exact_double(found.at("ratio"));
+  findings.where = found.at("where").as_text();
+  findings.toml = found.at("scene").as_text();
+  findings.seconds = exact_double(found.at("times").at("seconds"));
+  return findings;
 }
 
 }  // namespace
 
+void SceneTally::add(const SceneFindings& findings) { add(tally_of(findings)); }
+
+void SceneTally::add(const SceneTally& more) {
+  if (more.scenes == 0) return;
+  take_first(refusal, refused > 0, more.refusal, more.refused > 0);
+  take_first(failure, failed > 0, more.failure, more.failed > 0);
+  take_worse(worst, scenes > 0, more.worst, true, &SceneFindings::largest_ratio);
+  take_worse(slowest, scenes > 0, more.slowest, true, &SceneFindings::seconds);
+  kind = more.kind;
+  for (const auto count : counts) this->*count += more.*count;
+  overestimates.add(more.overestimates);
+}
+
+std::optional<double> SceneTally::median_overestimate() const {
+  return overestimates.count() == 0 ? std::nullopt : std::optional(overestimates.percentile(0.5));
+}
+
 std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings) {
-  const auto& kinds = drawn_kinds();
-  std::vector<SceneTally> tallies(kinds.size());
-  std::vector<std::vector<double>> overestimates(kinds.size());
-  for (const SceneFindings& found : findings) {
-    const std::size_t k = found.index % kinds.size();
-    add(tallies[k], found);
-    overestimates[k].insert(overestimates[k].end(), found.overestimates.begin(), found.overestimates.end());
-  }
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    tallies[k].kind = kinds[k];
-    tallies[k].median_overestimate = middle_of(std::move(overestimates[k]));
-  }
+  std::vector<SceneTally> tallies(drawn_kinds().size());
+  for (const SceneFindings& found : findings) tallies[found.index % tallies.size()].add(found);
+  return tallies;
+}
+
+std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies) {
   std::erase_if(tallies, [](const SceneTally& one) { return one.scenes == 0; });
   return tallies;
+}
+
+std::vector<SceneFindings> audit_scenes_from(std::size_t first, std::size_t count, const std::string& seed,
+                                             const std::function<void(double)>& progress,
+                                             const SceneSolvers& solvers) {
+  std::vector<SceneFindings> findings(count);
+  parallel_for(
+      count, [&](std::size_t i) { findings[i] = audit_scene(seed, first + i, solvers); },
+      [&](std::size_t done) { progress(static_cast<double>(done) / static_cast<double>(count)); });
+  return findings;
 }
 
 std::vector<SceneTally> audit_scenes(std::size_t count, const std::string& seed,
@@ -62,7 +123,32 @@ std::vector<SceneTally> audit_scenes(std::size_t count, const std::string& seed,
   for (const auto& found : findings) {
     if (found) finished.push_back(*found);
   }
-  return tally(finished);
+  return without_empty(tally(finished));
+}
+
+Json scene_tally_found(const SceneTally& tally) {
+  std::vector<Json> numbers;
+  for (const auto count : counts) numbers.emplace_back(tally.*count);
+  return {{"counts", numbers},
+          {"overestimates", tally.overestimates.json()},
+          {"refusal", tally.refused > 0 ? findings_found(tally.refusal) : Json()},
+          {"failure", tally.failed > 0 ? findings_found(tally.failure) : Json()},
+          {"worst", findings_found(tally.worst)},
+          {"times", {{"slowest", findings_found(tally.slowest)}}}};
+}
+
+SceneTally scene_tally_of(const Json& found) {
+  const std::vector<Json> numbers = found.at("counts").items();
+  if (numbers.size() != counts.size()) throw JsonMisfit("counts");
+  SceneTally tally;
+  for (std::size_t i = 0; i < counts.size(); ++i) tally.*counts[i] = numbers[i].as_count();
+  tally.overestimates = ErrorTally::of(found.at("overestimates"));
+  if (tally.refused > 0) tally.refusal = findings_of(found.at("refusal"));
+  if (tally.failed > 0) tally.failure = findings_of(found.at("failure"));
+  tally.worst = findings_of(found.at("worst"));
+  tally.slowest = findings_of(found.at("times").at("slowest"));
+  tally.kind = drawn_kinds()[tally.worst.index % drawn_kinds().size()];
+  return tally;
 }
 
 bool all_kept(const std::vector<SceneTally>& tallies) {

@@ -7,34 +7,51 @@
 #include <string_view>
 #include <vector>
 
+#include <nipref/verify/audit/internal/error_tally.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
-/// What was found about the drawn scenes of one kind: sums of SceneFindings.
+/// What was found about the drawn scenes of one kind: sums of SceneFindings, whatever their order. Of several that are
+/// equally bad the first of the seed stands for all.
 struct SceneTally {
-  std::string_view kind;
+  std::string_view kind = {};
   std::size_t scenes = 0;
   std::size_t refused = 0, failed = 0;
   std::size_t numbers = 0, unchecked = 0, uncovered = 0, missed_said = 0, missed_unsaid = 0;
-  std::optional<double> median_overestimate;
-  std::string refusal;    ///< the first one
-  SceneFindings failure;  ///< likewise
-  SceneFindings worst;    ///< that with the largest ratio of error to estimate
-  SceneFindings slowest;
+  ErrorTally overestimates = {};  ///< estimate over error
+  SceneFindings refusal = {};     ///< the first one; this and the next where there is one
+  SceneFindings failure = {};     ///< likewise
+  SceneFindings worst = {};       ///< that with the largest ratio of error to estimate
+  SceneFindings slowest = {};
 
+  void add(const SceneFindings& findings);
+  void add(const SceneTally& more);
   [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && missed_unsaid == 0; }
+  [[nodiscard]] std::optional<double> median_overestimate() const;
 };
 
-/// One for each kind of which there are findings.
+/// One for each kind, by its number.
 std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
+/// Of kinds of which there are scenes.
+std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
 
 /// Audits the first `count` scenes of `seed` on all cores; those that are finished, if the process is
-/// interrupted. progress(part done) is called now and then.
+/// interrupted. progress(part done) is called now and then. One for each kind of which there are scenes.
 std::vector<SceneTally> audit_scenes(std::size_t count, const std::string& seed,
                                      const std::function<void(double)>& progress,
                                      const SceneSolvers& solvers = {});
+
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Interrupted if the process is.
+std::vector<SceneFindings> audit_scenes_from(std::size_t first, std::size_t count, const std::string& seed,
+                                             const std::function<void(double)>& progress,
+                                             const SceneSolvers& solvers = {});
+
+/// Of one kind as a block of a run tells it; seconds are in "times".
+Json scene_tally_found(const SceneTally& tally);
+/// JsonMisfit for what scene_tally_found does not give.
+SceneTally scene_tally_of(const Json& found);
 
 /// A table, and below it the worst scene of each kind that has not kept its estimates.
 std::string scene_tally_text(const std::vector<SceneTally>& tallies);

@@ -20,7 +20,7 @@ Markup scenes_table(const std::vector<SceneTally>& scenes) {
                number_cell(std::to_string(tally.numbers - tally.unchecked)),
                number_cell(std::to_string(tally.uncovered)),
                number_cell(fmt::format("{:.3g}", tally.worst.largest_ratio)),
-               number_cell(or_dash(tally.median_overestimate, 3)),
+               number_cell(or_dash(tally.median_overestimate(), 3)),
                number_cell(std::to_string(tally.missed_said)),
                number_cell(std::to_string(tally.missed_unsaid)),
                number_cell(fmt::format("{:.2g}", tally.slowest.seconds))});

@@ -26,7 +26,7 @@ Markup reproduce_section(const Report& report) {
           element(
               "p",
               "Points of the audit are drawn from each quantity's name (sampler version " +
-                  std::to_string(sampler_version) + "), scenes from the seed \"" + report.seed +
+                  std::to_string(sampler_version) + ") and, as scenes, from the seed \"" + report.seed +
                   "\": errors are the same again, times are not. All numbers stand in report.json beside this page."));
 }
 

@@ -1,0 +1,205 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/run_folder.hpp>
+#include <nipref/verify/support/random.hpp>
+
+#include "support/run_nipref.hpp"
+#include "support/scratch_folder.hpp"
+
+using namespace nipref;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr auto fingerprint = "{\n  \"of\": \"this\",\n  \"works\": 1\n}\n";
+
+std::string text_in(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+/// A cheap audit of ten blocks.
+verify::AuditOptions ten_blocks() {
+  verify::AuditOptions options{200, {}, {}};
+  options.block = 20;
+  return options;
+}
+
+/// A process that has just been started: what it knows of the run.
+struct Process {
+  verify::QuantityWork work{verify::find_quantity("I3"), ten_blocks()};
+  std::vector<verify::BlockWork*> works{&work};
+  verify::BlocksThere there{works};
+  std::size_t done = 0;
+
+  /// Does blocks of the shard until there are `most` more.
+  void run(const fs::path& folder, verify::Shard shard, std::size_t most) {
+    verify::ShardFile file(folder, fingerprint, shard);
+    verify::read_blocks(folder, works, there);
+    for (std::size_t block = 0; block < work.blocks() && done < most; ++block) {
+      if (!shard.has(block) || there.has(0, block)) continue;
+      const verify::Json found = work.found_in(block, {});
+      file.append(work, block, found);
+      work.add(block, found);
+      ++done;
+    }
+  }
+};
+
+/// What is in the folder.
+std::string merged(const fs::path& folder) {
+  Process merging;
+  verify::read_blocks(folder, merging.works, merging.there);
+  CHECK(merging.there.gaps() == "");
+  return verify::audit_row_json(merging.work.result()).text();
+}
+
+std::string refusal_of(auto action) {
+  try {
+    action();
+  } catch (const data::BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool is_said(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE(
+    "a run that is killed again and again finds what one process finds, and does a block twice at most a kill") {
+  const ScratchFolder alone, killed;
+  Process one;
+  one.run(alone.path(), {}, 10);
+  REQUIRE(one.done == 10);
+  verify::Random random("kills");
+  std::size_t done = 0, kills = 0;
+  for (int round = 0; round < 12; ++round) {
+    for (const verify::Shard shard : {verify::Shard{0, 2}, verify::Shard{1, 2}}) {
+      Process process;
+      process.run(killed.path(), shard, random.index(3));
+      done += process.done;
+      // A kill amidst writing: part of the last line is there, or nothing.
+      const fs::path file = killed.path() / (shard.index == 0 ? "shard-1-of-2.jsonl" : "shard-2-of-2.jsonl");
+      const std::string text = text_in(file);
+      if (process.done == 0 || round > 8) continue;
+      const std::size_t start = text.rfind('\n', text.size() - 2) + 1;  // npos + 1 is the file's start
+      fs::resize_file(file, start + random.index(text.size() - start));
+      ++kills;
+    }
+  }
+  CHECK(kills > 5);
+  for (const verify::Shard shard : {verify::Shard{0, 2}, verify::Shard{1, 2}}) {
+    Process last;
+    last.run(killed.path(), shard, 10);
+    done += last.done;
+  }
+  CHECK(merged(killed.path()) == merged(alone.path()));
+  CHECK(done <= 10 + kills);
+}
+
+TEST_CASE("a run may go on in another number of shards, and be merged from several folders") {
+  const ScratchFolder first, second;
+  Process of_two, of_three;
+  of_two.run(first.path(), {0, 2}, 10);
+  CHECK(of_two.done == 5);
+  of_three.run(first.path(), {0, 3}, 10);
+  CHECK(of_three.done == 2);  // 3 and 9: 0 and 6 are there
+  Process elsewhere;
+  elsewhere.run(second.path(), {1, 2}, 10);
+  Process merging;
+  for (const auto* folder : {&second, &first})
+    verify::read_blocks(folder->path(), merging.works, merging.there);
+  CHECK(merging.there.gaps() == "");
+  const ScratchFolder alone;
+  Process().run(alone.path(), {}, 10);
+  CHECK(verify::audit_row_json(merging.work.result()).text() == merged(alone.path()));
+}
+
+TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
+  const ScratchFolder folder;
+  Process process;
+  process.run(folder.path(), {0, 2}, 3);
+  CHECK(process.there.count() == 0);  // what was there at the start
+  Process again;
+  verify::read_blocks(folder.path(), again.works, again.there);
+  CHECK(again.there.gaps() == "I3 block 1, I3 block 3, I3 blocks 5 to 9");
+  CHECK(again.there.count() == 3);
+  CHECK(again.there.of() == 10);
+
+  const fs::path file = folder.path() / "shard-1-of-2.jsonl", other = folder.path() / "shard-2-of-2.jsonl";
+  const std::string line = text_in(file).substr(0, text_in(file).find('\n') + 1);
+  const auto reading_refused = [&](const std::string& text) {
+    write(other, text);
+    return refusal_of([&] {
+      Process reader;
+      verify::read_blocks(folder.path(), reader.works, reader.there);
+    });
+  };
+  CHECK(reading_refused(line) == "");
+  std::string changed = line;
+  changed.replace(changed.find("\"points\":") + 9, 1, "9");
+  CHECK(is_said(reading_refused(line + changed),
+             "shard-2-of-2.jsonl:2: must have what another line has for I3 block 0"));
+  CHECK(is_said(reading_refused("rubbish\n"),
+             "shard-2-of-2.jsonl:1: must be the line of a block of this run (no JSON)"));
+  CHECK(is_said(reading_refused(R"({"work":"I3","block":10,"found":{}})"
+                             "\n"),
+             "must be the line of a block"));
+  CHECK(is_said(reading_refused(R"({"work":"I7","block":1,"found":{}})"
+                             "\n"),
+             "must be the line of a block"));
+  CHECK(reading_refused("{\"work\":\"I3\",\"bl") == "");  // half a line does not count
+}
+
+TEST_CASE("a folder takes no other run, and a shard no second process") {
+  const ScratchFolder folder;
+  const verify::ShardFile file(folder.path(), fingerprint, {0, 2});
+  CHECK(is_said(refusal_of([&] {
+               verify::ShardFile(folder.path(), fingerprint, {0, 2});
+             }),
+             "must be left to the process that is writing"));
+  CHECK(refusal_of([&] { verify::ShardFile(folder.path(), fingerprint, {1, 2}); }) == "");
+  std::string other = fingerprint;
+  other.replace(other.find("this"), 4, "that");
+  const std::string refusal = refusal_of([&] { verify::ShardFile(folder.path(), other, {1, 2}); });
+  CHECK(is_said(refusal, "there is \"of\": \"this\" where \"of\": \"that\" must be"));
+  CHECK(text_in(folder.path() / "run.json") == fingerprint);
+}
+
+TEST_CASE(
+    "audits in shards, merged, are answered as one process answers, and what does not fit is refused in a line") {
+  const ScratchFolder folder;
+  const std::string audit = "audit I3 root.re --points 9000 --quiet ",
+                    run_folder = "'" + (folder.path() / "run").string() + "'";
+  const Outcome alone = run(audit + "--json --no-times");
+  REQUIRE(alone.status == 0);
+  CHECK(run(audit + "--shard 2/2 --out " + run_folder).status == 0);
+  check_call_refused("merge " + run_folder,
+                     "must have all its blocks: without I3 block 0, I3 block 2, root.re block 0");
+  const Outcome shard = run(audit + "--shard 1/2 --json --out " + run_folder);
+  CHECK(is_said(shard.out, "\"blocks_done\": 4"));
+  const Outcome merged = run("merge --json --no-times " + run_folder);
+  CHECK(merged.status == 0);
+  CHECK(merged.out == alone.out);
+  CHECK(run(audit + "--json --no-times --out " + run_folder).out == alone.out);
+  check_call_refused("audit I3 --points 9000 --out " + run_folder,
+                     "must be of the same program, command and inputs");
+  check_call_refused("merge '" + folder.path().string() + "'", "must be a folder with a run.json");
+  check_call_refused("audit I3 --shard 1/2", "must be given with --out");
+  check_call_refused("audit I3 --shard 3/2 --out " + run_folder, "must be i/N");
+}

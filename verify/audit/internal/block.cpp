@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+#include <nipref/verify/audit/internal/block.hpp>
+#include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr std::size_t most_starts = 8;
+constexpr std::size_t least_steps = 10;  // as long as there is more than one start
+
+/// Few enough points that the threads have equally much to do, many enough that a batch is one.
+std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
+
+Compared compare(std::vector<Point> points, const Judge& judge,
+                 const std::function<void(std::size_t done)>& told) {
+  std::vector<std::optional<Finding>> findings(points.size());
+  const std::size_t batch = batch_of(points.size());
+  const auto of_batch = [&](std::size_t i) {
+    const std::size_t first = i * batch, count = std::min(batch, points.size() - first);
+    judge(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));
+  };
+  const auto progress = [&](std::size_t done) { told(done * batch); };
+  parallel_for((points.size() + batch - 1) / batch, of_batch,
+               told ? std::function<void(std::size_t)>(progress) : nullptr);
+  return compared_of(std::move(points), findings);
+}
+
+/// A value that is no number counts as an infinite error (see Deviation), so that this orders all findings.
+bool worse(const Finding& a, const Finding& b) { return a.allowance_used > b.allowance_used; }
+
+/// Numbers of the worst few findings, the worst first.
+std::vector<std::size_t> worst_few(const std::vector<Finding>& findings, std::size_t few) {
+  std::vector<std::size_t> order(findings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  few = std::min(few, order.size());
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(few), order.end(),
+                    [&](std::size_t a, std::size_t b) {
+                      if (worse(findings[a], findings[b])) return true;
+                      return !worse(findings[b], findings[a]) && a < b;
+                    });
+  order.resize(few);
+  return order;
+}
+
+struct Climb {
+  Point point;
+  Finding finding;
+};
+
+/// Hill climbing: a step is taken when it finds a worse point.
+Climb climb(const Quantity& quantity, const Ranges& ranges, const Judge& judge, Climb best, std::size_t steps,
+            const std::string& seed) {
+  Random random(seed);
+  for (std::size_t step = 0; step < steps; ++step) {
+    stop_if_interrupted();
+    Point next = perturbed(quantity, ranges, best.point, random);
+    const auto finding = judge(next);
+    if (finding && worse(*finding, best.finding)) best = {std::move(next), *finding};
+  }
+  return best;
+}
+
+void include(AuditTally& tally, const Finding& finding, const Point& point) {
+  tally.max_ulp = std::max(tally.max_ulp, finding.ulps);
+  tally.max_relative = std::max(tally.max_relative, finding.relative);
+  if (finding.allowance_used <= tally.allowance_used) return;
+  tally.allowance_used = finding.allowance_used;
+  tally.worst = point;
+  tally.worst_ulp = finding.ulps;
+}
+
+}  // namespace
+
+Compared compared_of(std::vector<Point> points, const std::vector<std::optional<Finding>>& findings) {
+  Compared compared;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!findings[i]) continue;
+    compared.points.push_back(std::move(points[i]));
+    compared.findings.push_back(*findings[i]);
+  }
+  compared.left_out = points.size() - compared.points.size();
+  return compared;
+}
+
+AuditTally tally_of(const Compared& compared) {
+  AuditTally tally{.points = compared.points.size(), .left_out = compared.left_out};
+  for (std::size_t i = 0; i < compared.points.size(); ++i) {
+    tally.errors.add(compared.findings[i].ulps);
+    include(tally, compared.findings[i], compared.points[i]);
+  }
+  return tally;
+}
+
+AuditTally audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
+                       const AuditPlan& plan, std::size_t block,
+                       const std::function<void(std::size_t done)>& told, Compared* keep) {
+  Compared compared = compare(plan.points(block), judge, told);
+  const std::size_t searched = plan.searched(block);
+  std::vector<Climb> climbs;
+  for (const std::size_t start :
+       worst_few(compared.findings, std::clamp<std::size_t>(searched / least_steps, 1, most_starts)))
+    climbs.push_back({compared.points[start], compared.findings[start]});
+  const std::size_t steps = climbs.empty() ? 0 : searched / climbs.size();
+  parallel_for(climbs.size(),
+               [&](std::size_t i) {
+                 climbs[i] = climb(quantity, ranges, judge, std::move(climbs[i]), steps,
+                                   fmt::format("{}/search/{}", plan.seed(block), i));
+               },
+               {});
+  AuditTally tally = tally_of(compared);
+  tally.points += steps * climbs.size();
+  tally.worst_block = block;
+  for (const Climb& found : climbs) include(tally, found.finding, found.point);
+  if (keep != nullptr) {
+    std::ranges::move(compared.points, std::back_inserter(keep->points));
+    std::ranges::move(compared.findings, std::back_inserter(keep->findings));
+  }
+  return tally;
+}
+
+AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
+                      const Point& first) {
+  if (tally.errors.count() == 0) static_cast<void>(ref_value(quantity, first, digits_beyond_double));
+  return {.quantity = &quantity,
+          .points = tally.points,
+          .left_out = tally.left_out,
+          .promise = options.promise_of(quantity),
+          .max_error_ulp = tally.max_ulp,
+          .max_relative_error = tally.max_relative,
+          .allowance_used = tally.allowance_used,
+          .worst = tally.worst,
+          .spread = error_spread(tally.errors),
+          .worst_ulp = tally.worst_ulp};
+}
+
+void AuditTally::add(const AuditTally& more) {
+  points += more.points;
+  left_out += more.left_out;
+  max_ulp = std::max(max_ulp, more.max_ulp);
+  max_relative = std::max(max_relative, more.max_relative);
+  errors.add(more.errors);
+  if (more.allowance_used < allowance_used) return;
+  if (more.allowance_used == allowance_used && more.worst_block > worst_block) return;
+  allowance_used = more.allowance_used;
+  worst_block = more.worst_block;
+  worst = more.worst;
+  worst_ulp = more.worst_ulp;
+}
+
+Json AuditTally::json() const {
+  std::vector<Json> at;
+  for (const double argument : worst) at.push_back(exact_json(argument));
+  return {{"points", points},
+          {"left_out", left_out},
+          {"max_ulp", exact_json(max_ulp)},
+          {"max_relative", exact_json(max_relative)},
+          {"used", exact_json(allowance_used)},
+          {"worst", at},
+          {"worst_ulp", exact_json(worst_ulp)},
+          {"errors", errors.json()}};
+}
+
+AuditTally AuditTally::of(const Json& json, std::size_t arguments) {
+  AuditTally tally{.points = json.at("points").as_count(),
+                   .left_out = json.at("left_out").as_count(),
+                   .max_ulp = exact_double(json.at("max_ulp")),
+                   .max_relative = exact_double(json.at("max_relative")),
+                   .allowance_used = exact_double(json.at("used")),
+                   .worst_ulp = exact_double(json.at("worst_ulp")),
+                   .errors = ErrorTally::of(json.at("errors"))};
+  for (const Json& argument : json.at("worst").items()) tally.worst.push_back(exact_double(argument));
+  if (tally.worst.size() != arguments && tally.errors.count() > 0) throw JsonMisfit("worst");
+  return tally;
+}
+
+}  // namespace nipref::verify

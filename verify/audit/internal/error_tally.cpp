@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <nipref/verify/audit/internal/error_tally.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr int bins_of_octave = 32;
+constexpr int lowest_octave = -6;
+constexpr int bits_of_sum = 32;
+constexpr int infinite_bin = 1 << 20;
+
+/// Bin 0 holds what is not above 2^lowest_octave; the others hold their upper ends.
+int bin_of(double number) {
+  if (std::isinf(number)) return infinite_bin;
+  if (number <= std::ldexp(1, lowest_octave)) return 0;
+  const int octave = std::ilogb(number);
+  const double beyond = std::ldexp(number, -octave) - 1;  // [0, 1), exact
+  return (octave - lowest_octave) * bins_of_octave + static_cast<int>(std::ceil(beyond * bins_of_octave));
+}
+
+double upper_end(int bin) {
+  if (bin == infinite_bin) return std::numeric_limits<double>::infinity();
+  if (bin == 0) return std::ldexp(1, lowest_octave);
+  const int octave = (bin - 1) / bins_of_octave, part = (bin - 1) % bins_of_octave + 1;
+  return std::ldexp(1 + static_cast<double>(part) / bins_of_octave, octave + lowest_octave);
+}
+
+}  // namespace
+
+void ErrorTally::add(double number) {
+  ++count_;
+  largest_ = std::max(largest_, number);
+  ++bins_[bin_of(number)];
+  const double units = std::ceil(std::ldexp(number, bits_of_sum));
+  // What cannot be summed lets the mean be infinite.
+  if (std::isfinite(units)) {
+    sum_ += boost::multiprecision::cpp_int(units);
+  } else {
+    largest_ = std::numeric_limits<double>::infinity();
+  }
+}
+
+void ErrorTally::add(const ErrorTally& more) {
+  count_ += more.count_;
+  largest_ = std::max(largest_, more.largest_);
+  sum_ += more.sum_;
+  for (const auto& [bin, count] : more.bins_) bins_[bin] += count;
+}
+
+double ErrorTally::mean() const {
+  if (std::isinf(largest_)) return largest_;
+  return std::ldexp(sum_.convert_to<double>(), -bits_of_sum) / static_cast<double>(count_);
+}
+
+double ErrorTally::percentile(double share) const {
+  const auto rank =
+      std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(count_))));
+  std::uint64_t seen = 0;
+  for (const auto& [bin, count] : bins_) {
+    seen += count;
+    if (seen >= rank) return std::min(upper_end(bin), largest_);
+  }
+  return largest_;
+}
+
+Json ErrorTally::json() const {
+  std::vector<Json> bins;
+  for (const auto& [bin, count] : bins_) {
+    bins.emplace_back(bin);
+    bins.emplace_back(count);
+  }
+  return {{"largest", exact_json(largest_)}, {"sum", sum_.str()}, {"bins", bins}};
+}
+
+ErrorTally ErrorTally::of(const Json& json) {
+  ErrorTally tally;
+  tally.largest_ = exact_double(json.at("largest"));
+  const std::string sum = json.at("sum").as_text();
+  if (sum.empty() || sum.find_first_not_of("0123456789") != std::string::npos) throw JsonMisfit("sum");
+  tally.sum_ = boost::multiprecision::cpp_int(sum);
+  const std::vector<Json> bins = json.at("bins").items();
+  if (bins.size() % 2 != 0) throw JsonMisfit("bins");
+  for (std::size_t i = 0; i < bins.size(); i += 2) {
+    const auto count = bins[i + 1].as_count();
+    tally.bins_[static_cast<int>(bins[i].as_count())] += count;
+    tally.count_ += count;
+  }
+  return tally;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,140 @@
+#include <set>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/audit_all.hpp>
+#include <nipref/verify/cli/audit_works.hpp>
+#include <nipref/verify/cli/changed.hpp>
+#include <nipref/verify/cli/golden_points.hpp>
+#include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/support/sha256.hpp>
+#include <nipref/verify/support/text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr const char* contacts = "contacts";
+
+/// Options are for quantities; an absolute number of points for those that are named: what is quick for one
+/// takes hours for another.
+void refuse_options_without_effect(const CommandLine& line, const Selection& selected) {
+  if (line.words.empty() && !line.has("changed"))
+    refuse_option(line, "points",
+                  "must be left out without names of quantities: --density is for all of them");
+  if (!selected.quantities.empty()) return;
+  for (const char* const name : {"points", "density", "quick", "thorough", "rtol"})
+    refuse_option(line, name, "has no effect on contacts: must be left out");
+}
+
+/// Ranges of arguments that one of the quantities does not have, or that are none.
+void refuse_ranges(const CommandLine& line, const Selection& selected) {
+  if (line.assignments.empty()) return;
+  if (selected.has(contacts) || line.has("changed"))
+    throw data::BadInput(line.assignments.front().first, line.assignments.front().second,
+                         "has an effect on quantities that are named only: must be left out");
+  for (const Quantity* quantity : selected.quantities)
+    static_cast<void>(parse_ranges(*quantity, line.assignments));
+}
+
+/// Quantities and contacts that changed files have a part in.
+Selection changed_selection(const CommandLine& line) {
+  if (!line.words.empty()) refuse_option(line, "changed", "must be left out beside names");
+  const std::set<std::string> subjects =
+      touched_subjects(changed_files(line.option("since").value_or("HEAD")));
+  Selection selected;
+  for (const Quantity& quantity : catalogue()) {
+    if (subjects.contains(std::string(quantity.subject))) selected.quantities.push_back(&quantity);
+  }
+  if (subjects.contains(contacts)) selected.groups.push_back(contacts);
+  return selected;
+}
+
+Selection selected_by(const CommandLine& line) {
+  if (!line.has("changed")) refuse_option(line, "since", "must be given with --changed");
+  Selection selected = line.has("changed") ? changed_selection(line) : selection(line, {contacts});
+  refuse_options_without_effect(line, selected);
+  if (!selected.has(contacts))
+    refuse_option(line, "scenes", "has an effect on contacts only: must be left out");
+  refuse_ranges(line, selected);
+  return selected;
+}
+
+/// The command without what does not matter to what is found: where and by whom it is done, and how it is told.
+std::vector<std::string> recorded_words(const CommandLine& line) {
+  const std::set<std::string> of_no_matter{"out", "shard", "quiet", "json", "no-times"};
+  std::vector<std::string> words{line.verb};
+  words.insert(words.end(), line.words.begin(), line.words.end());
+  for (const auto& [name, value] : line.assignments) words.push_back(name + "=" + value);
+  for (const auto& [name, value] : line.options) {
+    if (!of_no_matter.contains(name)) words.push_back("--" + name + "=" + value);
+  }
+  for (const std::string& flag : line.flags) {
+    if (!of_no_matter.contains(flag)) words.push_back("--" + flag);
+  }
+  return words;
+}
+
+}  // namespace
+
+AuditWorks::AuditWorks(const CommandLine& line) : words_(recorded_words(line)) {
+  const Selection selected = selected_by(line);
+  AuditOptions options = audit_options(line);
+  accuracy_ = options.accuracy;
+  for (const Quantity* quantity : selected.quantities) {
+    options.ranges = line.assignments.empty() ? Ranges{} : parse_ranges(*quantity, line.assignments);
+    options.more_points =
+        golden_points(*quantity, options.ranges, options.points_of(*quantity) / golden_share);
+    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options));
+  }
+  const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
+  if (!selected.has(contacts)) return;
+  hard_cases_ = std::make_unique<HardCasesWork>();
+  scenes_ = std::make_unique<ScenesWork>(scenes, seed_option(line));
+}
+
+std::vector<BlockWork*> AuditWorks::all() const {
+  std::vector<BlockWork*> works;
+  for (const auto& quantity : quantities_) works.push_back(quantity.get());
+  if (hard_cases_) works.insert(works.end(), {hard_cases_.get(), scenes_.get()});
+  return works;
+}
+
+std::string AuditWorks::fingerprint() const {
+  Json command = json_list(words_, [](const std::string& word) { return Json(word); });
+  Json works = json_list(all(), [](const BlockWork* work) {
+    return Json{{"name", work->name()}, {"blocks", work->blocks()}, {"inputs", work->inputs()}};
+  });
+  return Json{{"program", program_json()}, {"command", command}, {"works", works}}.text();
+}
+
+CommandLine command_of_fingerprint(const std::string& fingerprint) {
+  std::vector<std::string> words{"nipref"};
+  for (const Json& word : Json::parse(fingerprint).at("command").items()) words.push_back(word.as_text());
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
+}
+
+int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
+  std::vector<AuditResult> results;
+  for (std::size_t i = 0; i < std::min(finished, quantities_.size()); ++i)
+    results.push_back(quantities_[i]->result());
+  ContactAudits of_contacts;
+  if (hard_cases_) of_contacts = {hard_cases_->result(), scenes_->result()};
+  if (line.json) {
+    out << answer_text("audit", audits_json(results, of_contacts, accuracy_), line.no_times);
+  } else {
+    if (!results.empty()) out << folded(audit_text(results, accuracy_));
+    if (hard_cases_) out << "\n" << folded(contact_audits_text(of_contacts));
+    if (results.empty() && !hard_cases_) out << "nothing that was changed has a part in a quantity\n";
+    out << interruption_text();
+  }
+  return all_kept(results) && of_contacts.kept() ? 0 : 1;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,237 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <numeric>
+#include <set>
+#include <sstream>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/run_folder.hpp>
+
+namespace nipref::verify {
+namespace {
+
+namespace fs = std::filesystem;
+using data::BadInput;
+
+constexpr auto fingerprint_name = "run.json";
+constexpr std::size_t most_gaps_told = 3;
+
+/// FNV-1a, never 0: that is "not there".
+std::uint64_t hash_of(std::string_view text) {
+  std::uint64_t state = 0xcbf29ce484222325U;
+  for (const char letter : text) state = (state ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
+  return std::max<std::uint64_t>(state, 1);
+}
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// What is done to a file, or OutputError.
+void must(bool done, const fs::path& file) {
+  if (!done) throw OutputError(file.string());
+}
+
+void write_all(int descriptor, std::string_view text, const fs::path& file) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    must(written >= 0 || errno == EINTR, file);
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  must(fsync(descriptor) == 0, file);
+}
+
+/// So that a name that is new in it stays there.
+void sync_folder(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  must(descriptor >= 0, folder);
+  const bool done = fsync(descriptor) == 0 || errno == EINVAL;  // where folders cannot be synced
+  close(descriptor);
+  must(done, folder);
+}
+
+/// Whole, by the first of several processes that try, or not at all.
+void write_once(const fs::path& file, std::string_view text) {
+  if (fs::exists(file)) return;
+  fs::path ours = file;
+  ours += fmt::format(".{}", getpid());
+  const int descriptor = open(ours.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  must(descriptor >= 0, ours);
+  write_all(descriptor, text, ours);
+  close(descriptor);
+  const bool done = link(ours.c_str(), file.c_str()) == 0 || errno == EEXIST;
+  const int why = errno;
+  unlink(ours.c_str());
+  errno = why;
+  must(done, file);
+  sync_folder(file.parent_path());
+}
+
+/// Where the last whole line ends.
+off_t end_of_lines(int descriptor, const fs::path& file) {
+  struct stat status = {};
+  must(fstat(descriptor, &status) == 0, file);
+  off_t end = status.st_size;
+  for (char letter = 0; end > 0; --end) {
+    must(pread(descriptor, &letter, 1, end - 1) == 1, file);
+    if (letter == '\n') break;
+  }
+  return end;
+}
+
+bool is_shard_file(const fs::path& file) {
+  return file.filename().string().starts_with("shard-") && file.extension() == ".jsonl";
+}
+
+/// "I1 block 17" or "I1 blocks 17 to 29".
+std::string gap_text(const std::string& work, std::size_t first, std::size_t last) {
+  return first == last ? fmt::format("{} block {}", work, first)
+                       : fmt::format("{} blocks {} to {}", work, first, last);
+}
+
+}  // namespace
+
+BlocksThere::BlocksThere(const std::vector<BlockWork*>& works) : works_(works) {
+  for (const BlockWork* work : works) hashes_.emplace_back(work->blocks());
+}
+
+std::size_t BlocksThere::count() const {
+  std::size_t sum = 0;
+  for (const auto& hashes : hashes_)
+    sum += hashes.size() - static_cast<std::size_t>(std::ranges::count(hashes, std::uint64_t{0}));
+  return sum;
+}
+
+std::size_t BlocksThere::of() const {
+  return std::accumulate(hashes_.begin(), hashes_.end(), std::size_t{0},
+                         [](std::size_t sum, const auto& hashes) { return sum + hashes.size(); });
+}
+
+bool BlocksThere::add(std::size_t work, std::size_t block, const std::string& line,
+                      const std::string& where) {
+  std::uint64_t& there = hashes_[work][block];
+  const std::uint64_t hash = hash_of(line);
+  if (there == 0) {
+    there = hash;
+    return true;
+  }
+  if (there != hash)
+    throw BadInput(
+        "run", where,
+        fmt::format("must have what another line has for {} block {}", works_[work]->name(), block));
+  return false;
+}
+
+std::string BlocksThere::gaps() const {
+  std::vector<std::string> told;
+  std::size_t untold = 0;
+  for (std::size_t work = 0; work < hashes_.size(); ++work) {
+    const auto& hashes = hashes_[work];
+    for (std::size_t block = 0; block < hashes.size();) {
+      const std::size_t first = block;
+      while (block < hashes.size() && hashes[block] == 0) ++block;
+      if (block == first) {
+        ++block;
+      } else if (told.size() < most_gaps_told) {
+        told.push_back(gap_text(works_[work]->name(), first, block - 1));
+      } else {
+        untold += block - first;
+      }
+    }
+  }
+  std::string text;
+  for (const std::string& gap : told) text += (text.empty() ? "" : ", ") + gap;
+  return untold > 0 ? fmt::format("{} and {} more", text, untold) : text;
+}
+
+std::string fingerprint_of(const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    if (!fs::exists(folder / fingerprint_name))
+      throw BadInput("run", folder.string(),
+                     fmt::format("must be a folder with a {}, as --out makes it", fingerprint_name));
+  }
+  std::string first = text_of(folders.front() / fingerprint_name);
+  for (const fs::path& folder : folders)
+    refuse_other_fingerprint(folder, text_of(folder / fingerprint_name), first);
+  return first;
+}
+
+void refuse_other_fingerprint(const fs::path& folder, const std::string& found, const std::string& expected) {
+  if (found == expected) return;
+  std::istringstream ours(expected), theirs(found);
+  std::string our_line, their_line;
+  while (std::getline(ours, our_line) && std::getline(theirs, their_line) && our_line == their_line) {
+  }
+  const auto trimmed = [](const std::string& line) {
+    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+    return line.substr(start, line.find_last_not_of(", ") + 1 - start);
+  };
+  throw BadInput("run", folder.string(),
+                 fmt::format("must be of the same program, command and inputs: there is {} where {} must be",
+                             trimmed(their_line), trimmed(our_line)));
+}
+
+void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, BlocksThere& there) {
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (is_shard_file(entry.path())) files.insert(entry.path());
+  }
+  for (const fs::path& file : files) {
+    std::ifstream stream(file, std::ios::binary);
+    std::size_t number = 0;
+    for (std::string line; std::getline(stream, line) && !stream.eof();) {  // none that is not ended
+      const std::string where = fmt::format("{}:{}", file.string(), ++number);
+      try {
+        const Json json = Json::parse(line);
+        const auto work = std::ranges::find(works, json.at("work").as_text(), &BlockWork::name);
+        const std::size_t block = json.at("block").as_count();
+        if (work == works.end() || block >= (*work)->blocks()) throw JsonMisfit("block");
+        if (there.add(static_cast<std::size_t>(work - works.begin()), block, json.without("times").line(),
+                      where))
+          (*work)->add(block, json.at("found"));
+      } catch (const JsonMisfit& misfit) {
+        throw BadInput("run", where,
+                       fmt::format("must be the line of a block of this run ({})", misfit.what()));
+      }
+    }
+  }
+}
+
+ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Shard shard)
+    : path_((folder / fmt::format("shard-{}-of-{}.jsonl", shard.index + 1, shard.of)).string()),
+      descriptor_(-1) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!fs::is_directory(folder))
+    throw BadInput("out", folder.string(), "must be a folder, or one that can be made");
+  write_once(folder / fingerprint_name, fingerprint);
+  refuse_other_fingerprint(folder, text_of(folder / fingerprint_name), fingerprint);
+  descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  must(descriptor_ >= 0, path_);
+  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(descriptor_);
+    throw BadInput("out", folder.string(),
+                   fmt::format("must be left to the process that is writing {}", path_));
+  }
+  must(ftruncate(descriptor_, end_of_lines(descriptor_, path_)) == 0, path_);
+  sync_folder(folder);
+}
+
+ShardFile::~ShardFile() { close(descriptor_); }
+
+void ShardFile::append(const BlockWork& work, std::size_t block, const Json& found) {
+  write_all(descriptor_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
+            path_);
+}
+
+}  // namespace nipref::verify
