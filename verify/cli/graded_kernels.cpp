@@ -110,7 +110,7 @@ std::string where_text(const CommandLine& line) {
 AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
   AuditOptions options{points_option(line), {}, {}};
   options.promise = promise_option(line);
-  options.seed = line.option("seed").value_or("");
+  options.seed = seed_option(line);
   if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
   options.more_points = golden_points(quantity, options.ranges, options.points_of(quantity) / golden_share);
   const auto expected = static_cast<double>(options.points_of(quantity));

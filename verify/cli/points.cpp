@@ -40,7 +40,7 @@ int points_verb(const CommandLine& line, std::ostream& out) {
   const std::size_t wanted = options.points_of(quantity);
   options.more_points = golden_points(quantity, options.ranges, wanted / golden_share);
   options.points = wanted - options.more_points.size();
-  options.seed = line.option("seed").value_or("");
+  options.seed = seed_option(line);
   std::vector<Point> points = audit_points(quantity, options);
   std::erase_if(points, [&](const Point& point) { return std::isnan(fast_value(quantity, point, {})); });
   if (points.empty()) static_cast<void>(quantity.by_fast(audit_points(quantity, options).front(), {}));

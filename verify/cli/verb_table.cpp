@@ -60,7 +60,7 @@ const OptionText sweep_points_text{"points",
                                    "values of each range, 1 to 1e8 (default 100); combinations up to 1e7"};
 const OptionText sample_points_option{
     "points", "about so many points, 1 to 1e8 (default: the quantity's own, see list)"};
-const OptionText sample_seed_option{"seed", "any text: another one, other random points (default: none)"};
+const OptionText sample_seed_option{"seed", "any text: another one, other random points (default 1)"};
 const OptionText promise_option{
     "promise",
     "largest error allowed, in units in the last place of the scale (default: what fast promises)"};

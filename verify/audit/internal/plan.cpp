@@ -76,8 +76,8 @@ std::vector<Point> AuditPlan::points(std::size_t block) const {
 }
 
 std::string AuditPlan::fingerprint() const {
-  std::string text =
-      fmt::format("{} {} {} {} {}\n", sampler_version, blocks_.items, blocks_.count, dense_, options_.search);
+  std::string text = fmt::format("{} {} {} {} {} {}\n", sampler_version, blocks_.items, blocks_.count, dense_,
+                                 options_.search, options_.seed);
   for (const auto* const list : {&listed_, &options_.more_points}) {
     for (const Point& point : *list) {
       for (const double number : point) text += fmt::format("{:a} ", number);
