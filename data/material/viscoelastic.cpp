@@ -78,7 +78,7 @@ void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, 
 /// both ends, and about the resonance of each complex rate in steps of its own width.
 std::vector<double> telling_frequencies(const MaterialFunction& theta1, const MaterialFunction& theta2) {
   std::vector<double> frequencies;
-  double least = INFINITY, greatest = 0;
+  double least = HUGE_VAL, greatest = 0;
   for (const MaterialFunction* function : {&theta1, &theta2}) {
     for (const RelaxationTerm& term : function->terms) {
       least = std::min(least, std::abs(term.rate));

@@ -17,14 +17,14 @@ constexpr SceneResult of_shear(std::string_view name, std::string_view meaning, 
   return result;
 }
 
-constexpr SceneResult creep_range = [] {
+constexpr SceneResult creep_range() {
   SceneResult result{"creep_range", "1",
                      "lowest, highest and chosen creep ratio, of those that the thesis's conditions leave",
                      false};
   result.is_list = true;
   result.needs = Needs::line_load_creep;
   return result;
-}();
+}
 
 constexpr SceneResult of_surface(std::string_view name, std::string_view meaning) {
   SceneResult result{name, "1", meaning, true};
@@ -53,7 +53,7 @@ constexpr std::array results{
     SceneResult{"creep_ratio", "1",
                 "strain v' of the surface in the contact; without friction its mean, (v(L1) - v(-L2))/L",
                 false},
-    creep_range,
+    creep_range(),
     SceneResult{"peak_pressure", "stress", "largest pressure", false, SceneKind::nip, true},
     SceneResult{"peak_pressure_position", "length", "Y of its place", false},
     SceneResult{"peak_shear", "stress", "largest magnitude of the shear", false},

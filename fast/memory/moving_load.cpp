@@ -25,6 +25,14 @@ void check_clock(double t) {
   if (!(t >= 0) || !std::isfinite(t)) throw data::BadInput("t", t, "must be a finite number, 0 or more");
 }
 
+/// So that products with a rate, and of two distances, do not overflow.
+constexpr double farthest = 1e100;
+
+void check_way(const char* name, double time, Two way) {
+  if (!(std::fabs(way.high) <= farthest))
+    throw data::BadInput(name, time, "must be within 1e100 half_thickness/speed of both 0 and t");
+}
+
 /// Of each term with a real rate, in its place.
 std::vector<Fade> fades(const data::MaterialFunction& theta, Two time_unit,
                         std::initializer_list<Kernel> kernels, Accuracy accuracy) {
@@ -114,14 +122,14 @@ double MovingLoad::normal_displacement(double t, double T) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   if (t == T) throw data::BadInput("T", T, "must differ from t: Un is infinite under the load");
-  return normal_displacement(journey(t, T));
+  return normal_displacement(journey("T", t, T));
 }
 
 double MovingLoad::tangential_displacement(double t, double T, double t0) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   check_argument("t0", t0, Domain::finite);
-  return tangential_displacement(journey(t, T), journey(t, t0));
+  return tangential_displacement(journey("T", t, T), journey("t0", t, t0));
 }
 
 double MovingLoad::steady_normal_displacement(double alpha) const {
@@ -139,9 +147,12 @@ MovingLoad::Journey MovingLoad::steady_journey(double alpha) const {
   return {{std::numeric_limits<double>::infinity(), 0}, spot({alpha, 0}, accuracy_), {}};
 }
 
-MovingLoad::Journey MovingLoad::journey(double t, double T) const {
-  const auto place = [&](Two time) { return time * way_per_time_; };
-  return {place({t, 0}), spot(place(two_sum(T, -t)), accuracy_), spot(place({T, 0}), accuracy_)};
+MovingLoad::Journey MovingLoad::journey(const char* name, double t, double T) const {
+  const Two length = Two{t, 0} * way_per_time_, end = Two{T, 0} * way_per_time_;
+  const Two start = two_sum(T, -t) * way_per_time_;
+  check_way(name, T, start);
+  check_way(name, T, end);
+  return {length, spot(start, accuracy_), spot(end, accuracy_)};
 }
 
 double MovingLoad::normal_displacement(const Journey& journey) const {

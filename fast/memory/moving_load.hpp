@@ -19,7 +19,8 @@ namespace nipref::fast {
 ///              are good to 1e-305 only
 ///   cost       Un: half a microsecond for a real rate, twice that just behind the load; Vn: a few. Complex
 ///              rates are integrated by panels: tens of microseconds, more if they turn often while they fade
-///   bad input  nan, infinite, t < 0, and a point under the load, where Un is infinite: data::BadInput
+///   bad input  nan, infinite, t < 0, more than 1e100 b/F0 between two of 0, t and T or t0, and a point under the
+///              load, where Un is infinite: data::BadInput
 class MovingLoad {
  public:
   /// speed: F0 > 0, length/time. half_thickness: b > 0, length. All else: BadInput.
@@ -41,7 +42,7 @@ class MovingLoad {
  private:
   struct Journey;
   struct Fades;
-  [[nodiscard]] Journey journey(double t, double T) const;
+  [[nodiscard]] Journey journey(const char* name, double t, double T) const;
   [[nodiscard]] Journey steady_journey(double alpha) const;
   [[nodiscard]] double normal_displacement(const Journey& journey) const;
   [[nodiscard]] double tangential_displacement(const Journey& to_point, const Journey& to_pin) const;

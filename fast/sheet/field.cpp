@@ -135,6 +135,23 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
 }
 
+/// What is odd in alpha is proportional to it where it is tiny. It is taken larger there, so that no product with it
+/// falls below the doubles before it is divided by the square of a small distance; `scale` takes that back.
+struct Lifted {
+  double alpha;
+  double scale;
+};
+Lifted lifted(double alpha, double depth) {
+  const double a = std::fabs(alpha);
+  const bool tiny = a < 1e-280 && std::fabs(depth) < 1;  // the distance from the face is 2^-53 at least
+  return tiny ? Lifted{a * 0x1p64, 0x1p-64} : Lifted{a, 1};
+}
+
+SheetStresses with_odd_scaled(SheetStresses stresses, double scale, SheetLoad load) {
+  if (load == SheetLoad::shear) return {stresses.across * scale, stresses.along * scale, stresses.shear};
+  return {stresses.across, stresses.along, stresses.shear * scale};
+}
+
 /// The signs of x and of y that the parities give.
 SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load) {
   const double side = sign(alpha), face = sign(depth);
@@ -190,7 +207,9 @@ void internal::StressesAtDepths::add_far(const FarLoads& loads, double side,
 
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
   check(alpha, depth);
-  SheetStresses result = stresses_in_quarter(std::fabs(alpha), std::fabs(depth), load);
+  const Lifted place = lifted(alpha, depth);
+  SheetStresses result =
+      with_odd_scaled(stresses_in_quarter(place.alpha, std::fabs(depth), load), place.scale, load);
   if (std::fabs(depth) == 1) result.across = result.shear = 0;  // exactly, as there is no load
   return with_signs(result, alpha, depth, load);
 }
@@ -198,8 +217,9 @@ SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {
 double sheet_u(double alpha, double depth, SheetLoad load, double poisson) {
   check(alpha, depth);
   data::ElasticMaterial{1, poisson}.check();
-  const double signs = sign(depth) * (load == SheetLoad::shear ? sign(alpha) : 1);
-  return signs * u_in_quarter(std::fabs(alpha), std::fabs(depth), load, poisson);
+  const Lifted place = lifted(alpha, depth);
+  const double signs = sign(depth) * (load == SheetLoad::shear ? sign(alpha) * place.scale : 1);
+  return signs * u_in_quarter(place.alpha, std::fabs(depth), load, poisson);
 }
 
 double sheet_v(double alpha, double eta, double depth, SheetLoad load, double poisson) {
@@ -208,7 +228,8 @@ double sheet_v(double alpha, double eta, double depth, SheetLoad load, double po
   data::ElasticMaterial{1, poisson}.check();
   const double s = std::fabs(depth);
   if (load == SheetLoad::shear) return shear_v_in_quarter(std::fabs(alpha), std::fabs(eta), s, poisson);
-  return sign(alpha) * normal_v_in_quarter(std::fabs(alpha), s, poisson) + F1(eta, poisson);
+  const Lifted place = lifted(alpha, depth);
+  return sign(alpha) * place.scale * normal_v_in_quarter(place.alpha, s, poisson) + F1(eta, poisson);
 }
 
 }  // namespace nipref::fast

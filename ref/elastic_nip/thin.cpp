@@ -47,7 +47,7 @@ Sample sample_of(long length, int digits) {
 }
 
 /// So many that few are solved for.
-int digits_of_samples(int digits) { return digits <= 21 ? 21 : digits <= 50 ? 50 : 80; }
+int digits_of_samples(int digits) { return digits <= 21 ? 21 : digits <= 30 ? 30 : digits <= 50 ? 50 : 80; }
 
 Samples samples_of(const int& digits) {
   const long first = std::lround(shortest_thin_nip(digits));

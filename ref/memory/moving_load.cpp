@@ -131,6 +131,14 @@ Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate,
   return *kept.at({kernel, alpha.value(), rate, std::ceil(nats / nats_grain) * nats_grain, residue_terms});
 }
 
+/// For what is multiplied by e^{-faded} and shall be good to e^{-nats} then. Halved while that is enough, so that loads
+/// with one start and different ways share what they need of it.
+double nats_left(double nats, double faded) {
+  double left = nats;
+  while (left > 2 && left / 2 >= nats - faded) left /= 2;
+  return left;
+}
+
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
 Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats,
                  int residue_terms) {
@@ -143,10 +151,9 @@ Interval history(Kernel kernel, const Place& place, const mpq_class& rate, doubl
     return half_pi * sign_memory(rate, way, place.start->value(), large);
   }
   const mpq_class faded = rate * way;
-  const double left = faded.get_d() < nats ? nats : 1.0;
   return whole_history(kernel, place.alpha, rate, nats, residue_terms) -
          exp(-rational(faded, nats_over_rate(rate, nats))) *
-             whole_history(kernel, *place.start, rate, left, residue_terms);
+             whole_history(kernel, *place.start, rate, nats_left(nats, faded.get_d()), residue_terms);
 }
 
 /// theta * I(place), without the sheet's 1/pi.

@@ -25,7 +25,7 @@ double log2_magnitude(mpfr_srcptr x) {
 /// ln of how much the bound exceeds 10^-(digits+2) min(1, |value|); infinite where 0 is not excluded.
 double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(result.error_bound.get())) return -1;
-  if (mpfr_cmpabs(result.value.get(), result.error_bound.get()) <= 0) return INFINITY;
+  if (mpfr_cmpabs(result.value.get(), result.error_bound.get()) <= 0) return HUGE_VAL;
   const double size = std::min(0.0, log2_magnitude(result.value.get()));
   return (log2_magnitude(result.error_bound.get()) - size) * std::numbers::ln2 +
          (result.digits + 2) * std::numbers::ln10;

@@ -117,7 +117,7 @@ double Exact::approximate() const {
 }
 
 double Exact::log2_magnitude() const {
-  if (sign() == 0) return -INFINITY;
+  if (sign() == 0) return -HUGE_VAL;
   long numerator_exponent = 0;
   long denominator_exponent = 0;
   const double numerator = mpz_get_d_2exp(&numerator_exponent, value_.get_num_mpz_t());

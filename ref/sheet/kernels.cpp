@@ -12,7 +12,7 @@ constexpr long largest_argument = 1000;
 
 /// -ln of the smaller of 1 and |x|, from the exponents alone so that it cannot underflow.
 double nats_below_one(const mpq_class& x) {
-  if (sgn(x) == 0) return INFINITY;
+  if (sgn(x) == 0) return HUGE_VAL;
   const auto bits = [](const mpz_class& integer) {
     return static_cast<double>(mpz_sizeinbase(integer.get_mpz_t(), 2));
   };

@@ -279,7 +279,7 @@ Two AnisotropicLine::limit_in_two_words(Direction psi) const {
   }
   const auto is_slow_in_two_words = [&](Two speed) { return determinant(speed).high > 0; };
   const double last = last_that([&](double speed) { return is_slow_in_two_words(Two{speed}); }, 0, 2 * high);
-  const double next = std::nextafter(last, INFINITY);
+  const double next = std::nextafter(last, HUGE_VAL);
   const double rest = last_that(
       [&](double low_word) { return is_slow_in_two_words(two_sum(last, low_word)); }, 0, next - last);
   return length * two_sum(last, rest);

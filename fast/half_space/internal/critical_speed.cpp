@@ -97,7 +97,7 @@ class Landscape {
 
   const CriticalSpeeds& speeds_;
   std::vector<Point> points_;
-  double least_ = INFINITY;
+  double least_ = HUGE_VAL;
 };
 
 /// One step of Newton to the bottom of a smooth valley, its slope and curvature by differences in two words:
@@ -120,7 +120,7 @@ double speed_of_motion(const LineLimits& line, Direction motion, Direction psi) 
 
 CriticalLine critical_line(const LineLimits& line, Direction motion) {
   const CriticalSpeeds speeds(line, motion);
-  CriticalLine critical{INFINITY, 0};
+  CriticalLine critical{HUGE_VAL, 0};
   for (double from_motion : Landscape(speeds).lowest()) {
     constexpr int steps = 3;
     for (int i = 0; i <= steps; ++i) {

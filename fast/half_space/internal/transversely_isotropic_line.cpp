@@ -154,7 +154,7 @@ double TransverselyIsotropicLine::limit(Direction psi) const {
 }
 
 Two TransverselyIsotropicLine::limit_in_two_words(Direction psi) const {
-  const double high = limit(psi), next = std::nextafter(high, INFINITY);
+  const double high = limit(psi), next = std::nextafter(high, HUGE_VAL);
   return {high,
           last_that([&](double low) { return is_subcritical(psi, two_sum(high, low)); }, 0, next - high)};
 }

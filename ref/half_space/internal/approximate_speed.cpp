@@ -31,7 +31,7 @@ Pencil pencil_of(const AcousticMatrices& x) {
 Valley scan(const Pencil& pencil) {
   constexpr int steps = 360;
   const auto s_at = [](int k) { return std::tan(std::numbers::pi * (k / double{steps} - 0.5)); };
-  Valley best{0, 0, INFINITY};
+  Valley best{0, 0, HUGE_VAL};
   for (int k = 2; k <= steps - 2; ++k) {
     const double eigenvalue = pencil.lowest_value(s_at(k));
     if (eigenvalue < best.eigenvalue) best = {s_at(k - 1), s_at(k + 1), eigenvalue};

@@ -257,6 +257,12 @@ TEST_CASE("bad input to the moving load") {
   CHECK_THROWS_AS(static_cast<void>(load.steady_normal_displacement(0)), BadInput);
   CHECK_THROWS_AS(static_cast<void>(load.tangential_displacement(1, 2, HUGE_VAL)), BadInput);
   CHECK_NOTHROW(static_cast<void>(load.tangential_displacement(2, 2, 2)));
+  const MovingLoad far(solid(1), 90, 1e-12);
+  CHECK_THROWS_WITH_AS(static_cast<void>(far.normal_displacement(1000, -1e308)),
+                       "T = -1e+308: must be within 1e100 half_thickness/speed of both 0 and t", BadInput);
+  CHECK_THROWS_WITH_AS(static_cast<void>(far.tangential_displacement(1, 2, -1e308)),
+                       doctest::Contains("t0 = -1e+308: must be within 1e100"), BadInput);
+  CHECK(load.normal_displacement(1e100, 1) == 0);
 }
 
 TEST_SUITE_END();

@@ -173,6 +173,21 @@ TEST_CASE("towards the load the field is the half-plane's along any line") {
   }
 }
 
+TEST_CASE("what is odd in alpha stays proportional to it down to the smallest double") {
+  // By a power of two, so that nothing but the range of doubles is between them.
+  const double small = 0x1p-900, least = 0x1p-1074, factor = 0x1p-174;
+  for (const double depth : {std::nextafter(1.0, 0.0), 1 - 1e-9, 0.9}) {
+    const auto check = [&](double here, double there) {
+      CHECK(std::fabs(there * factor - here) <= 1e-15 * std::fabs(here) + 2 * least);
+    };
+    check(sheet_stresses(least, depth, normal).shear, sheet_stresses(small, depth, normal).shear);
+    check(sheet_stresses(least, depth, shear).across, sheet_stresses(small, depth, shear).across);
+    check(sheet_stresses(least, depth, shear).along, sheet_stresses(small, depth, shear).along);
+    check(sheet_u(-least, depth, shear, 0.3), sheet_u(-small, depth, shear, 0.3));
+    check(sheet_v(least, 0, depth, normal, 0.3), sheet_v(small, 0, depth, normal, 0.3));
+  }
+}
+
 TEST_CASE("bad places are refused by name") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto argument_refused = [](double alpha, double depth) {

@@ -297,6 +297,21 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
   }
 }
 
+// What lies before the start has faded by e^-1000: to work it out to as many digits takes a minute.
+TEST_CASE("moving load: a start that has faded is worked out to the digits that are left of it") {
+  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, one, one);
+  const auto value = [&](const char* T) {
+    return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), one, solid, 40);
+  };
+  const Enclosure here = value("5e-324"), at_start = value("0");
+  Real difference(64), allowed(64);
+  mpfr_sub(difference.get(), here.value.get(), at_start.value.get(), MPFR_RNDA);
+  mpfr_add(allowed.get(), here.error_bound.get(), at_start.error_bound.get(), MPFR_RNDU);
+  CHECK(mpfr_cmpabs(difference.get(), allowed.get()) <= 0);
+  mpfr_div(allowed.get(), allowed.get(), here.value.get(), MPFR_RNDA);
+  CHECK(std::fabs(mpfr_get_d(allowed.get(), MPFR_RNDA)) < 2e-40);
+}
+
 TEST_CASE("moving load: bad arguments are refused") {
   const ExactMaterial solid = two_times();
   CHECK_THROWS_AS(moving_load_normal_displacement(exact("-1"), one, one, one, solid, 20), BadInput);

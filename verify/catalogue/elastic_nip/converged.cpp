@@ -1,8 +1,12 @@
 // Elastic nips, dimensionless.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
@@ -18,6 +22,11 @@ using NipArguments = std::span<const double>;
 // Where no shear acts, what is longer than longest_direct is a polynomial of its length.
 constexpr double longest_direct = 12;
 constexpr double longest_audited = 1e3, longest_gripped_audited = 2;
+
+// What the reference does in ten seconds: so many digits of a polynomial's samples; and with full friction, where a
+// value takes about 8 s ((L/B) (digits + 5.5)/300)^2.2.
+constexpr int least_digits = 16, most_digits_of_thin = 30;
+constexpr double most_gripped_work = 300, more_gripped_digits = 5.5;
 
 constexpr std::array<NipNumber, 5> nip_numbers{{
     {"nip.load",
@@ -64,14 +73,36 @@ NipResults results_of(const Contact& contact, const Reference& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
+void check_gripped_work(double length, int digits) {
+  const double most = most_gripped_work / length - more_gripped_digits;
+  if (most < least_digits)
+    throw data::BadInput("L_over_B", length,
+                         fmt::format("must be at most {:.3g} on the reference path with full friction",
+                                     most_gripped_work / (least_digits + more_gripped_digits)));
+  if (digits > most)
+    throw data::BadInput(
+        "digits", std::to_string(digits),
+        fmt::format("must be at most {} for L_over_B = {:.6g} with full friction: more take too long",
+                    static_cast<int>(most), length));
+}
+
+void check_thin_work(double length, int digits) {
+  if (digits <= most_digits_of_thin) return;
+  throw data::BadInput("digits", std::to_string(digits),
+                       fmt::format("must be at most {} for L_over_B = {:.6g}: more take too long",
+                                   most_digits_of_thin, length));
+}
+
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
   if (gripped) {
+    check_gripped_work(length, digits);
     const auto contact = ref::gripped_for_length(nip, length, digits);
     return results_of(contact, contact.peak_shear());
   }
   const Reference nothing = ref::exact_zero(digits);
   if (length < std::max(longest_direct, ref::shortest_thin_nip(digits)))
     return results_of(ref::converged_for_length(nip, length, digits), nothing);
+  check_thin_work(length, digits);
   const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, digits);
   return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
 }

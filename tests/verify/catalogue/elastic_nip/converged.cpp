@@ -82,3 +82,22 @@ TEST_CASE("dimensionless nips: refusals name the argument") {
   CHECK_THROWS_WITH_AS(load.by_fast(Point{1, 0.6, 0}, {}), doctest::Contains("poisson = 0.6"),
                        data::BadInput);
 }
+
+TEST_CASE(
+    "dimensionless nips: the reference refuses what takes it longer than ten seconds, and says what does not") {
+  const verify::Quantity& load = verify::find_quantity("nip.load");
+  const auto ref = [&](double length, double friction, int digits) {
+    static_cast<void>(verify::ref_value(load, Point{length, 0.3, friction}, digits));
+  };
+  CHECK_THROWS_WITH_AS(ref(90, 0, 31),
+                       "digits = 31: must be at most 30 for L_over_B = 90: more take too long",
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(ref(20, 1, 16),
+                       "L_over_B = 20: must be at most 14 on the reference path with full friction",
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(
+      ref(5, 1, 55),
+      "digits = 55: must be at most 54 for L_over_B = 5 with full friction: more take too long",
+      data::BadInput);
+  CHECK_NOTHROW(ref(1, 1, 50));
+}

@@ -66,3 +66,16 @@ TEST_CASE("dimensionless rolling nips: refusals name the argument") {
                        data::BadInput);
   CHECK_THROWS_WITH_AS(refused({0, 1, 0.3, 2, 0}), doctest::Contains("L_over_B = 0"), data::BadInput);
 }
+
+TEST_CASE("dimensionless rolling nips: the reference refuses what takes it longer than ten seconds") {
+  const verify::Quantity& load = verify::find_quantity("rolling_nip.load");
+  const auto ref = [&](double length, double memory, int digits) {
+    static_cast<void>(verify::ref_value(load, Point{length, memory, 0.3, 2, 0}, digits));
+  };
+  CHECK_THROWS_WITH_AS(
+      ref(0.01, 0.03, 30),
+      doctest::Contains("digits = 30: must be at most 23 for L_over_B = 0.01 and memory_over_L = 0.03"),
+      data::BadInput);
+  CHECK_THROWS_WITH_AS(ref(10, 1e-3, 16),
+                       doctest::Contains("L_over_B = 10: must be smaller, or memory_over_L"), data::BadInput);
+}
