@@ -42,7 +42,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"memory", {"number", "sheet"}},
       {"nip", {"number"}},
       {"elastic_nip", {"number", "sheet", "nip"}},
-      {"viscoelastic_nip", {"number", "sheet", "memory", "nip"}},
+      {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
       {"half_space", {"number"}}}},
     {"fast",
      {{"number", {}},

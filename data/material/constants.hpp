@@ -33,6 +33,16 @@ struct DifferentialOperators {
   std::vector<double> p_dilatation, q_dilatation;  ///< P', Q'
 };
 
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t): 1/stress, 1/(stress time), 1/time; the
+/// lists of equal length, not empty. (thesis 6.16, 6.17)
+struct PronyList {
+  double instantaneous;
+  std::vector<double> amplitudes, rates;
+};
+struct PronySeries {
+  PronyList theta1, theta2;
+};
+
 /// What a material's functions were rounded from; std::monostate: they are what was given.
 using MaterialConstants = std::variant<std::monostate, ElasticMaterial, StandardLinearSolid,
                                        SingleRelaxationTimeSolid, DifferentialOperators>;

@@ -41,12 +41,6 @@ struct Compliances {
 [[nodiscard]] ViscoelasticMaterial misprinted_thesis_solid(const Compliances& at_once,
                                                            double relaxation_time);
 
-/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t): 1/stress, 1/(stress time), 1/time; the
-/// lists of equal length, not empty. (thesis 6.16, 6.17)
-struct PronyList {
-  double instantaneous;
-  std::vector<double> amplitudes, rates;
-};
 [[nodiscard]] ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta2);
 
 [[nodiscard]] ViscoelasticMaterial operator_solid(const DifferentialOperators& operators);

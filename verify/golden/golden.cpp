@@ -20,11 +20,21 @@ using data::CsvField;
 constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scale",
                                                  "status", "confirmed_by", "origin"};
 
-std::vector<std::string> columns_of(const Quantity& quantity) {
+std::vector<std::string> columns_of(const std::vector<Argument>& arguments) {
   std::vector<std::string> columns;
-  for (const Argument& argument : quantity.arguments) columns.push_back(argument.name);
+  for (const Argument& argument : arguments) columns.push_back(argument.name);
   columns.insert(columns.end(), std::begin(columns_of_a_row), std::end(columns_of_a_row));
   return columns;
+}
+
+/// The quantity's arguments that a file names: one that has a default may be younger than the file.
+std::vector<Argument> arguments_in(const Quantity& quantity, const std::vector<CsvField>& names) {
+  std::vector<Argument> named;
+  for (const Argument& argument : quantity.arguments) {
+    if (!argument.default_text || std::ranges::find(names, argument.name, &CsvField::text) != names.end())
+      named.push_back(argument);
+  }
+  return named;
 }
 
 /// Bits that hold a decimal text so well that what is lost is nothing beside two digits of a bound.
@@ -47,13 +57,17 @@ std::optional<double> read_double(const std::string& text) {
 /// Reads rows of a file that is about `quantity`.
 class Reader {
  public:
-  Reader(const std::filesystem::path& path, const Quantity& quantity) : path_(path), quantity_(quantity) {}
+  Reader(const std::filesystem::path& path, const Quantity& quantity, std::vector<Argument> named)
+      : path_(path), quantity_(quantity), named_(std::move(named)) {}
 
   [[nodiscard]] GoldenRow row(const std::vector<CsvField>& fields) const {
     GoldenRow row{};
     std::size_t at = 0;
-    for (const Argument& argument : quantity_.arguments)
-      row.arguments.push_back(argument_of(argument, fields[at++]));
+    for (const Argument& argument : quantity_.arguments) {
+      const bool is_named = at < named_.size() && named_[at].name == argument.name;
+      row.arguments.push_back(
+          argument_of(argument, is_named ? fields[at++] : CsvField{*argument.default_text, {}}));
+    }
     row.value = decimal(fields[at++]);
     row.bound = decimal(fields[at++]);
     if (row.bound.front() == '-') refuse(fields[at - 1], "a bound must not be negative");
@@ -93,6 +107,7 @@ class Reader {
 
   const std::filesystem::path& path_;
   const Quantity& quantity_;
+  std::vector<Argument> named_;
 };
 
 std::string argument_text(const Argument& argument, double value) {
@@ -152,7 +167,7 @@ GoldenRow golden_row(const Quantity& quantity, const Point& point, const Referen
 std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
   std::string text;
   for (const auto& [key, value] : file.header) text += fmt::format("# {}: {}\n", key, value);
-  const std::vector<std::string> columns = columns_of(quantity);
+  const std::vector<std::string> columns = columns_of(quantity.arguments);
   for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
   text += '\n';
   for (const GoldenRow& row : file.rows) {
@@ -174,9 +189,10 @@ GoldenFile read_golden(const std::filesystem::path& path) {
   }
   const Quantity& quantity = file.quantity();
   static_cast<void>(file.digits());
-  const Reader reader(path, quantity);
-  const std::vector<std::string> columns = columns_of(quantity);
   const std::vector<CsvField>& names = csv.records.front();
+  const std::vector<Argument> named = arguments_in(quantity, names);
+  const Reader reader(path, quantity, named);
+  const std::vector<std::string> columns = columns_of(named);
   for (std::size_t i = 0; i < std::max(columns.size(), names.size()); ++i) {
     if (i >= columns.size()) reader.refuse(names[i], "must not be there: a row ends with the origin");
     if (i >= names.size()) reader.refuse(names.back(), "must be followed by the column " + columns[i]);

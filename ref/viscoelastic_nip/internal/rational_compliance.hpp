@@ -1,17 +1,9 @@
 #pragma once
-#include <gmpxx.h>
-
 #include <vector>
 
-#include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/material/internal/polynomial.hpp>
 
 namespace nipref::ref {
-
-/// With rational coefficients, that of p^0 first.
-using Polynomial = std::vector<mpq_class>;
-
-Polynomial product(const Polynomial& a, const Polynomial& b);
-Polynomial sum(const Polynomial& a, const Polynomial& b);
 
 /// Re amplitude e^(-rate t)
 struct ComplianceTerm {

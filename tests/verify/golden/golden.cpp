@@ -49,6 +49,15 @@ TEST_CASE("golden values are read as they are written") {
   CHECK(verify::golden_text(golden.quantity(), golden) == text);
 }
 
+TEST_CASE("a golden file older than an argument has that argument's default") {
+  const ScratchFile file(
+      "# quantity: un\n# digits: 30\nalpha,poisson,value,bound,scale,status,confirmed_by,origin\n"
+      "0x1p-1,0x1p-2,1,1e-9,1,proven,closed form,dense\n");
+  CHECK(verify::read_golden(file.path()).rows[0].arguments == verify::Point{0.5, 1, 0.25});
+  CHECK(refusal("# quantity: un\n# digits: 30\nalpha,young,value,bound,scale,status,confirmed_by,origin\n")
+            .find(":3:13: must be the column poisson") != std::string::npos);
+}
+
 TEST_CASE("a golden file that is none is refused with line and column") {
   const std::string good = ",1,1e-9,1,proven,closed form,dense\n";
   CHECK(refusal(head + row + good) == "");

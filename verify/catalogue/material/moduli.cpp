@@ -4,9 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/moduli.hpp>
+#include <nipref/fast/material/rational_solid.hpp>
 #include <nipref/ref/material/moduli.hpp>
+#include <nipref/ref/material/rational_solid.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -16,17 +21,21 @@ using Exacts = std::span<const ref::Exact>;
 using MaterialArguments = std::span<const double>;
 
 constexpr double material_promise = 8, theta2_promise = 32;
-constexpr std::array<std::string_view, 4> models{"standard-linear-solid", "kelvin-voigt", "maxwell",
-                                                 "elastic"};
+/// Springs and dashpots first, in the order of SpringModel's below.
+constexpr std::array<std::string_view, 7> models{
+    "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis"};
+constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
+                                                SpringModel::maxwell, SpringModel::elastic};
+constexpr std::size_t prony = 4, operators = 5;
 
-SpringModel model_of(double number) {
-  constexpr std::array<SpringModel, 4> known{SpringModel::standard_linear, SpringModel::kelvin_voigt,
-                                             SpringModel::maxwell, SpringModel::elastic};
-  return known[static_cast<std::size_t>(number)];
-}
+std::size_t model_number(double argument) { return static_cast<std::size_t>(argument); }
+SpringModel model_of(double argument) { return of_springs[model_number(argument)]; }
+bool is_of_springs(double argument) { return model_number(argument) < of_springs.size(); }
 
-// Arguments: t or omega, material, shear, shear_2, shear_viscosity, bulk, bulk_2, bulk_viscosity.
-constexpr std::size_t shear_at = 2, bulk_at = 5;
+// Arguments: t or omega, material, shear, shear_2, shear_viscosity, bulk, bulk_2, bulk_viscosity, tau, the series, the
+// operators.
+constexpr std::size_t shear_at = 2, bulk_at = 5, tau_at = 8, prony_at = 9,
+                      operators_at = prony_at + prony_arguments;
 
 fast::Modulus modulus_at(MaterialArguments x, std::size_t at, const char* name) {
   const fast::Modulus modulus{model_of(x[1]), x[at], x[at + 1], x[at + 2]};
@@ -43,6 +52,19 @@ ref::ExactModulus exact_modulus_at(Exacts x, std::size_t at, const char* name) {
 }
 ref::ExactModulus exact_shear_of(Exacts x) { return exact_modulus_at(x, shear_at, "shear"); }
 ref::ExactModulus exact_bulk_of(Exacts x) { return exact_modulus_at(x, bulk_at, "bulk"); }
+
+fast::RationalSolid rational_solid(MaterialArguments x) {
+  if (model_number(x[1]) == prony) return prony_of(x.subspan(prony_at, prony_arguments));
+  if (model_number(x[1]) == operators) return operators_of(x.subspan(operators_at, operator_arguments));
+  return data::SingleRelaxationTimeSolid{x[bulk_at], x[shear_at], x[tau_at], data::misprinted_rate_factor};
+}
+
+ref::ExactRationalSolid exact_rational_solid(Exacts x) {
+  const std::size_t model = model_number(x[1].approximate());
+  if (model == prony) return exact_prony_of(x.subspan(prony_at, prony_arguments));
+  if (model == operators) return exact_operators_of(x.subspan(operators_at, operator_arguments));
+  return ref::exact_single_time(x[bulk_at], x[shear_at], x[tau_at], data::misprinted_rate_factor);
+}
 
 void append_modulus(std::vector<Argument>& arguments, const std::string& name, const char* spring) {
   arguments.push_back({name, ArgumentKind::positive, spring, {}});
@@ -61,10 +83,18 @@ Point draw_material(Random& random) {
   const double shear = random.log_uniform(1e-6, 1e12), shear_2 = shear * times(1e10),
                bulk = shear * times(1e10);
   const double bulk_2 = bulk * times(1e10);
-  return {variable,       static_cast<double>(random.index(models.size())),
-          shear,          shear_2,
-          shear_2 * time, bulk,
-          bulk_2,         bulk_2 * time * times(1e6)};
+  Point x{variable,
+          static_cast<double>(random.index(models.size())),
+          shear,
+          shear_2,
+          shear_2 * time,
+          bulk,
+          bulk_2,
+          bulk_2 * time * times(1e6),
+          time};
+  draw_prony(x, 1 / shear, time, random);
+  draw_operators(x, shear, time, random);
+  return x;
 }
 
 /// Not so long after that what is left is no number of the reference's any more.
@@ -86,9 +116,11 @@ Quantity material_entry(std::string name, std::string definition, std::string so
       {"material", ArgumentKind::choice, "standard-linear-solid", {}, {models.begin(), models.end()}}};
   append_modulus(entry.arguments, "shear", "0.375");
   append_modulus(entry.arguments, "bulk", "1");
+  entry.arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
+  append_prony_arguments(entry.arguments);
+  append_operator_arguments(entry.arguments);
   entry.draw = draw_material;
   if (kind == ArgumentKind::time) entry.keep_off = keep_remembered;
-  entry.envelope = [](MaterialArguments) { return 0.0; };
   entry.audit_points = 1000;
   entry.timed_alone = false;
   return entry;
@@ -96,10 +128,36 @@ Quantity material_entry(std::string name, std::string definition, std::string so
 
 constexpr auto faded_scale = "each fading term times 1 + its rate times t";
 
+/// Evaluators: of springs, and of a rational solid, which is good to a unit in the last place.
+template <class SpringsFast, class SpringsRef, class RationalFast, class RationalRef>
+void set_evaluators(Quantity& entry, SpringsFast springs, SpringsRef exact_springs, RationalFast rational,
+                    RationalRef exact_rational) {
+  const auto found = [=](MaterialArguments x) -> fast::Fading {
+    return is_of_springs(x[1]) ? springs(x) : rational(rational_solid(x), x[0]);
+  };
+  set_fast(entry, [found](MaterialArguments x, fast::Accuracy) { return found(x).value; });
+  entry.envelope = [found](MaterialArguments x) { return found(x).size; };
+  entry.fast_error = [found, promise = entry.promise](MaterialArguments x, fast::Accuracy) {
+    const auto [value, size] = found(x);
+    return (is_of_springs(x[1]) ? promise : 1) * ulp_of(std::max(std::fabs(value), size));
+  };
+  entry.by_ref = [=](Exacts x, int digits) {
+    return is_of_springs(x[1].approximate()) ? exact_springs(x, digits)
+                                             : exact_rational(exact_rational_solid(x), x[0], digits);
+  };
+}
+
 /// The two of one modulus.
 struct OfOneModulus {
   std::size_t at;
   const char* argument;
+  fast::Strain strain;
+
+  [[nodiscard]] fast::Modulus in(MaterialArguments x) const { return modulus_at(x, at, argument); }
+  [[nodiscard]] ref::ExactModulus in(Exacts x) const { return exact_modulus_at(x, at, argument); }
+  [[nodiscard]] const ref::ExactRatio& in(const ref::ExactRationalSolid& solid) const {
+    return strain == fast::Strain::shear ? solid.shear : solid.dilatation;
+  }
 };
 
 Quantity relaxation_entry(const char* letter, OfOneModulus of, const char* what) {
@@ -107,46 +165,58 @@ Quantity relaxation_entry(const char* letter, OfOneModulus of, const char* what)
       material_entry(std::string("material.") + letter,
                      std::string("relaxation modulus in ") + what +
                          ": stress under a unit of strain since t ago, beside a dashpot's impulse",
-                     "thesis 6.12, AIII.1-AIII.8", "t");
+                     "thesis 6.12-6.15, AIII.1-AIII.8", "t");
   entry.unit = "unit of shear";
   entry.scale = faded_scale;
-  entry.by_ref = [of](Exacts x, int digits) {
-    return ref::relaxation(exact_modulus_at(x, of.at, of.argument), x[0], digits);
-  };
-  set_fast(entry, [of](MaterialArguments x, fast::Accuracy) {
-    return fast::relaxation(modulus_at(x, of.at, of.argument), x[0]).value;
-  });
-  entry.envelope = [of](MaterialArguments x) {
-    return fast::relaxation(modulus_at(x, of.at, of.argument), x[0]).size;
-  };
+  set_evaluators(
+      entry, [of](MaterialArguments x) { return fast::relaxation(of.in(x), x[0]); },
+      [of](Exacts x, int digits) { return ref::relaxation(of.in(x), x[0], digits); },
+      [of](const fast::RationalSolid& solid, double t) { return fast::relaxation(solid, of.strain, t); },
+      [of](const ref::ExactRationalSolid& solid, const ref::Exact& t, int digits) {
+        return ref::relaxation(of.in(solid), t, digits);
+      });
   return entry;
 }
 
 Quantity creep_entry(const char* name, OfOneModulus of, const char* what) {
   Quantity entry = material_entry(
       name, std::string("creep compliance in ") + what + ": strain under a unit of stress since t ago",
-      "thesis figure 32b", "t");
+      "thesis figure 32b, 6.12-6.15", "t");
   entry.unit = "1/unit of shear";
-  entry.by_ref = [of](Exacts x, int digits) {
-    return ref::creep(exact_modulus_at(x, of.at, of.argument), x[0], digits);
-  };
-  set_fast(entry, [of](MaterialArguments x, fast::Accuracy) {
-    return fast::creep(modulus_at(x, of.at, of.argument), x[0]);
-  });
+  set_evaluators(
+      entry,
+      [of](MaterialArguments x) -> fast::Fading {
+        return {fast::creep(of.in(x), x[0]), 0};
+      },
+      [of](Exacts x, int digits) { return ref::creep(of.in(x), x[0], digits); },
+      [of](const fast::RationalSolid& solid, double t) { return fast::creep(solid, of.strain, t); },
+      [of](const ref::ExactRationalSolid& solid, const ref::Exact& t, int digits) {
+        return ref::creep(of.in(solid), t, digits);
+      });
   return entry;
 }
 
-Quantity cyclic_entry(const char* name, const char* definition, OfOneModulus of,
-                      double (*by_fast)(const fast::Modulus&, double),
-                      ref::Enclosure (*by_ref)(const ref::ExactModulus&, const ref::Exact&, int)) {
+/// Storage or loss, by the overloads of that name.
+#define NIPREF_CYCLIC(function)                                                         \
+  [of](MaterialArguments x) -> fast::Fading {                                           \
+    return {fast::function(of.in(x), x[0]), 0};                                         \
+  },                                                                                    \
+      [of](Exacts x, int digits) { return ref::function(of.in(x), x[0], digits); },     \
+      [of](const fast::RationalSolid& solid, double omega) {                            \
+        return fast::function(solid, of.strain, omega);                                 \
+      },                                                                                \
+      [of](const ref::ExactRationalSolid& solid, const ref::Exact& omega, int digits) { \
+        return ref::function(of.in(solid), omega, digits);                              \
+      }
+
+Quantity cyclic_entry(const char* name, const char* definition, OfOneModulus of, bool loses) {
   Quantity entry = material_entry(name, definition, "thesis 6.12 at p = i omega", "omega");
   entry.unit = "unit of shear";
-  entry.by_ref = [=](Exacts x, int digits) {
-    return by_ref(exact_modulus_at(x, of.at, of.argument), x[0], digits);
-  };
-  set_fast(entry, [=](MaterialArguments x, fast::Accuracy) {
-    return by_fast(modulus_at(x, of.at, of.argument), x[0]);
-  });
+  if (loses) {
+    set_evaluators(entry, NIPREF_CYCLIC(loss));
+  } else {
+    set_evaluators(entry, NIPREF_CYCLIC(storage));
+  }
   entry.draw = [](Random& random) {
     Point x = draw_material(random);
     if (x[0] != 0) x[0] = 1 / x[0];
@@ -159,50 +229,53 @@ Quantity theta1_entry() {
   Quantity entry =
       material_entry("material.theta1",
                      "1/(2G) as a function of time beside its impulse: strain t after an impulse of stress",
-                     "thesis 6.16, AIII.10", "t");
+                     "thesis 6.16, 6.17, AIII.10", "t");
   entry.unit = "1/(unit of shear time)";
   entry.scale = faded_scale;
-  entry.by_ref = [](Exacts x, int digits) { return ref::theta1(exact_shear_of(x), x[0], digits); };
-  set_fast(entry, [](MaterialArguments x, fast::Accuracy) { return fast::theta1(shear_of(x), x[0]).value; });
-  entry.envelope = [](MaterialArguments x) { return fast::theta1(shear_of(x), x[0]).size; };
+  set_evaluators(
+      entry, [](MaterialArguments x) { return fast::theta1(shear_of(x), x[0]); },
+      [](Exacts x, int digits) { return ref::theta1(exact_shear_of(x), x[0], digits); },
+      [](const fast::RationalSolid& solid, double t) { return fast::theta1(solid, t); },
+      [](const ref::ExactRationalSolid& solid, const ref::Exact& t, int digits) {
+        return ref::fading_part(solid.theta1, t, digits);
+      });
   return entry;
 }
 
 Quantity theta2_entry() {
   Quantity entry =
       material_entry("material.theta2", "3/(6K + 2G) as a function of time beside its impulse: as theta1",
-                     "thesis 6.17, AIII.11", "t");
+                     "thesis 6.16, 6.17, AIII.11", "t");
   entry.unit = "1/(unit of shear time)";
   entry.scale = faded_scale;
   entry.promise = theta2_promise;
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::theta2(exact_shear_of(x), exact_bulk_of(x), x[0], digits);
-  };
-  set_fast(entry, [](MaterialArguments x, fast::Accuracy) {
-    return fast::theta2(shear_of(x), bulk_of(x), x[0]).value;
-  });
-  entry.envelope = [](MaterialArguments x) { return fast::theta2(shear_of(x), bulk_of(x), x[0]).size; };
+  set_evaluators(
+      entry, [](MaterialArguments x) { return fast::theta2(shear_of(x), bulk_of(x), x[0]); },
+      [](Exacts x, int digits) { return ref::theta2(exact_shear_of(x), exact_bulk_of(x), x[0], digits); },
+      [](const fast::RationalSolid& solid, double t) { return fast::theta2(solid, t); },
+      [](const ref::ExactRationalSolid& solid, const ref::Exact& t, int digits) {
+        return ref::fading_part(solid.theta2, t, digits);
+      });
   return entry;
 }
 
 }  // namespace
 
 std::vector<Quantity> material_entries() {
-  constexpr OfOneModulus in_shear{shear_at, "shear"}, in_dilatation{bulk_at, "bulk"};
-  return {theta1_entry(),
-          theta2_entry(),
-          relaxation_entry("G", in_shear, "shear"),
-          relaxation_entry("K", in_dilatation, "dilatation"),
-          creep_entry("material.creep_shear", in_shear, "shear"),
-          creep_entry("material.creep_bulk", in_dilatation, "dilatation"),
-          cyclic_entry("material.storage_shear", "storage modulus in shear, Re G(i omega)", in_shear,
-                       fast::storage, ref::storage),
-          cyclic_entry("material.storage_bulk", "storage modulus in dilatation, Re K(i omega)", in_dilatation,
-                       fast::storage, ref::storage),
-          cyclic_entry("material.loss_shear", "loss modulus in shear, Im G(i omega)", in_shear, fast::loss,
-                       ref::loss),
-          cyclic_entry("material.loss_bulk", "loss modulus in dilatation, Im K(i omega)", in_dilatation,
-                       fast::loss, ref::loss)};
+  constexpr OfOneModulus in_shear{shear_at, "shear", fast::Strain::shear},
+      in_dilatation{bulk_at, "bulk", fast::Strain::dilatation};
+  return {
+      theta1_entry(),
+      theta2_entry(),
+      relaxation_entry("G", in_shear, "shear"),
+      relaxation_entry("K", in_dilatation, "dilatation"),
+      creep_entry("material.creep_shear", in_shear, "shear"),
+      creep_entry("material.creep_bulk", in_dilatation, "dilatation"),
+      cyclic_entry("material.storage_shear", "storage modulus in shear, Re G(i omega)", in_shear, false),
+      cyclic_entry("material.storage_bulk", "storage modulus in dilatation, Re K(i omega)", in_dilatation,
+                   false),
+      cyclic_entry("material.loss_shear", "loss modulus in shear, Im G(i omega)", in_shear, true),
+      cyclic_entry("material.loss_bulk", "loss modulus in dilatation, Im K(i omega)", in_dilatation, true)};
 }
 
 }  // namespace nipref::verify

@@ -1,0 +1,208 @@
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/magnitude.hpp>
+#include <nipref/fast/material/internal/inverse_transform.hpp>
+#include <nipref/fast/material/rational_solid.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using internal::Polynomial;
+using internal::product;
+using internal::Rational;
+using internal::Sized;
+using internal::times;
+using internal::Wide;
+
+/// Of the parts that a value is made of; they are good to less.
+constexpr double least_scale = 0x1p-150;
+
+/// A modulus Q/P; P by factors too, where it has known ones.
+struct Operators {
+  Polynomial p, q;
+  std::vector<Polynomial> factors{p};
+};
+struct Solid {
+  Operators shear, dilatation;
+  Rational theta1, theta2;
+};
+
+void check_part(const std::string& name, double value) {
+  if (!(value == 0 || data::is_magnitude(std::fabs(value))))
+    throw data::BadInput(name, value, "must be 0 or of a magnitude from 1e-60 to 1e60");
+}
+
+void check_not_below_0(const std::string& name, double value) {
+  check_part(name, value);
+  if (value < 0) throw data::BadInput(name, value, "must be >= 0");
+}
+
+/// theta1 or theta2, numerator over denominator.
+struct Series {
+  Polynomial numerator;
+  std::vector<Polynomial> factors;
+  Polynomial denominator{1};
+};
+
+Series series_of(const data::PronyList& list, const std::string& name) {
+  check_not_below_0(name + "_instantaneous", list.instantaneous);
+  Series series{internal::trimmed({list.instantaneous}), {}};
+  for (std::size_t i = 0; i < list.rates.size(); ++i) {
+    const std::string number = i == 0 ? "" : "_" + std::to_string(i + 1);
+    check_part(name + "_amplitude" + number, list.amplitudes[i]);
+    check_not_below_0(name + "_rate" + number, list.rates[i]);
+    if (list.amplitudes[i] == 0) continue;
+    const Polynomial factor{list.rates[i], 1};
+    series.numerator =
+        internal::sum(product(series.numerator, factor), times(list.amplitudes[i], series.denominator));
+    series.denominator = product(series.denominator, factor);
+    series.factors.push_back(factor);
+  }
+  if (series.numerator.empty())
+    throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
+  return series;
+}
+
+Polynomial polynomial_of(const std::vector<double>& coefficients, const std::string& name) {
+  Polynomial p;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    check_not_below_0(name + "_" + std::to_string(k), coefficients[k]);
+    p.emplace_back(coefficients[k]);
+  }
+  p = internal::trimmed(std::move(p));
+  if (p.empty()) throw data::BadInput(name, "0", "must have a coefficient that is not 0");
+  return p;
+}
+
+Operators operators_of(const std::vector<double>& p, const std::vector<double>& q,
+                       const std::string& suffix) {
+  Operators both{polynomial_of(p, "P" + suffix), polynomial_of(q, "Q" + suffix)};
+  if (both.q.size() < both.p.size() || both.q.size() > both.p.size() + 1) {
+    throw data::BadInput("Q" + suffix, "of degree " + std::to_string(both.q.size() - 1),
+                         "must be of the degree of P" + suffix + ", " + std::to_string(both.p.size() - 1) +
+                             ", or of one more: what gives way without bound at once is no solid");
+  }
+  return both;
+}
+
+struct Build {
+  Solid operator()(const data::PronySeries& both) const {
+    const Series one = series_of(both.theta1, "theta1"), two = series_of(both.theta2, "theta2");
+    return of_compliances(one, two);
+  }
+  Solid operator()(const data::DifferentialOperators& x) const {
+    const Operators shear = operators_of(x.p, x.q, ""),
+                    dilatation = operators_of(x.p_dilatation, x.q_dilatation, "_dilatation");
+    // A factor that both have would be a spurious root.
+    const bool same = shear.p == dilatation.p;
+    const Polynomial six = times(6, dilatation.q), two = times(2, shear.q);
+    return {shear,
+            dilatation,
+            {shear.p, {two}},
+            same ? Rational{times(3, shear.p), {internal::sum(six, two)}}
+                 : Rational{times(3, product(shear.p, dilatation.p)),
+                            {internal::sum(product(six, shear.p), product(two, dilatation.p))}}};
+  }
+  Solid operator()(const data::SingleRelaxationTimeSolid& x) const {
+    data::check_magnitude("bulk", x.bulk);
+    data::check_magnitude("shear", x.shear);
+    data::check_magnitude("tau", x.relaxation_time);
+    const Wide tau = x.relaxation_time, shear = x.shear, both = 6 * Wide(x.bulk) + 2 * shear;
+    const Wide factor = x.theta2_rate_factor;
+    // theta1 = (2 + tau p)/(2 shear (1 + tau p)), theta2 = 3 (1 + factor + tau p)/(both (factor + tau p))
+    const Polynomial d1{2 * shear, 2 * shear * tau}, d2{factor * both, both * tau};
+    return of_compliances({{2, tau}, {d1}, d1}, {{3 * (1 + factor), 3 * tau}, {d2}, d2});
+  }
+
+ private:
+  /// G = 1/(2 theta1), 6K = 3/theta2 - 1/theta1.
+  static Solid of_compliances(const Series& one, const Series& two) {
+    return {{times(2, one.numerator), one.denominator},
+            {times(6, product(one.numerator, two.numerator)),
+             internal::sum(times(3, product(two.denominator, one.numerator)),
+                           times(-1, product(one.denominator, two.numerator))),
+             {times(6, one.numerator), two.numerator}},
+            {one.numerator, one.factors},
+            {two.numerator, two.factors}};
+  }
+};
+
+Solid built(const RationalSolid& solid) { return std::visit(Build{}, solid); }
+
+const Operators& of_strain(const Solid& solid, Strain of) {
+  return of == Strain::shear ? solid.shear : solid.dilatation;
+}
+
+void check_not_negative(const char* name, double value) {
+  if (!(std::isfinite(value) && value >= 0)) throw data::BadInput(name, value, "must be finite and >= 0");
+}
+
+Fading rounded(const Sized& found, const char* name, double at) {
+  const Fading result{static_cast<double>(found.value), least_scale * static_cast<double>(found.size)};
+  if (!std::isfinite(result.value))
+    throw data::BadInput(name, at, "must be where the value is within the range of doubles");
+  return {result.value, std::isfinite(result.size) ? result.size : 0};
+}
+
+Fading in_time(const Rational& transform, double t) {
+  check_not_negative("t", t);
+  return rounded(internal::inverse_transform(transform, t), "t", t);
+}
+
+/// p(i omega), real and imaginary, and the same of magnitudes.
+struct Swing {
+  Wide re = 0, im = 0, size = 0;
+
+  Swing(const Polynomial& p, double omega) {
+    Wide power = 1;
+    for (std::size_t k = 0; k < p.size(); ++k, power *= omega) {
+      const Wide term = p[k] * power;
+      (k % 2 == 0 ? re : im) += k % 4 < 2 ? term : Wide(-term);
+      size += abs(term);
+    }
+  }
+};
+
+Fading at_frequency(const Operators& modulus, double omega, bool loses) {
+  check_not_negative("omega", omega);
+  const Swing n(modulus.q, omega), d(modulus.p, omega);
+  const Wide square = d.re * d.re + d.im * d.im;
+  if (square == 0) throw data::BadInput("omega", omega, "must not be where the modulus is infinite");
+  return rounded(
+      {(loses ? n.im * d.re - n.re * d.im : n.re * d.re + n.im * d.im) / square, n.size * d.size / square},
+      "omega", omega);
+}
+
+}  // namespace
+
+Fading relaxation(const RationalSolid& solid, Strain of, double t) {
+  const Solid all = built(solid);
+  const Operators& modulus = of_strain(all, of);
+  std::vector<Polynomial> factors = modulus.factors;
+  factors.push_back({0, 1});
+  return in_time({modulus.q, factors}, t);
+}
+
+Fading creep(const RationalSolid& solid, Strain of, double t) {
+  const Solid all = built(solid);
+  const Operators& modulus = of_strain(all, of);
+  if (modulus.q.empty())
+    throw data::BadInput("theta2", "3 theta1 at all times", "must be less: nothing resists dilatation");
+  return in_time({modulus.p, {{0, 1}, modulus.q}}, t);
+}
+
+Fading storage(const RationalSolid& solid, Strain of, double omega) {
+  return at_frequency(of_strain(built(solid), of), omega, false);
+}
+
+Fading loss(const RationalSolid& solid, Strain of, double omega) {
+  return at_frequency(of_strain(built(solid), of), omega, true);
+}
+
+Fading theta1(const RationalSolid& solid, double t) { return in_time(built(solid).theta1, t); }
+Fading theta2(const RationalSolid& solid, double t) { return in_time(built(solid).theta2, t); }
+
+}  // namespace nipref::fast

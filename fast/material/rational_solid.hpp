@@ -1,0 +1,31 @@
+#pragma once
+#include <nipref/data/material/constants.hpp>
+#include <nipref/fast/material/moduli.hpp>
+
+namespace nipref::fast {
+
+/// A solid whose moduli are ratios of polynomials in d/dt, by the constants that describe it. Nothing is asked of it but
+/// that it has these functions: it may be a fluid (a rate of 0, Q without p^0), give way to nothing at once (Kelvin's and
+/// Voigt's: instantaneous 0, Q of one degree more than P), have rates that are equal, nearly so or complex, and gain
+/// energy. Up to two terms in a series, second order in operators.
+using RationalSolid =
+    std::variant<data::PronySeries, data::DifferentialOperators, data::SingleRelaxationTimeSolid>;
+
+enum class Strain { shear, dilatation };
+
+// As their namesakes in moduli.hpp are defined, dilatation meaning K. Computed in 237 bits and rounded: good to a unit in
+// the last place of max(|value|, size), the size being some 1e-45 of the parts that the value is made of, 0 in effect
+// unless these cancel. Tens to hundreds of microseconds.
+//
+// BadInput, naming a member as the catalogue does: coefficients that are neither 0 nor magnitudes (data::is_magnitude),
+// rates and coefficients of operators < 0, a P or Q or a theta that is 0 altogether, Q of a lower degree than P or of
+// more than one higher; t and omega not finite or < 0; and where the value is not within the range of doubles.
+
+Fading relaxation(const RationalSolid& solid, Strain of, double t);
+Fading creep(const RationalSolid& solid, Strain of, double t);
+Fading storage(const RationalSolid& solid, Strain of, double omega);
+Fading loss(const RationalSolid& solid, Strain of, double omega);
+Fading theta1(const RationalSolid& solid, double t);
+Fading theta2(const RationalSolid& solid, double t);
+
+}  // namespace nipref::fast

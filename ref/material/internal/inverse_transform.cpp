@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Points = std::vector<ComplexInterval>;
+
+/// The roots, and 0 as often as it is one, to about so many bits.
+std::vector<ComplexFloat> roots_near(Polynomial p, mpfr_prec_t bits) {
+  const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.302) + 10);
+  std::vector<ComplexFloat> roots;
+  while (p.size() > 1 && p.front() == 0) {
+    p.erase(p.begin());
+    roots.emplace_back();
+  }
+  const Float unit = ldexp(Float(1), -bits);
+  for (const ComplexFloat& root : approximate_zeros(FloatPolynomial(p), unit)) roots.push_back(root);
+  return roots;
+}
+
+Interval exactly(const Float& x, mpfr_prec_t bits) {
+  Interval result(std::max(bits, mpfr_get_prec(x.get())));
+  mpfi_set_fr(result.get(), x.get());
+  return result;
+}
+
+Interval rational_interval(const mpq_class& x, mpfr_prec_t bits) { return {Exact(x), bits}; }
+
+Interval magnitude_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
+
+Interval larger(const Interval& x, const Interval& y) { return mpfr_cmp(x.upper(), y.upper()) < 0 ? y : x; }
+
+ComplexInterval exp_of(const ComplexInterval& z) {
+  const Interval size = exp(z.real);
+  return {size * cos(z.imag), size * sin(z.imag)};
+}
+
+ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
+
+/// Of points within 1 of each other: see fast's. What the series leaves out is below 2/(M! k!).
+ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
+  const auto count = static_cast<long>(x.size());
+  ComplexInterval mean{Interval(bits), Interval(bits)};
+  for (const ComplexInterval& point : x) mean = mean + point;
+  mean = divided(mean, count);
+  long terms = 4;
+  for (double left = static_cast<double>(bits) + 8; left > 0; ++terms)
+    left -= std::log2(static_cast<double>(terms - 3));
+  Points symmetric(static_cast<std::size_t>(terms), {Interval(bits), Interval(bits)});
+  symmetric[0].real = Interval(1L, bits);
+  for (const ComplexInterval& point : x) {
+    for (std::size_t m = 1; m < symmetric.size(); ++m)
+      symmetric[m] = symmetric[m] + (point - mean) * symmetric[m - 1];
+  }
+  // From the last term on: (..(h_M/(M + k) + h_(M-1))/(M + k - 1) ..)
+  ComplexInterval sum{Interval(bits), Interval(bits)};
+  for (long m = terms - 1; m >= 0; --m) {
+    sum = sum + symmetric[static_cast<std::size_t>(m)];
+    if (m > 0) sum = divided(sum, m + count - 1);
+  }
+  for (long k = 2; k < count; ++k) sum = divided(sum, k);
+  Interval rest(1L, 64);
+  mpfi_mul_2si(rest.get(), rest.get(), -bits);
+  return exp_of(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
+}
+
+/// e^x[x_0..x_m], by the two that are farthest from each other.
+ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
+  if (x.size() == 1) return exp_of(x.front());
+  std::size_t first = 0, second = 1;
+  Interval farthest(-1L, 64);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = i + 1; j < x.size(); ++j) {
+      const Interval apart = magnitude_of(x[i] - x[j]);
+      if (mpfr_cmp(apart.upper(), farthest.upper()) > 0) {
+        farthest = apart;
+        first = i;
+        second = j;
+      }
+    }
+  }
+  if (mpfr_cmp_ui(farthest.upper(), 1) <= 0) return near_difference(x, bits);
+  const auto without = [&](std::size_t i) {
+    Points others = x;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    return exponential_difference(others, bits);
+  };
+  return (without(second) - without(first)) * inverse(x[first] - x[second]);
+}
+
+/// Divided differences of a polynomial over the first root, the first two, ...: by synthetic division.
+Points polynomial_differences(Points rest, const Points& roots) {
+  Points found;
+  for (std::size_t k = 0; k < roots.size() && !rest.empty(); ++k) {
+    for (std::size_t i = rest.size() - 1; i-- > 0;) rest[i] = rest[i] + roots[k] * rest[i + 1];
+    found.push_back(rest.front());
+    rest.erase(rest.begin());
+  }
+  return found;
+}
+
+/// What bounds a divided difference over n roots, but for e^(mu t): the sum of |p[z_1..z_k]| t^(n-k)/(n-k)!.
+Interval bound_of(const Points& differences, std::size_t roots, const Interval& t) {
+  Interval sum(t.precision());
+  for (std::size_t k = 0; k < differences.size(); ++k) {
+    Interval term = magnitude_of(differences[k]);
+    for (std::size_t m = 1; m + k < roots; ++m) term = term * t / static_cast<long>(m);
+    sum = sum + term;
+  }
+  return sum;
+}
+
+Points over_last(const Polynomial& numerator, const mpq_class& last, mpfr_prec_t bits) {
+  Points result;
+  for (const mpq_class& c : numerator)
+    result.push_back({rational_interval(mpq_class(c / last), bits), Interval(bits)});
+  return result;
+}
+
+/// (D - D~)/d
+Points backward_error(const Polynomial& denominator, const Points& roots, mpfr_prec_t bits) {
+  Points formed{{Interval(1L, bits), Interval(bits)}};
+  for (const ComplexInterval& root : roots) {
+    formed.insert(formed.begin(), {Interval(bits), Interval(bits)});
+    for (std::size_t k = 0; k + 1 < formed.size(); ++k) formed[k] = formed[k] - root * formed[k + 1];
+  }
+  Points error = over_last(denominator, denominator.back(), bits);
+  for (std::size_t k = 0; k < error.size(); ++k) error[k] = error[k] - formed[k];
+  error.pop_back();
+  return error;
+}
+
+}  // namespace
+
+Interval inverse_transform(const Polynomial& numerator, const Polynomial& denominator, const mpq_class& t,
+                           mpfr_prec_t bits) {
+  const Interval time = rational_interval(t, bits);
+  Points roots, faded;
+  Interval mu(bits);
+  for (const ComplexFloat& root : roots_near(denominator, bits)) {
+    const ComplexInterval exact{exactly(root.re, bits), exactly(root.im, bits)};
+    mu = roots.empty() ? exact.real : larger(mu, exact.real);
+    roots.push_back(exact);
+    faded.push_back({exact.real * time, exact.imag * time});
+  }
+  const Points differences = polynomial_differences(over_last(numerator, denominator.back(), bits), roots);
+  ComplexInterval value{Interval(bits), Interval(bits)};
+  for (const ComplexInterval& difference : differences) {
+    ComplexInterval term = difference * exponential_difference(faded, bits);
+    for (std::size_t m = 1; m < faded.size(); ++m) term = {term.real * time, term.imag * time};
+    value = value + term;
+    faded.erase(faded.begin());
+  }
+  const Interval size = bound_of(differences, roots.size(), time) * exp(mu * time);
+  const Points error = polynomial_differences(backward_error(denominator, roots, bits), roots);
+  return value.real.widened(size * expm1(bound_of(error, roots.size(), time) * time));
+}
+
+double slowest_rate(const Polynomial& denominator) {
+  double slowest = INFINITY;
+  for (const ComplexFloat& root : roots_near(denominator, 200))
+    slowest = std::min(slowest, -static_cast<double>(root.re));
+  return slowest;
+}
+
+}  // namespace nipref::ref

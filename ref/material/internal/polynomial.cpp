@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include <nipref/ref/material/internal/polynomial.hpp>
+
+namespace nipref::ref {
+namespace {
+
+/// Euclid's.
+Polynomial common_factor(Polynomial a, Polynomial b) {
+  while (!b.empty()) {
+    (void)divide(a, b);
+    std::swap(a, b);
+  }
+  return a;
+}
+
+/// On a circle that holds all zeros (Fujiwara), turned a little, so that no two are each other's conjugates.
+std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
+  const int n = p.degree();
+  Float radius = 0;
+  for (int k = 0; k < n; ++k) {
+    const auto& c = p.coefficients;
+    const Float size = abs(c[static_cast<std::size_t>(k)] / c.back());
+    if (size != 0) radius = std::max(radius, Float(2 * pow(size, Float(1) / (n - k))));
+  }
+  std::vector<ComplexFloat> guesses;
+  for (int k = 0; k < n; ++k)
+    guesses.push_back(exp(ComplexFloat(0, 2 * std::numbers::pi * (k + 0.2) / n)) * radius);
+  return guesses;
+}
+
+/// How large the terms are that a value is the sum of.
+Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
+  const Float size = abs(z);
+  Float sum = 0;
+  for (auto c = p.coefficients.rbegin(); c != p.coefficients.rend(); ++c) sum = sum * size + abs(*c);
+  return sum;
+}
+
+}  // namespace
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  if (a.empty() || b.empty()) return {};
+  Polynomial c(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
+  }
+  return c;
+}
+
+Polynomial sum(const Polynomial& a, const Polynomial& b) {
+  Polynomial c(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < a.size(); ++i) c[i] += a[i];
+  for (std::size_t i = 0; i < b.size(); ++i) c[i] += b[i];
+  return c;
+}
+
+Polynomial trimmed(Polynomial p) {
+  while (!p.empty() && p.back() == 0) p.pop_back();
+  return p;
+}
+
+Polynomial divide(Polynomial& dividend, const Polynomial& divisor) {
+  Polynomial quotient(dividend.size() < divisor.size() ? 0 : dividend.size() - divisor.size() + 1);
+  for (std::size_t k = quotient.size(); k-- > 0;) {
+    quotient[k] = dividend[k + divisor.size() - 1] / divisor.back();
+    for (std::size_t j = 0; j < divisor.size(); ++j) dividend[k + j] -= quotient[k] * divisor[j];
+  }
+  dividend = trimmed(std::move(dividend));
+  return quotient;
+}
+
+void cancel(Polynomial& numerator, Polynomial& denominator) {
+  numerator = trimmed(std::move(numerator));
+  denominator = trimmed(std::move(denominator));
+  const Polynomial common = common_factor(numerator, denominator);
+  numerator = divide(numerator, common);
+  denominator = divide(denominator, common);
+}
+
+FloatPolynomial::FloatPolynomial(const Polynomial& exact) {
+  for (const mpq_class& c : exact) coefficients.push_back(to_float(Exact(c)));
+}
+
+std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z) const {
+  ComplexFloat value, slope;
+  for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
+    slope = slope * z + value;
+    value = value * z + ComplexFloat(*c);
+  }
+  return {std::move(value), std::move(slope)};
+}
+
+std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
+  constexpr int most_rounds = 2000, lost_bits = 4;
+  const Float rounding = ldexp(Float(1), lost_bits - mpfr_get_prec(Float().get()));
+  std::vector<ComplexFloat> zeros = first_guesses(p);
+  Float change = 1;
+  for (int round = 0; round < most_rounds && change > 0; ++round) {
+    change = 0;
+    for (ComplexFloat& zero : zeros) {
+      const auto [value, slope] = p.at(zero);
+      if (abs(value) <= rounding * size_of_terms(p, zero)) continue;
+      if (p.degree() * abs(value) <= unit * unit * abs(slope) * abs(zero)) continue;
+      ComplexFloat push;
+      for (const ComplexFloat& other : zeros) {
+        if (&other != &zero && abs(zero - other) > 0) push = push + ComplexFloat(1) / (zero - other);
+      }
+      const ComplexFloat step = ComplexFloat(1) / (slope / value - push);
+      zero = zero - step;
+      const Float relative = abs(step) / abs(zero);
+      if (relative > unit) change = std::max(change, relative);
+    }
+  }
+  return zeros;
+}
+
+}  // namespace nipref::ref

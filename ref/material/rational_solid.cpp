@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/material/rational_solid.hpp>
+
+namespace nipref::ref {
+namespace {
+
+void check_not_below_0(const std::string& name, const Exact& value) {
+  if (value.sign() < 0) throw data::BadInput(name, value.text(), "must be >= 0");
+}
+
+void check_above_0(const std::string& name, const Exact& value) {
+  if (value.sign() <= 0) throw data::BadInput(name, value.text(), "must be > 0");
+}
+
+ExactRatio ratio_of(const ExactSeries& series, const std::string& name) {
+  check_not_below_0(name + "_instantaneous", series.instantaneous);
+  ExactRatio sum{{series.instantaneous.value()}, {1}};
+  for (std::size_t i = 0; i < series.rates.size(); ++i) {
+    check_not_below_0(name + "_rate" + (i == 0 ? "" : "_" + std::to_string(i + 1)), series.rates[i]);
+    const Polynomial factor{series.rates[i].value(), 1};
+    sum.numerator =
+        ref::sum(product(sum.numerator, factor), product({series.amplitudes[i].value()}, sum.denominator));
+    sum.denominator = product(sum.denominator, factor);
+  }
+  if (trimmed(sum.numerator).empty())
+    throw data::BadInput(name, "0 at all times", "must have a constant that is not 0");
+  return sum;
+}
+
+ExactRatio operators_of(const std::vector<Exact>& p, const std::vector<Exact>& q, const std::string& suffix) {
+  const auto polynomial = [&](const std::vector<Exact>& coefficients, const std::string& name) {
+    Polynomial result;
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+      check_not_below_0(name + suffix + "_" + std::to_string(k), coefficients[k]);
+      result.push_back(coefficients[k].value());
+    }
+    result = trimmed(std::move(result));
+    if (result.empty()) throw data::BadInput(name + suffix, "0", "must have a coefficient that is not 0");
+    return result;
+  };
+  const Polynomial above = polynomial(q, "Q"), below = polynomial(p, "P");
+  if (above.size() < below.size() || above.size() > below.size() + 1) {
+    throw data::BadInput("Q" + suffix, "of degree " + std::to_string(above.size() - 1),
+                         "must be of the degree of P" + suffix + ", " + std::to_string(below.size() - 1) +
+                             ", or of one more: what gives way without bound at once is no solid");
+  }
+  return {above, below};
+}
+
+/// 1/(2G) and 3/(6K + 2G)
+ExactRationalSolid of_moduli(const ExactRatio& G, const ExactRatio& K) {
+  return {G,
+          K,
+          {G.denominator, product({2}, G.numerator)},
+          {product(product({3}, G.denominator), K.denominator),
+           sum(product(product({6}, K.numerator), G.denominator),
+               product(product({2}, G.numerator), K.denominator))}};
+}
+
+/// G = 1/(2 theta1), 6K = 3/theta2 - 1/theta1.
+ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) {
+  return {{one.denominator, product({2}, one.numerator)},
+          {sum(product(product({3}, two.denominator), one.numerator),
+               product(product({-1}, one.denominator), two.numerator)),
+           product(product({6}, one.numerator), two.numerator)},
+          one,
+          two};
+}
+
+/// A number known exactly.
+Enclosure exactly_known(const mpq_class& value, int digits) {
+  if (value == 0) return exact_zero(digits);
+  return enclose(digits, 0, [&](double nats) {
+    return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
+  });
+}
+
+/// Bits that bounds of divided differences lose where rates times t are large.
+double bits_of_rates(const Polynomial& p, const mpq_class& t) {
+  const auto degree = static_cast<double>(p.size() - 1);
+  double most = 0;
+  for (std::size_t k = 0; k + 1 < p.size(); ++k) {
+    const double ratio = Exact(mpq_class(p[k] / p.back())).log2_magnitude();
+    most = std::max(most, 1 + ratio / (degree - static_cast<double>(k)) + Exact(t).log2_magnitude());
+  }
+  return degree * most;
+}
+
+Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, int digits) {
+  check_not_below_0("t", t);
+  cancel(numerator, denominator);
+  (void)divide(numerator, denominator);  // impulses
+  if (numerator.empty()) return exact_zero(digits);
+  if (t.sign() == 0) {
+    const bool starts_at_0 = numerator.size() + 1 < denominator.size();
+    return starts_at_0 ? exact_zero(digits)
+                       : exactly_known(mpq_class(numerator.back() / denominator.back()), digits);
+  }
+  constexpr double longest = 7e8;
+  if (slowest_rate(denominator) * t.approximate() > longest)
+    throw data::BadInput("t", t.text(),
+                         "must be at most 7e8 relaxation times, beyond which there is no such number");
+  const double spare = 128 + bits_of_rates(denominator, t.value());
+  return enclose(digits, 0, [&](double nats) {
+    return inverse_transform(numerator, denominator, t.value(),
+                             static_cast<mpfr_prec_t>(spare + nats / std::numbers::ln2));
+  });
+}
+
+/// p(i omega)
+std::pair<mpq_class, mpq_class> swung(const Polynomial& p, const mpq_class& omega) {
+  mpq_class real = 0, imaginary = 0, power = 1;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const mpq_class term = k % 4 < 2 ? mpq_class(p[k] * power) : mpq_class(-p[k] * power);
+    (k % 2 == 0 ? real : imaginary) += term;
+    power *= omega;
+  }
+  return {real, imaginary};
+}
+
+Enclosure at_frequency(const ExactRatio& modulus, const Exact& omega, bool loses, int digits) {
+  check_not_below_0("omega", omega);
+  const auto [n_real, n_imaginary] = swung(modulus.numerator, omega.value());
+  const auto [d_real, d_imaginary] = swung(modulus.denominator, omega.value());
+  const mpq_class square = d_real * d_real + d_imaginary * d_imaginary;
+  if (square == 0) throw data::BadInput("omega", omega.text(), "must not be where the modulus is infinite");
+  const mpq_class value = loses ? mpq_class(n_imaginary * d_real - n_real * d_imaginary)
+                                : mpq_class(n_real * d_real + n_imaginary * d_imaginary);
+  return exactly_known(value / square, digits);
+}
+
+}  // namespace
+
+ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& theta2) {
+  return of_compliances(ratio_of(theta1, "theta1"), ratio_of(theta2, "theta2"));
+}
+
+ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vector<Exact>& q,
+                                   const std::vector<Exact>& p_dilatation,
+                                   const std::vector<Exact>& q_dilatation) {
+  return of_moduli(operators_of(p, q, ""), operators_of(p_dilatation, q_dilatation, "_dilatation"));
+}
+
+ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
+                                     int theta2_rate_factor) {
+  check_above_0("bulk", bulk);
+  check_above_0("shear", shear);
+  check_above_0("tau", tau);
+  const auto relaxing = [&](const mpq_class& at_once, int factor) {
+    return ratio_of(
+        {Exact(at_once), {Exact(mpq_class(at_once / tau.value()))}, {Exact(mpq_class(factor / tau.value()))}},
+        "theta");
+  };
+  const mpq_class both = 6 * bulk.value() + 2 * shear.value();
+  return of_compliances(relaxing(1 / (2 * shear.value()), 1), relaxing(3 / both, theta2_rate_factor));
+}
+
+Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits) {
+  return in_time(modulus.numerator, product({0, 1}, modulus.denominator), t, digits);
+}
+
+Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits) {
+  if (trimmed(modulus.numerator).empty())
+    throw data::BadInput("theta2", "3 theta1 at all times", "must be less: nothing resists dilatation");
+  return in_time(modulus.denominator, product({0, 1}, modulus.numerator), t, digits);
+}
+
+Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits) {
+  return at_frequency(modulus, omega, false, digits);
+}
+
+Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits) {
+  return at_frequency(modulus, omega, true, digits);
+}
+
+Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits) {
+  return in_time(theta.numerator, theta.denominator, t, digits);
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,49 @@
+#pragma once
+#include <gmpxx.h>
+
+#include <vector>
+
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/exact.hpp>
+
+namespace nipref::ref {
+
+/// numerator/denominator, polynomials in d/dt, the coefficient of p^0 first.
+struct ExactRatio {
+  std::vector<mpq_class> numerator, denominator;
+};
+
+/// What fast::RationalSolid is, known exactly.
+struct ExactRationalSolid {
+  ExactRatio shear, dilatation;  ///< G and K
+  ExactRatio theta1, theta2;
+};
+
+/// instantaneous + sum amplitude/(p + rate)
+struct ExactSeries {
+  Exact instantaneous;
+  std::vector<Exact> amplitudes, rates;
+};
+
+// BadInput as fast::RationalSolid has it, but that constants may be of any magnitude.
+
+ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& theta2);
+/// G = Q/P, K = Q'/P'.
+ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vector<Exact>& q,
+                                   const std::vector<Exact>& p_dilatation,
+                                   const std::vector<Exact>& q_dilatation);
+/// data::SingleRelaxationTimeSolid
+ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
+                                     int theta2_rate_factor);
+
+// As fast's namesakes are defined, `modulus` being shear or dilatation; t, omega >= 0, digits 16 to 1000. Proven: common
+// factors are cancelled exactly, then see inverse_transform(). A value that has faded below e^-7e8 is refused as "t".
+
+Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
+Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);
+Enclosure storage(const ExactRatio& modulus, const Exact& omega, int digits);
+Enclosure loss(const ExactRatio& modulus, const Exact& omega, int digits);
+/// theta1 or theta2.
+Enclosure fading_part(const ExactRatio& theta, const Exact& t, int digits);
+
+}  // namespace nipref::ref
