@@ -234,6 +234,10 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   for (const ViscoelasticPanel& panel : last.layout().panels()) add_places(panel, last, places);
   std::ranges::sort(places);
   Estimate place = place_of_maximum([&](double y) { return at(last, y); }, slope, difference, places);
+  // Next to an end the maximum moves with it.
+  const ContactPlace at_maximum = last.place(place.value);
+  place.error =
+      std::max(place.error, implementation_->unsure_end(at_maximum.half) * (1 - at_maximum.e / half_length));
   // At an end the pressure could be larger still.
   if (sheet.neglected_near_end(half_length, 0) > 1) place.error += last.leading_length() - place.value;
   return times(units.length, place);
@@ -321,6 +325,8 @@ Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
   strain = implementation_->with_neglected(strain, scale);
   if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
+  if (place.e <= 0 && place.half == Half::trailing)
+    strain.error += peak * sheet.neglected_behind(half_length, std::max(-place.e - unsure, 0.0));
   double shifted = 0;
   for (const double moved : {place.e - unsure, place.e + unsure})
     shifted = std::max(shifted, std::fabs(strain_at(last, {place.half, moved}) - strain.value));

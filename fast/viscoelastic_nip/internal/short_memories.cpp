@@ -72,6 +72,13 @@ double EffectiveSheet::neglected_near_end(double half_length, double distance) c
   return neglected(half_length) * std::max(growth, 1.0) * std::max(softening, 1.0);
 }
 
+double EffectiveSheet::neglected_behind(double half_length, double distance) const {
+  if (held == 0) return 0;
+  // sqrt(pi/2) of it, for a pressure that rises like a square root and one memory.
+  constexpr double several = 4;
+  return several * held * std::sqrt(longest / edge(half_length)) * std::exp(-distance / longest);
+}
+
 EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy) {
   const Ways ways(nip, half_length, accuracy);
   const data::MaterialFunction normal = nip.material.normal_compliance();
@@ -88,6 +95,7 @@ EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_len
       sheet.way += std::abs(delay);
       sheet.longest = std::max(sheet.longest, std::abs(ways.way(term)));
       if (function == &normal) sheet.shift += delay.real();
+      if (function == &theta2) sheet.held += std::abs(strength(term)) / compliance;
     }
   }
   return sheet;

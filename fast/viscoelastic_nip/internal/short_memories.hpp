@@ -16,6 +16,7 @@ struct EffectiveSheet {
   double shift = 0;                  ///< by the short memories of N, half-thicknesses
   double way = 0;                    ///< of that shift in size, with theta2's; 0: no memory is short
   double longest = 0;                ///< in which a short memory fades, half-thicknesses
+  double held = 0;  ///< what theta2's short memories leave, in size, in units of the compliance
 
   /// The pressure trails by `shift` and no more: there is no longer memory.
   [[nodiscard]] bool is_shifted_only() const { return way > 0 && material.normal.empty(); }
@@ -26,6 +27,9 @@ struct EffectiveSheet {
   /// The same of the pressure, relative to that in the middle, at a distance from the contact's end: it changes
   /// there like a square root and, within the way itself, from the compliance at once to that of the limit.
   [[nodiscard]] double neglected_near_end(double half_length, double distance) const;
+  /// Of the surface's strain at a distance behind the trailing end, relative to the pressure in the middle: what
+  /// theta2's short memories still hold of the pressure that has passed, whose limit holds nothing.
+  [[nodiscard]] double neglected_behind(double half_length, double distance) const;
 };
 
 EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy);

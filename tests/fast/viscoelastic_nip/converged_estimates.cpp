@@ -87,3 +87,34 @@ TEST_CASE(
     CHECK(std::fabs(found.value - unit * truth.pressure({fast::Half::leading, behind})) <= found.error);
   }
 }
+
+TEST_CASE(
+    "behind the trailing end a short memory of theta2 still holds the strain that its limit holds no more") {
+  const double fast_rate = 1.5e10, rate = 3.5e8;
+  const data::ViscoelasticNip nip{
+      4, 0.057,
+      data::prony_solid({1.4, {1.5e9, 2e7}, {fast_rate, rate}}, {8.7e-3, {9.3e6, 1.2e5}, {fast_rate, rate}}),
+      1.7};
+  const double length = 6e-4, way = nip.speed / fast_rate;
+  const auto asked = fast::converged_for_length(nip, length, 2e-4);
+  const auto truth = fast::converged_for_length(nip, length, 1e-13);
+  for (const double behind : {0.3, 1.0, 2.0, 3.0, 10.0}) {
+    const double place = -truth.trailing_length().value - behind * way;
+    const fast::Estimate found = asked.surface_strain(place), other = truth.surface_strain(place);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}
+
+TEST_CASE("a largest pressure next to the leading end is known no better than that end") {
+  const data::ViscoelasticNip nip{
+      170.68691024184227, 2.139113665325567,
+      data::operator_solid({.p = {12634.805172920227, 1},
+                            .q = {10248.159998893738, 39.90082090720534},
+                            .p_dilatation = {12505.649567604065, 1},
+                            .q_dilatation = {742.1138881444931, 2.91923318663612}}),
+      0.04327916605325299};
+  const double load = 6.3866406677104415e-09;
+  const fast::Estimate found = fast::converged_for_load(nip, load, 6.78e-4).peak_pressure_position(),
+                       other = fast::converged_for_load(nip, load, 1e-13).peak_pressure_position();
+  CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+}

@@ -91,7 +91,7 @@ Settlement condition_of_creep() {
           quadrature_error};
 }
 
-Settlement sign_of_rolling_creep() {
+Settlement sign_of_line_creep() {
   const RollingLine line;
   return {on_the_line("V0 of (48)"), creep_of(line, line.index), creep_of(line, -line.index), line.creep(),
           quadrature_error};
@@ -115,7 +115,7 @@ Settlement shear_traction() {
 
 Settlements rolling_line_settlements() {
   return {{"brock2012-44b", shear_of_eigenfunction}, {"brock2012-46", sign_of_eigenfunctions},
-          {"brock2012-47b", condition_of_creep},     {"brock2012-48", sign_of_rolling_creep},
+          {"brock2012-47b", condition_of_creep},     {"brock2012-48", sign_of_line_creep},
           {"brock2012-49a", normal_traction},        {"brock2012-49b", shear_traction}};
 }
 
