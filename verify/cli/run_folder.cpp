@@ -60,11 +60,11 @@ void sync_folder(const fs::path& folder) {
   must(done, folder);
 }
 
-/// Whole, by the first of several processes that try, or not at all.
-void write_once(const fs::path& file, std::string_view text) {
+/// Whole, by the first of several processes that try, or not at all; `who` is unlike the others of them.
+void write_once(const fs::path& file, std::string_view text, const std::string& who) {
   if (fs::exists(file)) return;
   fs::path ours = file;
-  ours += fmt::format(".{}", getpid());
+  ours += fmt::format(".{}.{}", who, getpid());
   const int descriptor = open(ours.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   must(descriptor >= 0, ours);
   write_all(descriptor, text, ours);
@@ -214,7 +214,7 @@ ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Sha
   fs::create_directories(folder, error);
   if (!fs::is_directory(folder))
     throw BadInput("out", folder.string(), "must be a folder, or one that can be made");
-  write_once(folder / fingerprint_name, fingerprint);
+  write_once(folder / fingerprint_name, fingerprint, fs::path(path_).stem().string());
   refuse_other_fingerprint(folder, text_of(folder / fingerprint_name), fingerprint);
   descriptor_ = open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   must(descriptor_ >= 0, path_);

@@ -13,7 +13,7 @@ namespace nipref::verify {
 namespace {
 
 constexpr std::size_t most_starts = 8;
-constexpr std::size_t least_steps = 10;  // as long as there is more than one start
+constexpr std::size_t least_steps = 200;  // as long as there is more than one start
 
 /// Few enough points that the threads have equally much to do, many enough that a batch is one.
 std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
