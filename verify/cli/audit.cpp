@@ -25,8 +25,8 @@ class Doing {
     for (std::size_t w = 0; w < works_.size(); ++w) {
       progress_.next(works_[w]->name());
       const std::size_t blocks = works_[w]->blocks();
-      for (std::size_t block = shard_.index; block < blocks; block += shard_.of) {
-        if (is_there(w, block)) continue;
+      for (std::size_t block = 0; block < blocks; ++block) {
+        if (!shard_.has(block) || is_there(w, block)) continue;
         const auto told = [&](double part) {
           progress_.at((static_cast<double>(block) + part) / static_cast<double>(blocks));
         };

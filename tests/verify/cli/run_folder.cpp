@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <memory>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -13,6 +13,8 @@
 #include <nipref/verify/cli/run_folder.hpp>
 #include <nipref/verify/support/random.hpp>
 
+#include "support/json_schema.hpp"
+#include "support/paths.hpp"
 #include "support/run_nipref.hpp"
 #include "support/scratch_folder.hpp"
 
@@ -76,7 +78,9 @@ std::string refusal_of(auto action) {
   return "";
 }
 
-bool is_said(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool is_said(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 }  // namespace
 
@@ -154,15 +158,15 @@ TEST_CASE("gaps, overlaps that differ, and lines of something else are named") {
   std::string changed = line;
   changed.replace(changed.find("\"points\":") + 9, 1, "9");
   CHECK(is_said(reading_refused(line + changed),
-             "shard-2-of-2.jsonl:2: must have what another line has for I3 block 0"));
+                "shard-2-of-2.jsonl:2: must have what another line has for I3 block 0"));
   CHECK(is_said(reading_refused("rubbish\n"),
-             "shard-2-of-2.jsonl:1: must be the line of a block of this run (no JSON)"));
+                "shard-2-of-2.jsonl:1: must be the line of a block of this run (no JSON)"));
   CHECK(is_said(reading_refused(R"({"work":"I3","block":10,"found":{}})"
-                             "\n"),
-             "must be the line of a block"));
+                                "\n"),
+                "must be the line of a block"));
   CHECK(is_said(reading_refused(R"({"work":"I7","block":1,"found":{}})"
-                             "\n"),
-             "must be the line of a block"));
+                                "\n"),
+                "must be the line of a block"));
   CHECK(reading_refused("{\"work\":\"I3\",\"bl") == "");  // half a line does not count
 }
 
@@ -170,9 +174,9 @@ TEST_CASE("a folder takes no other run, and a shard no second process") {
   const ScratchFolder folder;
   const verify::ShardFile file(folder.path(), fingerprint, {0, 2});
   CHECK(is_said(refusal_of([&] {
-               verify::ShardFile(folder.path(), fingerprint, {0, 2});
-             }),
-             "must be left to the process that is writing"));
+                  verify::ShardFile(folder.path(), fingerprint, {0, 2});
+                }),
+                "must be left to the process that is writing"));
   CHECK(refusal_of([&] { verify::ShardFile(folder.path(), fingerprint, {1, 2}); }) == "");
   std::string other = fingerprint;
   other.replace(other.find("this"), 4, "that");
@@ -192,7 +196,12 @@ TEST_CASE(
   check_call_refused("merge " + run_folder,
                      "must have all its blocks: without I3 block 0, I3 block 2, root.re block 0");
   const Outcome shard = run(audit + "--shard 1/2 --json --out " + run_folder);
-  CHECK(is_said(shard.out, "\"blocks_done\": 4"));
+  const JsonSchema schema(
+      nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
+  const auto told = nlohmann::json::parse(shard.out);
+  CHECK(schema.misfit(told, "audit_shard") == "");
+  CHECK(told.at("blocks_done") == 4);
+  CHECK(told.at("blocks_there") == 2);
   const Outcome merged = run("merge --json --no-times " + run_folder);
   CHECK(merged.status == 0);
   CHECK(merged.out == alone.out);
@@ -201,5 +210,6 @@ TEST_CASE(
                      "must be of the same program, command and inputs");
   check_call_refused("merge '" + folder.path().string() + "'", "must be a folder with a run.json");
   check_call_refused("audit I3 --shard 1/2", "must be given with --out");
+  check_call_refused("audit I3 --points 1e13", "must be a whole number from 1 to 1000000000000");
   check_call_refused("audit I3 --shard 3/2 --out " + run_folder, "must be i/N");
 }
