@@ -19,6 +19,12 @@ bool decays(ViscoelasticKernel kernel) {
   return kernel == ViscoelasticKernel::normal || kernel == ViscoelasticKernel::stretch;
 }
 
+/// Far ahead of a load.
+double limit(ViscoelasticKernel kernel) {
+  if (kernel == ViscoelasticKernel::tangential) return 0.25;
+  return kernel == ViscoelasticKernel::sign ? 0.5 : 0;
+}
+
 /// alpha increases towards the leading side, e away from the end: +1 on the trailing half.
 double orientation(const ViscoelasticPanel& panel) { return panel.half == Half::leading ? -1 : 1; }
 
@@ -186,8 +192,7 @@ std::complex<double> ViscoelasticOperator::trail(ContactPlace place, std::comple
   // Of the point ahead of the trailing end.
   const double ahead = place.half == Half::trailing ? place.e : 2 * layout_.half_length() - place.e;
   const double nats = -std::log(tolerance_);
-  double last = nats / rate.real();
-  if (decays(kernel)) last = std::min(last, std::max(reach_ - ahead, 0.0));
+  const double last = std::min(nats / rate.real(), std::max(reach_ - ahead, 0.0));
   if (last == 0) return 0;
   std::vector<double> ends{0, last};
   for (const double cut :
@@ -211,7 +216,7 @@ std::complex<double> ViscoelasticOperator::trail(ContactPlace place, std::comple
   const std::vector<double> kernel_values = values(kernel, alpha);
   std::complex<double> sum = 0;
   for (std::size_t n = 0; n < way.size(); ++n) {
-    const double factor = kernel_values[n] * weight[n] * std::exp(-rate.real() * way[n]);
+    const double factor = (kernel_values[n] - limit(kernel)) * weight[n] * std::exp(-rate.real() * way[n]);
     sum += rate.imag() == 0 ? factor : factor * std::polar(1.0, -rate.imag() * way[n]);
   }
   return sum;

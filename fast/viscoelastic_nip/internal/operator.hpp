@@ -26,8 +26,9 @@ class ViscoelasticOperator {
   /// int kernel(y - y') T_j(2 xi - 1) dy' over a panel, j = 0 .. degree, at each of the points: one row each.
   [[nodiscard]] Eigen::MatrixXd moments(const std::vector<ContactPlace>& points,
                                         const ViscoelasticPanel& panel, ViscoelasticKernel kernel);
-  /// int_0^inf kernel(y - y_T + w) e^(-rate w) dw, y_T the trailing end: what a memory that fades behind the
-  /// contact does, per unit of what it is there. At any place, behind the contact too.
+  /// int_0^inf (kernel(y - y_T + w) - limit) e^(-rate w) dw, y_T the trailing end: what a memory that fades
+  /// behind the contact does, per unit of what it is there, beside what it does to all points alike by the
+  /// kernel's limit far ahead: 1/4, 1/2 or 0. At any place, behind the contact too.
   [[nodiscard]] std::complex<double> trail(ContactPlace place, std::complex<double> rate,
                                            ViscoelasticKernel kernel);
 

@@ -287,3 +287,18 @@ TEST_CASE("viscoelastic nips refuse what is outside their domain") {
   standing.speed = 0;
   CHECK_THROWS_AS(converged_for_length(standing, 0.1, 1e-6), data::BadInput);
 }
+
+TEST_CASE(
+    "viscoelastic nip: what a memory without end does to all points alike is no rounding of the creep") {
+  // It creeps by 1e-5 of itself while the nip passes, so that of rates below that one is as good as another.
+  const auto creep = [](double rate) {
+    const ViscoelasticNip nip{6, 0.25,
+                              data::prony_solid({9.2e-6, {9.2e-7}, {rate}}, {3.1e-6, {1.5e-7}, {rate}}), 1};
+    return converged_for_load(nip, 100, 1e-10).creep_ratio();
+  };
+  const Estimate slow = creep(1e-14);
+  for (const double rate : {1e-9, 1e-20, 1e-40}) {
+    const Estimate other = creep(rate);
+    CHECK(std::fabs(other.value - slow.value) <= other.error + slow.error + rate * std::fabs(slow.value));
+  }
+}
