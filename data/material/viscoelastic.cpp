@@ -19,9 +19,11 @@ using Complex = std::complex<double>;
 void check_term(const RelaxationTerm& term, const std::string& name) {
   if (!(std::isfinite(term.amplitude.real()) && std::isfinite(term.amplitude.imag())))
     throw BadInput(name + " amplitude", term.amplitude.real(), "must be finite");
+  const bool is_viscous = term.rate == 0.0 && term.amplitude.real() > 0 && term.amplitude.imag() == 0;
+  if (is_viscous) return;
   if (!(std::isfinite(term.rate.imag()) && std::isfinite(term.rate.real()) && term.rate.real() > 0))
     throw BadInput(name + " rate", term.rate.real(),
-                   "must be finite, its real part > 0: what is gone must be forgotten");
+                   "must be finite, its real part > 0: what is gone must be forgotten; or 0, of a fluid");
   if (!(std::abs(term.amplitude) / std::abs(term.rate) <= greatest_magnitude))
     throw BadInput(name + " amplitude", term.amplitude.real(), "must be at most 1e60 times its rate's size");
 }
@@ -36,10 +38,12 @@ void check_conjugates(const MaterialFunction& function, const std::string& name)
 }
 
 void check_function(const MaterialFunction& function, const std::string& name) {
-  if (!(std::isfinite(function.instantaneous) && function.instantaneous > 0))
-    throw BadInput(name + " instantaneous", function.instantaneous, "must be finite and > 0");
+  const double at_once = function.instantaneous;
+  const bool is_nothing = at_once == 0 && !function.terms.empty();
+  if (!is_nothing && !(std::isfinite(at_once) && at_once > 0))
+    throw BadInput(name + " instantaneous", at_once, "must be finite and > 0, or 0 where it creeps");
   // theta2 of a nearly incompressible material is far smaller than the inverse of a modulus.
-  if (!(function.instantaneous >= 1e-20 * least_magnitude && function.instantaneous <= greatest_magnitude))
+  if (!is_nothing && !(at_once >= 1e-20 * least_magnitude && at_once <= greatest_magnitude))
     throw BadInput(name + " instantaneous", function.instantaneous, "must be from 1e-80 to 1e60");
   for (std::size_t i = 0; i < function.terms.size(); ++i) {
     check_term(function.terms[i], name);
@@ -49,7 +53,7 @@ void check_function(const MaterialFunction& function, const std::string& name) {
     }
   }
   check_conjugates(function, name);
-  if (!(function.long_time() > 0))
+  if (!function.is_fluid() && !(function.long_time() > 0))
     throw BadInput(name + " long-time compliance", function.long_time(), "must be > 0");
 }
 
@@ -81,8 +85,12 @@ std::vector<double> telling_frequencies(const MaterialFunction& theta1, const Ma
   double least = HUGE_VAL, greatest = 0;
   for (const MaterialFunction* function : {&theta1, &theta2}) {
     for (const RelaxationTerm& term : function->terms) {
-      least = std::min(least, std::abs(term.rate));
-      greatest = std::max(greatest, std::abs(term.rate));
+      // What flows for ever is as large after this time as what gave way at once.
+      const double rate = term.rate != 0.0              ? std::abs(term.rate)
+                          : function->instantaneous > 0 ? term.amplitude.real() / function->instantaneous
+                                                        : 1;
+      least = std::min(least, rate);
+      greatest = std::max(greatest, rate);
       const double resonance = std::fabs(term.rate.imag());
       for (double widths = 1e-2; resonance > 0 && widths < 1e4; widths *= 1.1) {
         const double off = widths * term.rate.real();
@@ -104,6 +112,10 @@ Complex MaterialFunction::transform(Complex p) const {
   Complex sum = instantaneous;
   for (const RelaxationTerm& term : terms) sum += term.amplitude / (p + term.rate);
   return sum;
+}
+
+bool MaterialFunction::is_fluid() const {
+  return std::ranges::any_of(terms, [](const RelaxationTerm& term) { return term.rate == 0.0; });
 }
 
 ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2,

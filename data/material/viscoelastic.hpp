@@ -9,18 +9,20 @@ namespace nipref::data {
 /// amplitude e^(-rate t). Complex ones come in conjugate pairs, both members listed.
 struct RelaxationTerm {
   std::complex<double> amplitude;  ///< 1/(stress time)
-  std::complex<double> rate;       ///< real part > 0, 1/time
+  std::complex<double> rate;       ///< real part > 0, or 0 (Maxwell's: it flows for ever), 1/time
 };
 
 /// theta(t) = instantaneous delta(t) + sum_r amplitude_r e^(-rate_r t), t >= 0: the strain that a unit
 /// impulse of stress leaves. (thesis 6.16, 6.17)
 struct MaterialFunction {
-  double instantaneous;               ///< gamma_0, 1/stress: the compliance at once
+  double instantaneous;               ///< gamma_0, 1/stress: the compliance at once; 0: Kelvin's and Voigt's
   std::vector<RelaxationTerm> terms;  ///< no rate twice; none: elastic
 
   /// The transform gamma_0 + sum_r amplitude_r/(p + rate_r), 1/stress; p is no rate's negative, 1/time.
   [[nodiscard]] std::complex<double> transform(std::complex<double> p) const;
-  /// The compliance after a long time, transform(0), 1/stress.
+  /// Whether a rate is 0.
+  [[nodiscard]] bool is_fluid() const;
+  /// The compliance after a long time, transform(0), 1/stress; not of a fluid.
   [[nodiscard]] double long_time() const { return transform(0).real(); }
 };
 
@@ -29,8 +31,8 @@ struct MaterialFunction {
 class ViscoelasticMaterial {
  public:
   /// Throws BadInput unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
-  /// real parts of the rates positive) and the material physical: positive compliances at once and after a
-  /// long time, and in shear and in dilatation no gain of energy at any frequency.
+  /// real parts of the rates positive, or the rate 0) and the material physical: compliances not below 0 at
+  /// once and positive after a long time, and in shear and in dilatation no gain of energy at any frequency.
   /// `constants`: what they were rounded from.
   ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2, MaterialConstants constants = {});
 

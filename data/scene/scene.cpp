@@ -39,7 +39,13 @@ void check_nip(const ElasticNip& nip, const SceneOrigin& origin) {
 
 void check_nip(const ViscoelasticNip& nip, const SceneOrigin& origin) {
   static const std::map<std::string, std::string> keys{
-      {"roller_radius", "roller.radius"}, {"sheet_thickness", "sheet.thickness"}, {"speed", "rolling.speed"}};
+      {"roller_radius", "roller.radius"},
+      {"sheet_thickness", "sheet.thickness"},
+      {"speed", "rolling.speed"},
+      {"theta1 instantaneous", "material.theta1 instantaneous"},
+      {"theta2 instantaneous", "material.theta2 instantaneous"},
+      {"theta1 rate", "material.theta1 rate"},
+      {"theta2 rate", "material.theta2 rate"}};
   try {
     nip.check();
   } catch (const BadInput& error) {

@@ -88,12 +88,15 @@ Rate fading_way(double x, Rate rate) {
   return std::isinf(x) ? 1.0 / rate : x * phi1(rate * x);
 }
 
-/// int_0^length e^(-rate w) sign dw of a point that is behind the load as far as `behind`, and then ahead.
+/// int_0^length e^(-rate w) sign dw of a point that is behind the load as far as `behind`, and then ahead; of
+/// infinite length and rate 0 beside 1/rate.
 Complex memory_of_sign(double behind, double length, Complex rate) {
   return fading_way(length, rate) - 2.0 * fading_way(behind, rate);
 }
 double memory_of_sign(double behind, double length, const Fade& fade) {
-  return fading_way(length, fade.rate.high) - 2 * fading_way(behind, fade.rate.high);
+  const double rate = fade.rate.high;
+  if (rate == 0 && std::isinf(length)) return -2 * behind;
+  return fading_way(length, rate) - 2 * fading_way(behind, rate);
 }
 
 }  // namespace

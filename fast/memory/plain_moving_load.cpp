@@ -54,6 +54,7 @@ PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, dou
     for (const data::RelaxationTerm& term : function->terms) {
       if (term.rate.imag() != 0)
         throw data::BadInput("rate", term.rate.imag(), "must be real: the thesis's sums have no others");
+      if (term.rate == 0.0) throw data::BadInput("rate", 0, "must be > 0: the thesis's sums divide by it");
       const double rate = term.rate.real() * half_thickness / speed;
       if (std::ranges::find(rates_, rate) == rates_.end()) rates_.push_back(rate);
     }

@@ -85,8 +85,10 @@ Symbol symbol_of(Kernel kernel) {
   }
 }
 
-/// For what is as large as 1/rate and shall be good to e^{-nats}.
+/// For what is as large as 1/rate, or as the way at rate 0, and shall be good to e^{-nats}.
 double nats_over_rate(const mpq_class& rate, double nats) {
+  constexpr double of_longest_way = 8;
+  if (rate == 0) return nats + of_longest_way;
   return nats + std::max(0.0, -ln_magnitude(rate));
 }
 
@@ -94,6 +96,7 @@ double nats_over_rate(const mpq_class& rate, double nats) {
 Interval sign_history(const Exact& alpha, const mpq_class& rate, double absolute_nats) {
   const double nats = nats_over_rate(rate, absolute_nats);
   const Interval half_pi = Interval::pi(working_precision(nats, 1) + 64) / 2;
+  if (rate == 0) return -(half_pi * rational(abs(alpha.value()), nats));  // beside the infinite
   const Interval long_ago = half_pi / rational(rate, nats);
   if (alpha.sign() >= 0) return long_ago;
   return long_ago * (2 * exp(rational(mpq_class(rate * alpha.value()), nats)) - 1);
@@ -143,9 +146,16 @@ double nats_left(double nats, double faded) {
 Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats,
                  int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
-  if (!place.start) return whole_history(kernel, place.alpha, rate, nats, residue_terms);
+  if (!place.start) {
+    const Interval whole = whole_history(kernel, place.alpha, rate, nats, residue_terms);
+    if (rate != 0 || kernel == Kernel::I1) return whole;
+    // What is infinite is of one length for all points: counted from the point, not from 0.
+    const double large = nats_over_rate(rate, nats);
+    const Interval quarter = Interval::pi(working_precision(large, 1) + 64) / 4;
+    return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(place.alpha.value(), large));
+  }
   const mpq_class way = place.start->value() - place.alpha.value();
-  if (kernel == Kernel::I2) {
+  if (kernel == Kernel::I2 && rate != 0) {
     const double large = nats_over_rate(rate, nats);
     const Interval half_pi = Interval::pi(working_precision(large, 1) + 64) / 2;
     return half_pi * sign_memory(rate, way, place.start->value(), large);
@@ -165,6 +175,7 @@ struct Part {
   int residue_terms = 0;
 
   [[nodiscard]] Interval at_once(double nats) const {
+    if (theta.instantaneous == 0) return Interval(64);
     const double needed = std::max(nats + ln_magnitude(theta.instantaneous) + 3, 40.0);
     return rational(theta.instantaneous, needed) *
            kernel_interval(kernel, place.alpha, needed, residue_terms);
@@ -188,7 +199,8 @@ struct Part {
 
 /// -ln of the size of a displacement near the load.
 double size_nats(const ExactMaterial& material) {
-  return std::max(0.0, -ln_magnitude(material.normal().instantaneous));
+  const mpq_class at_once = material.normal().instantaneous;
+  return at_once == 0 ? 0 : std::max(0.0, -ln_magnitude(at_once));
 }
 
 Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
@@ -204,9 +216,13 @@ void check_positive(const mpq_class& value, const std::string& name) {
   if (value <= 0) throw data::BadInput(name, Exact(value).approximate(), "must be > 0");
 }
 
+void check_not_below_0(const mpq_class& value, const std::string& name) {
+  if (value < 0) throw data::BadInput(name, Exact(value).approximate(), "must be >= 0");
+}
+
 void check_function(const ExactFunction& function, const std::string& name) {
-  check_positive(function.instantaneous, name + " instantaneous");
-  for (const ExactFunction::Term& term : function.terms) check_positive(term.rate, name + " rate");
+  check_not_below_0(function.instantaneous, name + " instantaneous");
+  for (const ExactFunction::Term& term : function.terms) check_not_below_0(term.rate, name + " rate");
 }
 
 mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,

@@ -8,7 +8,7 @@
 namespace nipref::ref {
 
 /// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t) with real constants known exactly, as
-/// data::MaterialFunction has them in double; rate > 0.
+/// data::MaterialFunction has them in double; rate >= 0.
 struct ExactFunction {
   struct Term {
     mpq_class amplitude;  ///< 1/(stress time)

@@ -34,9 +34,10 @@ Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
   return memory_of_piece_ahead(kernel, from, rate, length) + limit(kernel) * length * phi1(rate * length);
 }
 template <typename Rate>
-Rate all_ahead(Kernel kernel, const Waves& from, Rate rate) {
+Rate all_ahead(Kernel kernel, const Waves& from, double at, Rate rate) {
   const Rate far = memory_from_far(kernel, from, rate);
-  return kernel == Kernel::I1 ? far : far + limit(kernel) / rate;  // I1 has a memory at rate 0 too
+  if (kernel == Kernel::I1) return far;  // it has a memory at rate 0 too
+  return far + (rate == 0.0 ? Rate(-limit(kernel) * at) : limit(kernel) / rate);
 }
 
 double under_load(Kernel kernel, double from, double to, double length, const Fade& fade, Accuracy accuracy) {
@@ -51,7 +52,7 @@ double from_nearest(Kernel kernel, const Fade& fade, Accuracy) {
   return fade.beyond[static_cast<std::size_t>(kernel)];
 }
 Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
-  return all_ahead(kernel, nearest_waves(accuracy), rate);
+  return all_ahead(kernel, nearest_waves(accuracy), nearest, rate);
 }
 
 /// The kernel on [start, end], or to infinity without an end: behind the load by residues, within nearest of
@@ -82,7 +83,8 @@ auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, co
     if (ends) return sum;
   }
   if (w >= nearest) {
-    return end ? piece_ahead(kernel, start.waves, plain, length.high) : all_ahead(kernel, start.waves, plain);
+    return end ? piece_ahead(kernel, start.waves, plain, length.high)
+               : all_ahead(kernel, start.waves, w, plain);
   }
   const Value piece = end ? piece_ahead(kernel, nearest_waves(accuracy), plain, end->at.high - nearest)
                           : from_nearest(kernel, rate, accuracy);
@@ -118,7 +120,8 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   Fade made{rate};
   for (const Kernel kernel : kernels) {
     made.core[static_cast<std::size_t>(kernel)] = core_pieces(kernel, rate.high, accuracy);
-    made.beyond[static_cast<std::size_t>(kernel)] = all_ahead(kernel, nearest_waves(accuracy), rate.high);
+    made.beyond[static_cast<std::size_t>(kernel)] =
+        all_ahead(kernel, nearest_waves(accuracy), nearest, rate.high);
   }
   return made;
 }
@@ -128,7 +131,9 @@ double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accurac
     const double rate = fade.rate.high;
     return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
   }
-  return by_pieces(kernel, start, nullptr, {}, fade, accuracy);
+  // At rate 0 counted from the point, not from 0.
+  const double from_point = fade.rate.high == 0 ? limit(kernel) * start.at.high : 0;
+  return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + from_point;
 }
 
 Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy) {

@@ -30,7 +30,7 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 /// The kernel at a spot; of the odd ones I(0) = 0.
 double kernel_at(Kernel kernel, const Spot& at, Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) I(w) dw.
+/// int_start^inf e^(-rate (w - start)) I(w) dw; at rate 0 of an odd kernel beside limit/rate.
 double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy);
 

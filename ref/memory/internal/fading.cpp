@@ -138,6 +138,12 @@ Interval pole_at_origin(const Exact& rate, double nats) {
   return Interval::pi(bits) / (4 * Interval(rate, bits));
 }
 
+/// What a rate of 0 leaves beside the infinite pi/(4 rate) of an odd kernel: -pi/4 times this.
+Interval beside_infinite(const Exact& way, double nats) {
+  const mpfr_prec_t bits = working_precision(nats + std::max(0.0, way.log2_magnitude() * ln2), 1);
+  return -(Interval::pi(bits) * Interval(way, bits) / 4);
+}
+
 /// pi G(i rate) e^{-rate distance}, for odd kernels times i. S(i r) = i (sin 2r + 2r).
 Interval pole_of_fading(Symbol kernel, const Exact& rate, const Exact& distance, double nats) {
   const Exact faded(mpq_class(rate.value() * distance.value()));
@@ -176,13 +182,18 @@ Interval contour_memory(Symbol kernel, const Exact& alpha, const Exact& rate, do
   }
   mpfr_mul_d(sum.get(), sum.get(), key.step, MPFR_RNDN);
   const Interval integral = Interval(sum, sum, key.bits) + small(nats);
-  return is_odd(kernel) ? integral + pole_at_origin(rate, nats) : integral;
+  if (!is_odd(kernel)) return integral;
+  return integral + (rate.sign() == 0 ? beside_infinite(alpha, nats) : pole_at_origin(rate, nats));
 }
 
 Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, double nats) {
   const Exact distance = alpha.magnitude();
   if (distance.value() < 1) return contour_memory(kernel, alpha, rate, nats);
   const Interval roots = fading_residue_series(kernel, alpha, rate, nats);
+  if (rate.sign() == 0) {
+    if (is_odd(kernel)) return roots + beside_infinite(distance, nats);
+    return alpha.sign() > 0 ? roots : roots + Interval::pi(working_precision(nats, 1)) / 2;
+  }
   if (alpha.sign() > 0) return is_odd(kernel) ? roots + pole_at_origin(rate, nats) : roots;
   const Interval passed = roots + pole_of_fading(kernel, rate, distance, nats);
   return is_odd(kernel) ? passed - pole_at_origin(rate, nats) : passed;

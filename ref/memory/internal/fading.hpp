@@ -21,6 +21,10 @@ namespace nipref::ref {
 ///     alpha >= 1    fading_residue_series()                                  (odd kernels: + pi/(4 rate))
 ///     alpha <= -1   fading_residue_series() + pi G(i rate) e^{-rate A}, what -i rate gives
 ///                                                (odd: i pi G(i rate) instead of pi G(i rate), - pi/(4 rate))
+///
+/// At rate 0 it is the limit, for odd kernels less pi/(4 rate) + pi/4 alpha: with what the pole at 0 and -i rate give
+/// expanded, roots - pi/4 A beyond 1, the contour's integral - pi/4 alpha within it, and for I1 pi/2 where
+/// -i rate gives something. G is finite at 0 for I1, and the line lies above 0.
 Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, double nats);
 
 /// The same for -1 <= alpha <= 1 by the trapezoidal rule of step h in t on the path

@@ -129,6 +129,27 @@ TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
   }
 }
 
+TEST_CASE("Kelvin's and Voigt's gives way to nothing at once, Maxwell's flows for ever: both are materials") {
+  const auto kelvin = data::prony_solid({0, {1}, {2}}, {0, {0.25}, {2}});
+  check_moduli(
+      kelvin, [](Complex p) { return (p + 2.0) / 2.0; },
+      [](Complex p) { return (12.0 - 1.0) * (p + 2.0) / 6.0; }, 1e-14);
+  CHECK_FALSE(kelvin.theta1().is_fluid());
+  const auto maxwell = data::prony_solid({1, {3}, {0}}, {0.25, {0.75}, {0}});
+  CHECK(maxwell.theta1().is_fluid());
+  check_equal(maxwell.theta1().transform({0, 0.5}), Complex(1, -6), 1e-15);
+  // It would give its energy back for ever, or in dilatation at any frequency.
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {-3}, {0}}, {0.25, {0.75}, {0}});
+        }).starts_with("theta1 rate = 0"));
+  CHECK(refusal([] {
+          (void)data::prony_solid({1, {3}, {0}}, {0.25, {0.01}, {0}});
+        }).starts_with("material dilatation loss"));
+  CHECK(refusal([] {
+          (void)data::ViscoelasticMaterial({0, {}}, {1, {}});
+        }).starts_with("theta1 instantaneous = 0"));
+}
+
 TEST_CASE("what is no material is refused by the name of what is wrong") {
   using data::single_relaxation_time_solid;
   CHECK(refusal([] { (void)single_relaxation_time_solid(1, 1, 0); }).starts_with("relaxation_time = 0: "));

@@ -243,6 +243,34 @@ TEST_CASE("a pair of complex rates: brute force again, and a pair that is nearly
   }
 }
 
+TEST_CASE("Maxwell's sheet flows for ever: the limit of slow rates, and the memory of its whole way") {
+  const auto sheet = [](double rate) {
+    return MovingLoad(ViscoelasticMaterial({1, {{0.6, rate}}}, {0.4, {{0.3, rate}}}), 1, 1);
+  };
+  const MovingLoad fluid = sheet(0), slow = sheet(1e-8);
+  for (const double alpha : {-8.0, -1.0, -0.3, 0.02, 0.7, 2.5}) {
+    // It falls short by rate times way.
+    CHECK(fluid.steady_normal_displacement(alpha) ==
+          doctest::Approx(slow.steady_normal_displacement(alpha)).epsilon(4e-7));
+    for (const double eta : {-3.0, -0.4, 0.5, 6.0}) {
+      CHECK(fluid.steady_tangential_displacement(alpha, eta) ==
+            doctest::Approx(slow.steady_tangential_displacement(alpha, eta)).epsilon(1e-6).scale(1));
+    }
+    const double t = 2.5;
+    const double un = 1.4 * I1(alpha) + 0.9 * brute_force(I1, alpha, t, 0);
+    CHECK(fluid.normal_displacement(t, t + alpha) == doctest::Approx(un / pi).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("Kelvin's and Voigt's sheet gives way to nothing at once: its memory alone") {
+  const MovingLoad load(ViscoelasticMaterial({0, {{0.6, 0.8}}}, {0, {{0.3, 0.8}}}), 1, 1);
+  for (const double alpha : {-2.0, -0.3, 0.02, 0.7}) {
+    CHECK(load.normal_displacement(1.5, 1.5 + alpha) ==
+          doctest::Approx(0.9 * brute_force(I1, alpha, 1.5, 0.8) / pi).epsilon(1e-12));
+    CHECK(load.normal_displacement(0, alpha) == 0);
+  }
+}
+
 TEST_CASE("bad input to the moving load") {
   using nipref::data::BadInput;
   CHECK_THROWS_AS(MovingLoad(solid(1), 0, 1), BadInput);

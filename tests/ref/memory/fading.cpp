@@ -167,7 +167,7 @@ void check_same(const Interval& x, const Interval& y, double nats) {
 
 TEST_CASE("memory by contour is what the residue series gives where both can") {
   for (const Symbol kernel : fading_kernels) {
-    for (const std::string rate : {"1e-9", "0.04", "1.25", "2.0943951", "3.1415926", "17", "1e7"}) {
+    for (const std::string rate : {"0", "1e-9", "0.04", "1.25", "2.0943951", "3.1415926", "17", "1e7"}) {
       CAPTURE(bounds(kernel).name);
       CAPTURE(rate);
       for (const double nats : {50.0, 90.0}) {
@@ -193,6 +193,23 @@ TEST_CASE("memory by contour: enclosures of any width, by other nodes, meet") {
           CHECK(contains_zero(rough - best));
         }
       }
+    }
+  }
+}
+
+// What is left beside pi/(4 rate) counts from the point, at rate 0 from 0: pi/4 alpha lies between.
+TEST_CASE("memory by contour: at rate 0 it is the limit, of odd kernels beside pi/(4 rate)") {
+  for (const Symbol kernel : fading_kernels) {
+    for (const std::string alpha : {"-7", "-1", "-0.4", "1e-3", "0.8", "3"}) {
+      CAPTURE(bounds(kernel).name);
+      CAPTURE(alpha);
+      const Exact rate = exact("1e-40");
+      const Interval large = steady_memory(kernel, exact(alpha), rate, 60);
+      const Interval infinite = Interval::pi(400) / (4 * Interval(rate, 400));
+      const Interval quarter = Interval::pi(400) / 4;
+      const bool is_odd = bounds(kernel).parity == Parity::odd;
+      check_same(steady_memory(kernel, exact(alpha), exact("0"), 60),
+                 is_odd ? large - infinite - quarter * Interval(exact(alpha), 400) : large, 60);
     }
   }
 }

@@ -170,6 +170,12 @@ TEST_CASE("a material that cannot be is refused at its key") {
                          "material.theta1_amplitudes = []: ");
   check_material_refused(prony_with("theta2_rates = [1.0]", "theta2_rates = [1.0, 2.0]"), "material.theta2_");
   check_material_refused(prony_with("theta1_rates = [1.0]", "theta1_rates = [-1.0]"), "material.theta1");
+  check_material_refused(replaced(prony_with("theta1_instantaneous = 1e-5", "theta1_instantaneous = 0.0"),
+                                  "theta2_instantaneous = 3e-6", "theta2_instantaneous = 0.0"),
+                         "material.theta1 instantaneous = 0: must be > 0: under a roller");
+  check_material_refused(replaced(prony_with("theta1_rates = [1.0]", "theta1_rates = [0.0]"),
+                                  "theta2_rates = [1.0]", "theta2_rates = [0.0]"),
+                         "material.theta1 rate = 0: must be > 0: a fluid");
   check_material_refused(prony_with("theta1_amplitudes = [1e-5]", "theta1_amplitudes = [-5e-6]"),
                          "material.shear loss = ");
   check_material_refused(

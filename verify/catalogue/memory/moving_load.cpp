@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 #include <nipref/verify/catalogue/sheet/internal/envelopes.hpp>
 
@@ -27,17 +29,53 @@ constexpr double moving_load_promise = 8;
 constexpr auto remembered_size =
     "sum of the magnitudes of its kernels: at the point, and in the integrals of its memory";
 
-/// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
-/// e^(-2t/tau).
-data::ViscoelasticMaterial material_of(double solid, double bulk, double tau) {
-  const data::Compliances at_once{4 / (3 * bulk), 4 / (9 * bulk)};
-  return solid == 0 ? data::single_relaxation_time_solid(at_once, tau)
-                    : data::misprinted_thesis_solid(at_once, tau);
+// The sheet's arguments: speed, half_thickness, material, bulk, tau, the series.
+constexpr std::size_t prony_in_sheet = 5;
+constexpr double standard_linear_solid = 0, prony = 2;
+
+/// Terms of equal rate joined, those of amplitude 0 left out.
+data::MaterialFunction joined_series(const data::PronyList& list) {
+  data::MaterialFunction function{list.instantaneous, {}};
+  for (std::size_t i = 0; i < list.rates.size(); ++i) {
+    if (list.amplitudes[i] == 0) continue;
+    const auto same =
+        std::ranges::find(function.terms, std::complex<double>(list.rates[i]), &data::RelaxationTerm::rate);
+    if (same == function.terms.end()) {
+      function.terms.push_back({list.amplitudes[i], list.rates[i]});
+    } else {
+      same->amplitude += list.amplitudes[i];
+    }
+  }
+  return function;
 }
 
-ref::ExactMaterial exact_material_of(const ref::Exact& solid, const ref::Exact& bulk, const ref::Exact& tau) {
-  return ref::exact_solid(solid.sign() == 0 ? ref::Solid::standard_linear_solid : ref::Solid::thesis, bulk,
-                          tau);
+/// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
+/// e^(-2t/tau). Or a series. x: the sheet's arguments.
+data::ViscoelasticMaterial material_of(Arguments x) {
+  if (x[2] == prony) {
+    const data::PronySeries series = prony_of(x.subspan(prony_in_sheet));
+    return {joined_series(series.theta1), joined_series(series.theta2)};
+  }
+  const data::Compliances at_once{4 / (3 * x[3]), 4 / (9 * x[3])};
+  return x[2] == standard_linear_solid ? data::single_relaxation_time_solid(at_once, x[4])
+                                       : data::misprinted_thesis_solid(at_once, x[4]);
+}
+
+ref::ExactFunction exact_series_of(Exacts x) {
+  ref::ExactFunction function{x[0].value(), {}};
+  for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
+    if (x[k].sign() != 0) function.terms.push_back({x[k].value(), x[k + 1].value()});
+  }
+  return function;
+}
+
+ref::ExactMaterial exact_material_of(Exacts x) {
+  const double solid = x[2].approximate();
+  if (solid == prony)
+    return {exact_series_of(x.subspan(prony_in_sheet)),
+            exact_series_of(x.subspan(prony_in_sheet + prony_arguments / 2))};
+  return ref::exact_solid(
+      solid == standard_linear_solid ? ref::Solid::standard_linear_solid : ref::Solid::thesis, x[3], x[4]);
 }
 
 double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::fabs(w))); }
@@ -47,7 +85,8 @@ double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::f
 template <class Magnitude>
 double remembered(Magnitude magnitude, double rate, double from, double to) {
   // Towards the load the kernels grow faster than some memories fade.
-  const double end = std::min(to, std::max(from, 0.0) + 40 / rate);
+  const double forgotten = rate > 0 ? 40 / rate : std::isinf(to) ? 20 : to;
+  const double end = std::min(to, std::max(from, 0.0) + forgotten);
   std::vector<double> cuts{from, end};
   for (const double cut : {-20.0, -8.0, -3.0, -1.0, -0.1, -1e-3, -1e-6, 0.0, 1e-6, 1e-3, 0.1, 1.0, 3.0, 8.0,
                            20.0, from + 0.1 / rate, from + 1 / rate, from + 4 / rate, from + 12 / rate}) {
@@ -99,17 +138,36 @@ Journey steady(double alpha) { return {alpha, HUGE_VAL}; }
 void append_sheet(std::vector<Argument>& arguments) {
   arguments.push_back({"speed", ArgumentKind::positive, "1", {}});
   arguments.push_back({"half_thickness", ArgumentKind::positive, "1", {}});
-  arguments.push_back(
-      {"material", ArgumentKind::choice, "standard-linear-solid", {}, {"standard-linear-solid", "thesis"}});
+  arguments.push_back({"material",
+                       ArgumentKind::choice,
+                       "standard-linear-solid",
+                       {},
+                       {"standard-linear-solid", "thesis", "prony"}});
   arguments.push_back({"bulk", ArgumentKind::positive, "1", {}});
   arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
+  append_prony_arguments(arguments);
 }
 
-/// speed, half_thickness, material, bulk, tau: relaxation rates from 1e-12 to 1e12 speed/half_thickness.
+/// Makes theta2 a part of theta1 that creeps at least as much: what has such functions gains no energy. x: the series.
+void keep_passive(double* x) {
+  double* plane = x + prony_arguments / 2;
+  const double part = x[0] > 0 ? std::clamp(plane[0] / x[0], 1e-3, 0.9) : 0.25;
+  const double creeping = std::clamp(plane[1] / x[1], part, 2 * part);
+  plane[0] = part * x[0];
+  plane[1] = creeping * x[1];
+  plane[2] = x[2];
+  plane[3] = creeping * x[3];
+  plane[4] = x[4];
+}
+
+/// The sheet's arguments: relaxation rates from 1e-12 to 1e12 speed/half_thickness, or 0.
 std::vector<double> draw_sheet(Random& random) {
   const double speed = random.log_uniform(1e-3, 1e3), half_thickness = random.log_uniform(1e-3, 1);
-  return {speed, half_thickness, random.chance(0.5) ? 0.0 : 1.0, random.log_uniform(1e-3, 1e6),
-          half_thickness / speed * random.log_uniform(1e-12, 1e12)};
+  const double unit = half_thickness / speed;
+  std::vector<double> sheet{speed, half_thickness, static_cast<double>(random.index(3)),
+                            random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-12, 1e12)};
+  draw_prony(sheet, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
+  return sheet;
 }
 
 Point joined(Point times, const std::vector<double>& sheet) {
@@ -132,15 +190,14 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.promise = moving_load_promise;
   entry.audit_points = 100;
   entry.timed_alone = false;
+  entry.keep_off = [](Point& point) { keep_passive(&point[point.size() - prony_arguments]); };
   return entry;
 }
 
 // In all entries `at` is where the sheet's arguments begin. 1/tau is rounded before fast gets it, and where
 // e^(-t/tau) has faded that is felt: the audit takes the material that fast was given.
 
-data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) {
-  return material_of(x[at + 2], x[at + 3], x[at + 4]);
-}
+data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) { return material_of(x.subspan(at)); }
 /// The one that was asked for last is kept: a search along one argument asks for the same sheet again and again, and
 /// whether a material is passive takes longer to find than a displacement.
 const fast::MovingLoad& load_at(Arguments x, std::size_t at, Accuracy accuracy) {
@@ -158,9 +215,7 @@ const fast::MovingLoad& load_at(Arguments x, std::size_t at, Accuracy accuracy) 
 ref::ExactMaterial exact_of_material_at(Arguments x, std::size_t at) {
   return ref::exact_material(material_at(x, at));
 }
-ref::ExactMaterial exact_at(Exacts x, std::size_t at) {
-  return exact_material_of(x[at + 2], x[at + 3], x[at + 4]);
-}
+ref::ExactMaterial exact_at(Exacts x, std::size_t at) { return exact_material_of(x.subspan(at)); }
 
 Quantity entry_Un() {
   Quantity entry = moving_load_entry(
@@ -175,7 +230,8 @@ Quantity entry_Un() {
     const double unit = sheet[1] / sheet[0], t = random.log_uniform(1e-9, 50);
     return joined({unit * t, unit * draw_passing_time(t, random)}, sheet);
   };
-  entry.keep_off = [](Point& point) {
+  entry.keep_off = [keep_passive = entry.keep_off](Point& point) {
+    keep_passive(point);
     if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
   };
   entry.by_ref = [](Exacts x, int digits) {

@@ -216,7 +216,9 @@ Long history_of_sign(const mpq_class& from, const std::optional<mpq_class>& to, 
   }
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
-    const Long rest = to ? faded_length<Long>(rho, to_number<Long>(mpq_class(*to - begin))) : Long(1 / rho);
+    // At rate 0 beside an infinite length, which is the same wherever it begins.
+    const Long endless = rho > 0 ? Long(1 / rho) : to_number<Long>(mpq_class(from - begin));
+    const Long rest = to ? faded_length<Long>(rho, to_number<Long>(mpq_class(*to - begin))) : endless;
     sum += exp(-to_number<Long>(mpq_class(rate * (begin - from)))) * rest;
   }
   return sum;

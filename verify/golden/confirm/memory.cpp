@@ -128,7 +128,7 @@ class Convolution {
   mpq_class way_per_time_;
 };
 
-/// The sheet's arguments: speed, half thickness, material, bulk, tau; the material that fast was given, its constants
+/// The sheet's arguments: speed, half thickness, material, bulk, tau, a series; the material that fast was given, its constants
 /// rounded to doubles.
 struct Sheet {
   Convolution theta1, theta2;
@@ -139,7 +139,17 @@ struct Sheet {
   Sheet(const data::ViscoelasticMaterial& material, double speed, double half_thickness)
       : theta1(material.theta1(), speed, half_thickness), theta2(material.theta2(), speed, half_thickness) {}
 
+  /// As fast has it: what fades at one rate is added in double.
+  static data::MaterialFunction series(Arguments x) {
+    if (x[1] != 0 && x[3] != 0 && x[2] == x[4]) return {x[0], {{x[1] + x[3], x[2]}}};
+    data::MaterialFunction function{x[0], {}};
+    if (x[1] != 0) function.terms.push_back({x[1], x[2]});
+    if (x[3] != 0) function.terms.push_back({x[3], x[4]});
+    return function;
+  }
+
   static data::ViscoelasticMaterial material(Arguments x) {
+    if (x[2] == 2) return {series(x.subspan(5)), series(x.subspan(10))};
     const data::Compliances at_once{4 / (3 * x[3]), 4 / (9 * x[3])};
     return x[2] == 0 ? data::single_relaxation_time_solid(at_once, x[4])
                      : data::misprinted_thesis_solid(at_once, x[4]);
