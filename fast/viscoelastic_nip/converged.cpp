@@ -217,15 +217,21 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   const auto slope_of = [&](const ViscoelasticPressure& contact, double y) {
     return local_slope([&](double place) { return at(contact, place); }, y, slope_reach(last, y));
   };
-  const PlaceFunction slope{[&](double y) { return slope_of(last, y); },
-                            [&](double y) {
-                              Estimate solved = implementation_->estimate(
-                                  [&](const ViscoelasticPressure& contact) { return slope_of(contact, y); },
-                                  largest / slope_reach(last, y));
-                              solved.error +=
-                                  largest * sheet.neglected_near_end(half_length, from_end(y)) / from_end(y);
-                              return solved;
-                            }};
+  const auto estimated = [&](double y) {
+    return implementation_->estimate(
+        [&](const ViscoelasticPressure& contact) { return slope_of(contact, y); },
+        largest / slope_reach(last, y));
+  };
+  // Levels that agree at a place by chance do not beside it.
+  const PlaceFunction slope{
+      [&](double y) { return slope_of(last, y); },
+      [&](double y) {
+        Estimate solved = estimated(y);
+        for (const double beside : {-0.5, 0.5})
+          solved.error = std::max(solved.error, estimated(y + beside * slope_reach(last, y)).error);
+        solved.error += largest * sheet.neglected_near_end(half_length, from_end(y)) / from_end(y);
+        return solved;
+      }};
   const auto difference = [&](double y, double other) {
     return implementation_->estimate(
         [&](const ViscoelasticPressure& contact) { return at(contact, y) - at(contact, other); }, largest);
