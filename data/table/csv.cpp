@@ -81,12 +81,43 @@ void refuse(const std::filesystem::path& path, TextPosition position, std::strin
                  requirement);
 }
 
+namespace {
+
+/// The next line without what ends it, if there is one.
+class Lines {
+ public:
+  Lines(std::istream& stream, const std::filesystem::path& path)
+      : stream_(stream), path_(path), buffer_(longest_csv_line + 1) {}
+
+  bool next(std::string& line, std::size_t number) {
+    stream_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    auto length = static_cast<std::size_t>(stream_.gcount());
+    if (stream_.fail() && length + 1 == buffer_.size())
+      refuse(path_, {number, longest_csv_line + 1},
+             fmt::format("must have lines of at most {} bytes", longest_csv_line));
+    if (stream_.fail()) return false;
+    if (!stream_.eof()) --length;  // the end of line is counted
+    line.assign(buffer_.data(), length);
+    return true;
+  }
+
+ private:
+  std::istream& stream_;
+  const std::filesystem::path& path_;
+  std::vector<char> buffer_;
+};
+
+}  // namespace
+
 CsvFile read_csv(const std::filesystem::path& path) {
   CsvFile file{path, {}, {}};
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(path, {1, 1}, "must be a readable file");
+  Lines lines(stream, path);
   std::string line;
-  for (std::size_t number = 1; std::getline(stream, line); ++number) {
+  for (std::size_t number = 1; lines.next(line, number); ++number) {
+    if (number > most_csv_lines)
+      refuse(path, {number, 1}, fmt::format("must have at most {} lines", most_csv_lines));
     if (line.ends_with('\r')) line.pop_back();
     if (line.empty()) refuse(path, {number, 1}, "must have no blank lines");
     if (line.starts_with('#')) {

@@ -7,6 +7,9 @@
 
 namespace nipref::data {
 
+/// What a file may have at most: it is kept whole, in some hundred bytes a field.
+inline constexpr std::size_t longest_csv_line = 65536, most_csv_lines = 10'000'000;
+
 /// Where something stands in a text file; both count from 1, columns in bytes.
 struct TextPosition {
   std::size_t line;

@@ -52,15 +52,20 @@ std::string TomlTable::Item::shown() const {
 
 namespace {
 
+constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
+
 std::string contents_of(const std::filesystem::path& file, const SceneOrigin& origin) {
-  std::ostringstream text;
-  const std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream(file, std::ios::binary);
   // A folder opens like a file.
   if (!stream || std::filesystem::is_directory(file)) {
     origin.refuse("scene", file.string(), "must be a file that can be read");
   }
-  text << stream.rdbuf();
-  return text.str();
+  std::string text(longest_scene + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > longest_scene)
+    origin.refuse("scene", file.string(), fmt::format("must be a file of at most {} bytes", longest_scene));
+  return text;
 }
 
 /// Counted from 1; the parser may complain about the line after the last one.

@@ -251,6 +251,14 @@ TEST_CASE("bad overrides are refused as they were given, and what is wrong in th
             .starts_with("FILE:5: roller.radius = 0: "));
 }
 
+TEST_CASE("a scene of more than a mebibyte is refused unread, and one nested without end") {
+  const ScratchFile large(good + std::string(1 << 20, '\n'));
+  CHECK_THROWS_WITH_AS((void)data::load_scene(large.path()),
+                       doctest::Contains("must be a file of at most 1048576 bytes"), data::BadInput);
+  const ScratchFile deep(good + "x = " + std::string(100'000, '['));
+  CHECK_THROWS_AS((void)data::load_scene(deep.path()), data::BadInput);
+}
+
 TEST_CASE("files that cannot be read") {
   for (const std::string& path :
        {std::string("/nowhere/scene.toml"), std::filesystem::temp_directory_path().string()}) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/table/csv.hpp>
 #include <nipref/data/table/known_misses.hpp>
 #include <nipref/data/table/table.hpp>
 
@@ -207,6 +208,15 @@ TEST_CASE("known misses that are malformed are refused with file, line and colum
   CHECK(refusal_of_misses(columns + "t,1.5,L,\n") == "known_misses.csv:2:3: must be a row number from 1");
   CHECK(refusal_of_misses(columns + "t,1,L,\nt,1,L,again\n") ==
         "known_misses.csv:3:1: must be the only line for its cell");
+}
+
+TEST_CASE("a line may be as long as is stated and no longer, with an end or without") {
+  const Folder folder;
+  const std::string longest(longest_csv_line, 'x');
+  for (const std::string end : {"", "\n"})
+    CHECK(read_csv(folder.write("t.csv", "a\n" + longest + end)).records[1][0].text == longest);
+  CHECK(refusal(folder.write("t.csv", "a\n" + longest + "x\n")) ==
+        "t.csv:2:65537: must have lines of at most 65536 bytes");
 }
 
 TEST_CASE("a file that is not there is refused") {
