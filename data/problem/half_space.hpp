@@ -61,7 +61,7 @@ struct HalfSpaceProblem {
   /// Of the motion from x1, degrees, |direction| <= 90; with the axis of symmetry in the surface it lies
   /// along x2. sliding.direction
   double direction = 0;
-  double friction = 0;  ///< coefficient, >= 0; sliding.friction
+  double friction = 0;  ///< coefficient, 0 to 1000; sliding.friction
   std::variant<GivenNormalForce, GivenSpan> given;
   ContourRule rule = ContourRule::exact;
   /// Angles psi - direction, degrees, at which spans are wanted; or, if `line` is there, positions on that line.

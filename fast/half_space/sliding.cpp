@@ -67,8 +67,7 @@ SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, d
                                Direction motion, SpanRule rule)
     : response_(std::move(response)), body_(body), friction_(friction), motion_(motion), rule_(rule) {
   body.check();
-  if (!(friction >= 0) || !std::isfinite(friction))
-    throw BadInput("friction", friction, "must be non-negative and finite");
+  if (!(friction >= 0 && friction <= 1000)) throw BadInput("friction", friction, "must be from 0 to 1000");
   const double length = std::hypot(motion.cosine, motion.sine);
   if (!(std::fabs(length - 1) < 1e-12)) throw BadInput("motion", length, "must be of unit length");
   steepness_ = shape(motion).steepness();

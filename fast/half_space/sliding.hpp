@@ -78,7 +78,7 @@ class SlidingContact {
                                           SpanRule);
 };
 
-/// The contact with span L1 along the motion, > 0 and finite, unit of length. friction >= 0 and finite,
+/// The contact with span L1 along the motion, > 0 and finite, unit of length. friction from 0 to 1000,
 /// motion of unit length; the response at every direction must have a finite coupling and a positive finite
 /// compliance (a subcritical speed). BadInput otherwise. The integral over the directions is exact to
 /// rounding if the response is analytic; the estimates say so or what is missing.

@@ -19,9 +19,26 @@ Float cosine(const Exact& degrees) {
 
 Float sine(const Exact& degrees) { return sin(to_float(degrees) * pi() / 180); }
 
-/// One line of a sliding contact.
+/// Beyond, the pressure on a line changes within so narrow an angle of the line across that its integrals take minutes.
+constexpr int greatest_friction = 1000;
+
+void check_friction(const Exact& friction) {
+  if (friction.sign() < 0 || friction.value() > greatest_friction)
+    throw data::BadInput("friction", friction.text(), "must be from 0 to 1000");
+}
+
+/// The angle of (x, y), y > 0, in half turns: to all digits however small it is.
+Float half_turns(const Float& y, const Float& x) {
+  Float angle;
+  mpfr_atan2(angle.get(), y.get(), x.get(), MPFR_RNDN);
+  return angle / pi();
+}
+
+/// One line of a sliding contact. Both shares of the span are known to all digits, however small they are.
 struct SlidingLine {
-  Float omega;
+  Float ahead;         ///< -Omega
+  Float behind;        ///< 1 + Omega
+  Float shear_over_K;  ///< friction (cos(psi) S - sin(psi) S')/K
   Float
       h;  ///< sqrt(K^2 + (friction (cos(psi) S - sin(psi) S'))^2), K with what friction adds of shear compliances
 
@@ -37,19 +54,21 @@ struct SlidingLine {
       throw data::BadInput("friction", friction.text(),
                            "must be smaller: the shear compliance of the surface outweighs the compliance");
     }
-    omega = atan(shear / compliance) / pi() - Float(0.5);
+    shear_over_K = shear / compliance;
+    ahead = half_turns(compliance, shear);
+    behind = half_turns(compliance, -shear);
     h = sqrt(compliance * compliance + shear * shear);
   }
   /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega): peak of the pressure over span/h and curvature.
-  [[nodiscard]] Float Q() const { return pow(1 + omega, 1 + omega) * pow(-omega, -omega); }
+  [[nodiscard]] Float Q() const { return pow(behind, behind) * pow(ahead, ahead); }
 };
 
 /// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, ahead of the kink x = 0 and behind it; power 1 or 2.
 struct LineMoment {
   Float front, back;
 };
-LineMoment line_moment(const Float& omega, int power, int digits) {
-  const Float ahead = -omega, behind = 1 + omega;
+LineMoment line_moment(const SlidingLine& line, int power, int digits) {
+  const Float &ahead = line.ahead, &behind = line.behind;
   const auto lever = [power](const Float& x) -> Float { return power == 1 ? x : Float(x * x); };
   const Float front = unit_integral(digits, [&](const Float& left, const Float& right) {
     const Float x = ahead * left;
@@ -68,10 +87,13 @@ Float curvature_of(const Indenter& body, const Exact& degrees) {
   return to_float(body.along) * c * c + to_float(body.across) * s * s;
 }
 
-/// The curvature has a zero at tan = i sqrt(along/across).
-CrowdedDirections directions_for(const PeakOfCompliance& peak, const Indenter& body) {
+/// The curvature has a zero at tan = i sqrt(along/across), and h where it meets the lines across the motion, near tan =
+/// i friction S/K.
+CrowdedDirections directions_for(const WorkingSurface& surface, const Exact& friction,
+                                 const PeakOfCompliance& peak, const Indenter& body) {
   const Float slenderness = sqrt(to_float(body.along) / to_float(body.across)), width = peak.width;
-  return {Exact(peak.degrees), std::min(width, slenderness), std::max(Float(1), slenderness)};
+  const Float sheared = abs(SlidingLine(surface, friction, Exact(0.0)).shear_over_K);
+  return {Exact(peak.degrees), std::min(width, slenderness), std::max({Float(1), slenderness, sheared})};
 }
 
 /// int curvature span^(power + 2)/h weight(line moments of |x|^power) over the lines, stresses as `lines` count them, the span
@@ -94,8 +116,7 @@ Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& d
     const SlidingLine line(lines, friction, degrees);
     const Float curvature = curvature_of(body, degrees);
     const Float span = span_ratio_of(rule, along, line, body, degrees);
-    return curvature * pow(span, power + 2) / line.h *
-           weight(line_moment(line.omega, power, working), degrees);
+    return curvature * pow(span, power + 2) / line.h * weight(line_moment(line, power, working), degrees);
   });
 }
 
@@ -123,13 +144,15 @@ Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& direc
 
 Estimated sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                            int digits) {
+  check_friction(friction);
   return with_digits(digits, [&](int working) {
-    return closed(SlidingLine(WorkingSurface(surface, working), friction, degrees).omega, digits);
+    return closed(-SlidingLine(WorkingSurface(surface, working), friction, degrees).ahead, digits);
   });
 }
 
 Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                              int digits) {
+  check_friction(friction);
   return with_digits(digits, [&](int working) {
     const WorkingSurface lines(surface, working);
     const SlidingLine along(lines, friction, Exact(0.0)), line(lines, friction, degrees);
@@ -138,10 +161,11 @@ Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction
 }
 
 Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits) {
+  check_friction(friction);
   return with_digits(digits, [&](int working) {
     const WorkingSurface lines(surface, working);
     const Indenter unit{Exact(1.0), Exact(1.0)};
-    const CrowdedDirections directions = directions_for(peak_of_compliance(surface), unit);
+    const CrowdedDirections directions = directions_for(lines, friction, peak_of_compliance(surface), unit);
     const auto [fine, coarse] =
         force_factor(lines, directions, friction, unit, SpanRule::stationary_force, digits, working);
     return estimated(fine, abs(fine - coarse), digits);
@@ -174,7 +198,8 @@ struct SlidingContact::Implementation {
   [[nodiscard]] Estimated of_factor(const Function& function) const {
     const WorkingDigits scope(working);
     if (!factor) {
-      const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
+      const CrowdedDirections directions =
+          directions_for(lines(), friction, peak_of_compliance(surface), body);
       const auto [fine, coarse] = force_factor(lines(), directions, friction, body, rule, digits, working);
       factor = {ldexp(fine, exponent), ldexp(coarse, exponent)};
     }
@@ -183,7 +208,7 @@ struct SlidingContact::Implementation {
   /// Centre of pressure in the direction whose component along the lines is given.
   [[nodiscard]] Estimated centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
-    const CrowdedDirections directions = directions_for(peak_of_compliance(surface), body);
+    const CrowdedDirections directions = directions_for(lines(), friction, peak_of_compliance(surface), body);
     const auto integral = [&](bool with_moment) {
       return moment_factor(lines(), directions, friction, body, rule, digits, working, component,
                            with_moment);
@@ -218,6 +243,7 @@ struct SlidingContact::Implementation {
 
 SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
                                const HalfSpaceLoad& load, int digits, SpanRule rule) {
+  check_friction(friction);
   Implementation made{std::move(surface), body, friction, load, digits, rule};
   made.working = working_digits(digits);
   made.exponent = stress_exponent(made.surface);
@@ -257,7 +283,7 @@ Estimated SlidingContact::peak_pressure() const {
 
 Estimated SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
-  const Float share = -SlidingLine(implementation_->lines(), implementation_->friction, degrees).omega;
+  const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;
   const Float ratio = implementation_->ratio(degrees);
   return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
 }
@@ -265,7 +291,8 @@ Estimated SlidingContact::leading_end(const Exact& degrees) const {
 Estimated SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
   const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
-  const Float lead = -line.omega, trail = 1 + line.omega, ratio = implementation_->ratio(degrees);
+  const Float &lead = line.ahead, &trail = line.behind;
+  const Float ratio = implementation_->ratio(degrees);
   const Float there = to_float(x), steepness = implementation_->steepness_of(line, degrees);
   const auto at = [&](const Float& along, const Float& change) -> Float {
     const Float span = ratio * along;

@@ -11,7 +11,7 @@ namespace nipref::ref {
 // answers along lines; errors are estimated.
 //
 //   digits      16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they are not
-//   friction    coefficient, >= 0
+//   friction    coefficient, 0 to 1000
 //   degrees     angle of a line from the motion
 
 /// Omega = -1/2 + atan(friction (cos(psi) S - sin(psi) S')/K)/pi: the pressure on a line ends like (x+ -

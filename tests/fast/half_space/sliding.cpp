@@ -242,6 +242,8 @@ TEST_CASE("sliding: bad input is one line that names it") {
   CHECK_THROWS_AS(sliding_for_span(response, die, 0.1, along_x1, nan), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, die, 0.1, along_x1, -1), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, die, nan, along_x1, 1), data::BadInput);
+  CHECK_THROWS_WITH_AS(sliding_for_force(response, die, 1e300, along_x1, 1),
+                       "friction = 1e+300: must be from 0 to 1000", data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, {1, 0}, 0.1, along_x1, 1), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(response, die, 0.1, {1, 1}, 1), data::BadInput);
   CHECK_THROWS_AS(sliding_for_force(isotropic(any_poisson, 0.95), die, 0.1, along_x1, 1), data::BadInput);

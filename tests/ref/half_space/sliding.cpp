@@ -52,3 +52,13 @@ TEST_CASE("friction moves the peak back and leaves the cross direction alone") {
   CHECK(std::fabs(with - without) > 1e-3 * without);
   CHECK_THROWS_AS((void)ref::sliding_force(surface, friction, 15), data::BadInput);
 }
+
+TEST_CASE("the reference's sliding contact where friction outweighs the compliance") {
+  // At rest K = 1 - nu and S = (1 - 2 nu)/2: next to the line across, h meets K within an angle of K/(friction S).
+  const auto surface = isotropic_surface(0.25, 1e-30);
+  CHECK(ref::sliding_exponent(surface, Exact(1000.0), Exact(0.0), 20).to_double() ==
+        doctest::Approx(-std::atan(0.75 / 250) / std::numbers::pi).epsilon(1e-15));
+  CHECK_NOTHROW((void)ref::sliding_force(surface, Exact(700.0), 16));
+  CHECK_THROWS_WITH_AS((void)ref::sliding_force(surface, Exact(1001.0), 16),
+                       doctest::Contains("must be from 0 to 1000"), data::BadInput);
+}
