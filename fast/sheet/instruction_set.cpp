@@ -13,6 +13,7 @@ void use_instruction_set(std::string_view name) {
     if (code == nullptr) continue;
     if (name == code->instruction_set) {
       internal::best_sheet_code = code;
+      internal::chosen_instruction_set = number;
       return;
     }
     known += (known.empty() ? "" : " or ") + std::string(code->instruction_set);

@@ -2,13 +2,15 @@
 
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
 #include <nipref/fast/number/internal/bisection.hpp>
+#include <nipref/fast/number/internal/instruction_level.hpp>
 
 // Once more for processors with a fused multiply-add, which the two-word products then do in one instruction.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define NIPREF_CLONES [[gnu::target_clones("default", "arch=x86-64-v3")]]
+#ifdef NIPREF_X86_LEVELS
+#define NIPREF_FUSED [[gnu::target("arch=x86-64-v3")]]
 #else
-#define NIPREF_CLONES
+#define NIPREF_FUSED
 #endif
+#define NIPREF_TWICE [[gnu::always_inline]] inline
 
 namespace nipref::fast::internal {
 namespace {
@@ -44,7 +46,7 @@ NormalAxisLine::NormalAxisLine(const data::TransverselyIsotropicSolid& solid)
 
 double NormalAxisLine::bound(Direction) const { return d5_; }
 
-NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction psi, Two scaled_X) const {
+NIPREF_TWICE LineFunctions NormalAxisLine::code(Direction psi, Two scaled_X) const {
   const Two X = scaled_X / squared_length(psi);
   const Two A1_squared = Two{d1_} - X, B5_squared = Two{d5_} - X;
   if (!(A1_squared.high > 0 && B5_squared.high > 0)) return {};
@@ -56,6 +58,12 @@ NIPREF_CLONES LineFunctions NormalAxisLine::at(Direction psi, Two scaled_X) cons
   const Two stiff = root3_ * root5_ * A1;
   const Two rayleigh = B5 * (determinant_ - d3_ * X) - X * stiff;
   return {rayleigh, A1 * sqrt(P_squared), stiff - d13_ * B5};
+}
+
+NIPREF_FUSED LineFunctions NormalAxisLine::fused(Direction psi, Two X) const { return code(psi, X); }
+
+LineFunctions NormalAxisLine::at(Direction psi, Two X) const {
+  return chosen_instruction_set > 0 ? fused(psi, X) : code(psi, X);
 }
 
 InPlaneAxisLine::InPlaneAxisLine(const data::TransverselyIsotropicSolid& solid)
@@ -83,7 +91,7 @@ double InPlaneAxisLine::bound(Direction psi) const {
 // What remains of the third row of the inverse impedance is
 //   M/A6 = 2 d5 B5 Pi Sigma + T5 J1 - d6 sin^2 J2,  (Pi Sigma, cos J1, -sin J2)/(M/A6),
 //   J1 = q - 2 d5 G + (d6 + d12) sin^2/d1,  J2 = Pi + B1^2 - (d6 + d12) T5/(d1 d6).
-NIPREF_CLONES LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
+NIPREF_TWICE LineFunctions InPlaneAxisLine::code(Direction psi, Two X) const {
   const Two cos2 = square(cosine_of(psi)), sin2 = square(sine_of(psi));
   const Two A6 = d6_ * sin2 - X, A2 = d2_ * sin2 - X;
   const Two B1_squared = cos2 + A6 * inverse1_, B2_squared = cos2 + A2 * inverse6_,
@@ -108,6 +116,12 @@ NIPREF_CLONES LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
   const Two J2 = Pi + B1_squared - sum_over_d1_ * inverse6_ * T5;
   const Two rayleigh = (2 * d5_) * left + T5 * J1 - d6_ * sin2 * J2;
   return {rayleigh, compliance, sin2 * J2 - cos2 * J1, psi.cosine * psi.sine * (J1 + J2).high};
+}
+
+NIPREF_FUSED LineFunctions InPlaneAxisLine::fused(Direction psi, Two X) const { return code(psi, X); }
+
+LineFunctions InPlaneAxisLine::at(Direction psi, Two X) const {
+  return chosen_instruction_set > 0 ? fused(psi, X) : code(psi, X);
 }
 
 TransverselyIsotropicLine::TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid,

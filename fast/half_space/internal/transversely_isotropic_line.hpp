@@ -37,6 +37,9 @@ class NormalAxisLine {
   [[nodiscard]] double bound(Direction psi) const;
 
  private:
+  [[nodiscard]] LineFunctions code(Direction psi, Two X) const;  ///< what is compiled twice
+  [[nodiscard]] LineFunctions fused(Direction psi, Two X) const;
+
   double d1_, d3_, d5_, d13_;
   Two determinant_;  ///< d1 d3 - d13^2
   Two sum_;          ///< |d5 + d13|
@@ -52,6 +55,9 @@ class InPlaneAxisLine {
   [[nodiscard]] double bound(Direction psi) const;
 
  private:
+  [[nodiscard]] LineFunctions code(Direction psi, Two X) const;  ///< what is compiled twice
+  [[nodiscard]] LineFunctions fused(Direction psi, Two X) const;
+
   double d2_, d5_, d6_;
   Two inverse1_, inverse5_, inverse6_;
   Two sum_over_d1_;  ///< (d6 + d12)/d1

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+#include <nipref/fast/number/internal/instruction_level.hpp>
 #include <nipref/fast/sheet/internal/domain.hpp>
 #include <nipref/fast/sheet/internal/tables.hpp>
 
@@ -44,9 +45,6 @@ extern const SheetCode code;
 namespace v4 {
 extern const SheetCode code;
 }
-
-/// From the plainest to the best.
-inline constexpr int instruction_set_count = 3;
 
 /// The code for an instruction set, or null where this processor does not have it.
 const SheetCode* sheet_code_for(int instruction_set);
