@@ -9,8 +9,6 @@
 namespace nipref::fast::internal {
 namespace {
 
-constexpr Two one{1};
-
 double high_word(double x) { return x; }
 double high_word(Two x) { return x.high; }
 

@@ -103,8 +103,7 @@ Settlement lost_exponential() {
     return integral([x](double t) { return std::exp(-x * t) * t / (1 + t * t); }, 0, far / x);
   };
   const double oscillating = integral([&](double x) { return symbol(x) * std::cos(alpha * x); }, 0, end);
-  const double sine_part =
-      integral([end](double t) { return std::exp(-end * t) / (1 + t * t); }, 0, far / end);
+  const double sine_part = integral([](double t) { return std::exp(-end * t) / (1 + t * t); }, 0, far / end);
   const double tail = std::cos(end) * cosine_rest(end) - std::sin(end) * sine_part;
   const double without = integral(symbol, 0, end);
   const double truth = ref::I1(ref::Exact(alpha), 20).to_double();
