@@ -1,6 +1,8 @@
 #pragma once
 #include <cmath>
 
+#include <nipref/data/strict_arithmetic.hpp>
+
 namespace nipref::fast::internal {
 
 /// An unevaluated sum high + low, |low| below a unit of high: what a large exponent or phase has to be known

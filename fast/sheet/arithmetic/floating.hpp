@@ -8,6 +8,8 @@
 
 #include <stdint.h>
 
+#include <nipref/data/strict_arithmetic.hpp>
+
 #define NIPREF_INLINE [[gnu::always_inline]] static inline
 
 namespace nipref::fast::internal::NIPREF_ISA {
