@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 7> models{
     "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis"};
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
-constexpr std::size_t prony = 4, operators = 5;
+constexpr std::size_t prony_model = 4, operators_model = 5;
 
 std::size_t model_number(double argument) { return static_cast<std::size_t>(argument); }
 SpringModel model_of(double argument) { return of_springs[model_number(argument)]; }
@@ -54,15 +54,15 @@ ref::ExactModulus exact_shear_of(Exacts x) { return exact_modulus_at(x, shear_at
 ref::ExactModulus exact_bulk_of(Exacts x) { return exact_modulus_at(x, bulk_at, "bulk"); }
 
 fast::RationalSolid rational_solid(MaterialArguments x) {
-  if (model_number(x[1]) == prony) return prony_of(x.subspan(prony_at, prony_arguments));
-  if (model_number(x[1]) == operators) return operators_of(x.subspan(operators_at, operator_arguments));
+  if (model_number(x[1]) == prony_model) return prony_of(x.subspan(prony_at, prony_arguments));
+  if (model_number(x[1]) == operators_model) return operators_of(x.subspan(operators_at, operator_arguments));
   return data::SingleRelaxationTimeSolid{x[bulk_at], x[shear_at], x[tau_at], data::misprinted_rate_factor};
 }
 
 ref::ExactRationalSolid exact_rational_solid(Exacts x) {
   const std::size_t model = model_number(x[1].approximate());
-  if (model == prony) return exact_prony_of(x.subspan(prony_at, prony_arguments));
-  if (model == operators) return exact_operators_of(x.subspan(operators_at, operator_arguments));
+  if (model == prony_model) return exact_prony_of(x.subspan(prony_at, prony_arguments));
+  if (model == operators_model) return exact_operators_of(x.subspan(operators_at, operator_arguments));
   return ref::exact_single_time(x[bulk_at], x[shear_at], x[tau_at], data::misprinted_rate_factor);
 }
 

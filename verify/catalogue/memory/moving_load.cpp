@@ -31,7 +31,7 @@ constexpr auto remembered_size =
 
 // The sheet's arguments: speed, half_thickness, material, bulk, tau, the series.
 constexpr std::size_t prony_in_sheet = 5;
-constexpr double standard_linear_solid = 0, prony = 2;
+constexpr double standard_linear_solid = 0, prony_model_number = 2;
 
 /// Terms of equal rate joined, those of amplitude 0 left out.
 data::MaterialFunction joined_series(const data::PronyList& list) {
@@ -52,7 +52,7 @@ data::MaterialFunction joined_series(const data::PronyList& list) {
 /// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
 /// e^(-2t/tau). Or a series. x: the sheet's arguments.
 data::ViscoelasticMaterial material_of(Arguments x) {
-  if (x[2] == prony) {
+  if (x[2] == prony_model_number) {
     const data::PronySeries series = prony_of(x.subspan(prony_in_sheet));
     return {joined_series(series.theta1), joined_series(series.theta2)};
   }
@@ -71,7 +71,7 @@ ref::ExactFunction exact_series_of(Exacts x) {
 
 ref::ExactMaterial exact_material_of(Exacts x) {
   const double solid = x[2].approximate();
-  if (solid == prony)
+  if (solid == prony_model_number)
     return {exact_series_of(x.subspan(prony_in_sheet)),
             exact_series_of(x.subspan(prony_in_sheet + prony_arguments / 2))};
   return ref::exact_solid(
