@@ -167,6 +167,7 @@ std::vector<double> draw_sheet(Random& random) {
   std::vector<double> sheet{speed, half_thickness, static_cast<double>(random.index(3)),
                             random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-12, 1e12)};
   draw_prony(sheet, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
+  keep_passive(&sheet[prony_in_sheet]);
   return sheet;
 }
 
