@@ -103,11 +103,15 @@ void SlidingContact::integrate() {
     const Shape line = shape(from_motion.turned(motion_));
     const auto [absolute, signed_square, uncancelled] = line.moments();
     const double ratio = span_ratio(line), peak = line.steepness() / steepness_ * ratio;
-    const double cube = peak * ratio * ratio * ratio, moment = cube * signed_square;
-    return std::array{peak * ratio * ratio * absolute, moment * from_motion.cosine, moment * from_motion.sine,
-                      cube * uncancelled};
+    const double cube = peak * ratio * ratio * ratio, moment = cube * signed_square,
+                 size = cube * uncancelled;
+    // With their size added moments are integrated to the rounding of that: panels that chased theirs would not end.
+    return std::array{peak * ratio * ratio * absolute, moment * from_motion.cosine + size,
+                      moment * from_motion.sine + size, size};
   };
-  const auto [force, along, across, uncancelled] = half_turn_integral<4>(terms);
+  const auto [force, lifted_along, lifted_across, uncancelled] = half_turn_integral<4>(terms);
+  const Estimate along{lifted_along.value - uncancelled.value, lifted_along.error + uncancelled.error};
+  const Estimate across{lifted_across.value - uncancelled.value, lifted_across.error + uncancelled.error};
   const double rounded = rounding() * uncancelled.value / force.value;
   const auto over_force = [&](const Estimate& moment) {
     return Estimate{moment.value / force.value, moment.error / force.value + rounded + 4 * rounding()};

@@ -35,6 +35,8 @@ double fast_at(const char* name, const Point& point) {
 TEST_CASE("half-spaces in degrees, GPa and speeds of steel: what once was beyond the promise") {
   check_kept("halfspace.coupling", {0x1.fffff94a03595p-2, 0x1.e91e97e2fdb23p-1, 45});
   check_kept("rolling.index", {0x1.3333333333333p-2, 0x1.dad5d6ac2bda0p-1, 0});
+  // Thousands of panels chased the rounding of a moment that is nearly 0.
+  check_kept("die.force", {0x1.ffffff543388fp-2, 0x1p-1074, 0x1.fffffffffffffp-1});
   for (const char* name : {"ti.compliance", "ti.coupling", "ti.coupling_across"})
     check_kept(name, {0, 135, 0x1.bcb952498e366p-3, in_plane, 10, 10, 0x1.2cccccccccccdp+3, 9, 1, 1000});
 }
