@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -53,6 +54,8 @@ struct ConvergedElasticNip::Implementation {
   ElasticNipLadder ladder;
   std::optional<double> given_length;  ///< unit of length
   mutable std::optional<ContactField<ElasticNipLadder>> inner_field;
+  mutable std::map<const HalfContact*, double>
+      creeps;  ///< without friction, of solutions of which it was asked for
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length; }
   [[nodiscard]] Estimate half_length_estimate() const {
@@ -83,8 +86,10 @@ struct ConvergedElasticNip::Implementation {
     for (const double beside : {0.8 * e, 0.9 * e, 1.25 * e})
       estimate.error = std::max(estimate.error, at(beside).error);
     const double unsure = given_length ? 0 : half_length_estimate().error;
+    double shifted = 0;
     for (const double moved : {e - unsure, e + unsure})
-      estimate.error += std::fabs(traction(ladder.last(), moved) - estimate.value);
+      shifted = std::max(shifted, std::fabs(traction(ladder.last(), moved) - estimate.value));
+    estimate.error += shifted;
     return times(std::copysign(units.pressure, component == &Traction::shear ? y : 1), estimate);
   }
   [[nodiscard]] bool grips() const { return surface.friction == data::Friction::full; }
@@ -96,6 +101,32 @@ struct ConvergedElasticNip::Implementation {
   }
   [[nodiscard]] Estimate pressure_at(double y) const {
     return traction_at(y, &Traction::pressure, ladder.last().traction(half_length()).pressure);
+  }
+  /// Mean strain of the surface in a contact without friction, dimensionless.
+  [[nodiscard]] double sliding_creep(const HalfContact& contact, CountedKernels& kernels) const {
+    const auto [known, is_new] = creeps.try_emplace(&contact);
+    const double end = contact.half_length;
+    if (is_new) known->second = fast::tangential_displacement(contact, end, surface, kernels) / end;
+    return known->second;
+  }
+  [[nodiscard]] double sliding_creep_rounding() const {
+    return difference_rounding * ladder.last().load * (0.25 + surface.beta / 2) / half_length();
+  }
+  /// Without friction, the surface's strain at y >= 0, unit of length, beyond `zero`, a strain of each solution that is
+  /// at most about `zero_size`, dimensionless.
+  [[nodiscard]] Estimate sliding_strain_beyond(const ElasticNipLadder::Functional& zero, double zero_size,
+                                               double y) const {
+    CountedKernels kernels = ladder.kernels();
+    const double alpha = y / units.length;
+    const double size = fast::peak_pressure(ladder.last()) * std::min(half_length(), 1.0);
+    const Estimate smooth = ladder.estimate_of_fading(
+        [&](const HalfContact& contact) {
+          return smooth_strain(contact, alpha, surface, kernels) - zero(contact);
+        },
+        size + zero_size, size * faded(alpha - half_length()) + zero_size);
+    const Estimate pressure = times(1 / units.pressure, pressure_at(y));
+    return {smooth.value - surface.beta * pressure.value,
+            smooth.error + std::fabs(surface.beta) * pressure.error};
   }
   /// Made when it is asked for first.
   [[nodiscard]] ContactField<ElasticNipLadder>& field() const {
@@ -144,24 +175,24 @@ ConvergedElasticNip::ConvergedElasticNip(ConvergedElasticNip&&) noexcept = defau
 ConvergedElasticNip::~ConvergedElasticNip() = default;
 
 Estimate ConvergedElasticNip::contact_length() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   return times(2 * units.length, implementation_->half_length_estimate());
 }
 
 Estimate ConvergedElasticNip::load() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   return times(units.load, ladder.estimate([](const HalfContact& contact) { return contact.load; }));
 }
 
 Estimate ConvergedElasticNip::indentation() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   return times(units.displacement, ladder.estimate([](const HalfContact& contact) {
     return contact.edge_displacement + contact.half_length * contact.half_length;
   }));
 }
 
 Estimate ConvergedElasticNip::edge_displacement() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double parabola = std::pow(implementation_->half_length(), 2);
   return times(
       units.displacement,
@@ -169,16 +200,13 @@ Estimate ConvergedElasticNip::edge_displacement() const {
 }
 
 Estimate ConvergedElasticNip::creep_ratio() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double size = implementation_->half_length();
   if (surface.friction == data::Friction::full) return times(units.creep, implementation_->gripped_creep());
   CountedKernels kernels = ladder.kernels();
-  const auto stretch = [&](const HalfContact& contact) {
-    const double end = contact.half_length;
-    return fast::tangential_displacement(contact, end, surface, kernels) / end;
-  };
-  Estimate creep = ladder.estimate_of_integral(stretch, size);
-  creep.error += difference_rounding * ladder.last().load * (0.25 + surface.beta / 2) / size;
+  Estimate creep = ladder.estimate_of_integral(
+      [&](const HalfContact& contact) { return implementation_->sliding_creep(contact, kernels); }, size);
+  creep.error += implementation_->sliding_creep_rounding();
   return times(units.creep, creep);
 }
 
@@ -203,7 +231,7 @@ Estimate ConvergedElasticNip::peak_shear() const {
 
 Estimate ConvergedElasticNip::peak_shear_position() const {
   implementation_->check_shears();
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double largest = fast::peak_shear(ladder.last());
   const auto size_of = [](const HalfContact& contact, double e) {
     return std::fabs(Implementation::shear_of(contact, e));
@@ -230,7 +258,7 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
 
 std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
   implementation_->check_shears();
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double largest = fast::peak_shear(ladder.last());
   const auto at = [&](double e) {
     return ladder.estimate([&](const HalfContact& contact) { return Implementation::shear_of(contact, e); },
@@ -253,7 +281,7 @@ std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
 }
 
 Estimate ConvergedElasticNip::normal_displacement(double y) const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double position = checked_position(y) / units.length;
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const HalfContact& contact) {
@@ -265,7 +293,7 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
 }
 
 Estimate ConvergedElasticNip::tangential_displacement(double y) const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double position = checked_position(y) / units.length;
   const double half_length = implementation_->half_length(), inside = std::min(position, half_length);
   const auto dimensional = [&](const Estimate& estimate) {
@@ -288,7 +316,7 @@ Estimate ConvergedElasticNip::tangential_displacement(double y) const {
 }
 
 Estimate ConvergedElasticNip::surface_strain(double y) const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const double position = checked_position(y);
   const double from_end = implementation_->from_end(position);
   const double unsure = given_length ? 0 : implementation_->half_length_estimate().error;
@@ -299,19 +327,29 @@ Estimate ConvergedElasticNip::surface_strain(double y) const {
   }
   const double alpha = position / units.length;
   if (implementation_->grips()) return times(units.creep / 2, implementation_->field().along_face(alpha));
-  CountedKernels kernels = ladder.kernels();
-  const double half_length = implementation_->half_length();
-  const double scale = fast::peak_pressure(ladder.last()) * std::min(half_length, 1.0);
-  const Estimate smooth = ladder.estimate_of_fading(
-      [&](const HalfContact& contact) { return smooth_strain(contact, alpha, surface, kernels); }, scale,
-      scale * faded(alpha - half_length));
-  const Estimate pressure = times(1 / units.pressure, implementation_->pressure_at(position));
-  return times(units.creep, {smooth.value - surface.beta * pressure.value,
-                             smooth.error + std::fabs(surface.beta) * pressure.error});
+  const auto nothing = [](const HalfContact&) { return 0.0; };
+  return times(units.creep, implementation_->sliding_strain_beyond(nothing, 0, position));
+}
+
+Estimate ConvergedElasticNip::slip(double y) const {
+  const Implementation& solved = *implementation_;
+  const double position = checked_position(y);
+  if (solved.grips()) {
+    const double unsure = solved.given_length ? 0 : solved.half_length_estimate().error;
+    if (solved.from_end(position) >= unsure) return {0, 0};
+    const Estimate strain = surface_strain(y), creep = creep_ratio();
+    return {strain.value - creep.value, strain.error + creep.error};
+  }
+  CountedKernels kernels = solved.ladder.kernels();
+  Estimate slip = solved.sliding_strain_beyond(
+      [&](const HalfContact& contact) { return solved.sliding_creep(contact, kernels); },
+      solved.half_length(), position);
+  slip.error += solved.sliding_creep_rounding();
+  return times(solved.units.creep, slip);
 }
 
 std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
   auto stresses = implementation_->field().at(places);
@@ -320,7 +358,7 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
 }
 
 GreatestShear ConvergedElasticNip::greatest_shear() const {
-  const auto& [units, surface, ladder, given_length, inner_field] = *implementation_;
+  const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
   const auto [value, y, depth] = implementation_->field().greatest(true);
   return {times(units.pressure, value), times(units.length, y), depth};
 }

@@ -58,6 +58,9 @@ class ConvergedElasticNip {
   /// (N/pi) int I3' p less theta2 p, of which with full friction the creep ratio is left in the contact and outside
   /// N/2 times the stress along the face. (thesis 2.5)
   [[nodiscard]] Estimate surface_strain(double y) const;
+  /// surface_strain(y) - creep_ratio(), less uncertain than the two: what both have in common counts once. 0 in a contact
+  /// with full friction.
+  [[nodiscard]] Estimate slip(double y) const;
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;

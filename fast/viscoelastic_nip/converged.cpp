@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <nipref/fast/nip/internal/contact_field.hpp>
@@ -40,6 +41,7 @@ struct ConvergedViscoelasticNip::Implementation {
   double roller_radius;
   EffectiveSheet sheet;
   ViscoelasticNipLadder ladder;
+  mutable std::map<const ViscoelasticPressure*, double> creeps;  ///< of solutions of which it was asked for
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
   [[nodiscard]] double neglected() const { return sheet.neglected(half_length()); }
@@ -56,6 +58,23 @@ struct ConvergedViscoelasticNip::Implementation {
     return with_neglected(ladder.estimate_of_integral(functional, scale), scale);
   }
   [[nodiscard]] ContactField<ViscoelasticNipLadder> field() const;
+  /// Mean strain of the surface in the contact, dimensionless.
+  [[nodiscard]] double creep(const ViscoelasticPressure& contact, CountedKernels& kernels) const {
+    const auto [known, is_new] = creeps.try_emplace(&contact);
+    if (is_new) {
+      known->second = contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0},
+                                                      ladder.tolerance(), kernels) /
+                      (2 * contact.half_length());
+    }
+    return known->second;
+  }
+  [[nodiscard]] double creep_rounding(CountedKernels& kernels) const {
+    return difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels) / half_length();
+  }
+  /// The surface's strain at y beyond `zero`, a strain of each solution that is at most about `zero_size`,
+  /// dimensionless.
+  [[nodiscard]] Estimate strain_beyond(const ViscoelasticNipLadder::Functional& zero, double zero_size,
+                                       double y) const;
   /// How well the nearer end of the contact is known, half-thicknesses.
   [[nodiscard]] double unsure_end(Half half) const {
     return estimate(std::mem_fn(half == Half::leading ? &ViscoelasticPressure::leading_length
@@ -126,53 +145,91 @@ ContactField<ViscoelasticNipLadder> ConvergedViscoelasticNip::Implementation::fi
   return {ladder, field_of_pressure, fast::peak_pressure(ladder.last()), {unsure, neglected_there}};
 }
 
+Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
+    const ViscoelasticNipLadder::Functional& zero, double zero_size, double y) const {
+  const double middle = position(y);
+  CountedKernels kernels = ladder.kernels();
+  const auto strain_at = [&](const ViscoelasticPressure& contact, const ContactPlace& place) {
+    const double e = std::min(place.e, contact.half_length());
+    return contact.strain({place.half, e}, ladder.tolerance(), kernels) - zero(contact);
+  };
+  // As for the pressure: at its distance from each level's own end, beside it, and as far as the end is known.
+  const ViscoelasticPressure& last = ladder.last();
+  const ContactPlace place = last.place(middle);
+  const double peak = fast::peak_pressure(last);
+  // What the pressure does where it acts, and what the sheet does beside it.
+  const double size = peak * (std::fabs(sheet.material.theta2_instantaneous) + std::min(half_length(), 1.0));
+  const double scale =
+      zero_size + (place.e > 0 ? size : displacement_size(place) / (half_length() * half_length()) * size);
+  const auto at = [&](double e) {
+    return ladder.estimate_of_fading(
+        [&, e](const ViscoelasticPressure& contact) {
+          return strain_at(contact, {place.half, e});
+        },
+        size + zero_size, scale);
+  };
+  Estimate strain = at(place.e);
+  for (const double beside : {0.8 * place.e, 1.25 * place.e})
+    strain.error = std::max(strain.error, at(beside).error);
+  strain = with_neglected(strain, scale);
+  if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length(), place.e);
+  const double unsure = unsure_end(place.half);
+  if (place.e <= 0 && place.half == Half::trailing)
+    strain.error += peak * sheet.neglected_behind(half_length(), std::max(-place.e - unsure, 0.0));
+  double shifted = 0;
+  for (const double moved : {place.e - unsure, place.e + unsure})
+    shifted = std::max(shifted, std::fabs(strain_at(last, {place.half, moved}) - strain.value));
+  strain.error += shifted;
+  return strain;
+}
+
 ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementation> implementation)
     : implementation_(std::move(implementation)) {}
 ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept = default;
 ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
 Estimate ConvergedViscoelasticNip::contact_length() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(2 * units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::half_length)));
 }
 
 Estimate ConvergedViscoelasticNip::leading_length() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::leading_length),
                                                        implementation_->half_length()));
 }
 
 Estimate ConvergedViscoelasticNip::trailing_length() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::trailing_length),
                                                        implementation_->half_length()));
 }
 
 Estimate ConvergedViscoelasticNip::load() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.load, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::load)));
 }
 
 Estimate ConvergedViscoelasticNip::indentation() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.displacement, implementation_->estimate(fast::indentation));
 }
 
 Estimate ConvergedViscoelasticNip::leading_displacement() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.displacement,
                implementation_->estimate(std::mem_fn(&ViscoelasticPressure::edge_displacement),
                                          std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedViscoelasticNip::trailing_displacement() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   return times(units.displacement, implementation_->estimate(fast::trailing_displacement,
                                                              std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const double position = implementation_->position(y);
   // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
   // it. Then it matters how well the end is known.
@@ -191,13 +248,15 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
     solved.error = std::max(solved.error, at(beside).error);
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
+  double shifted = 0;
   for (const double moved : {place.e - unsure, place.e + unsure})
-    solved.error += std::fabs(fast::pressure(ladder.last(), {place.half, moved}) - solved.value);
+    shifted = std::max(shifted, std::fabs(fast::pressure(ladder.last(), {place.half, moved}) - solved.value));
+  solved.error += shifted;
   return times(units.pressure, solved);
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   Estimate peak = implementation_->estimate(fast::peak_pressure);
   peak.error *= 2;  // levels are alike by chance more often where the place of the maximum moves
   // At an end the pressure could be larger still.
@@ -207,7 +266,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const ViscoelasticPressure& last = ladder.last();
   const double half_length = last.half_length(), largest = fast::peak_pressure(last);
   const auto at = [](const ViscoelasticPressure& contact, double y) {
@@ -250,7 +309,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
 }
 
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const double lever = units.length / radius, half_length = implementation_->half_length();
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
@@ -259,22 +318,17 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
-  CountedKernels kernels = ladder.kernels();
-  const auto stretch = [&](const ViscoelasticPressure& contact) {
-    const double change =
-        contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0}, ladder.tolerance(), kernels);
-    return change / (2 * contact.half_length());
-  };
-  const double half_length = implementation_->half_length();
-  Estimate creep = implementation_->estimate_of_integral(stretch, half_length);
-  creep.error +=
-      difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels) / half_length;
-  return times(units.creep, creep);
+  const Implementation& solved = *implementation_;
+  CountedKernels kernels = solved.ladder.kernels();
+  Estimate creep = solved.estimate_of_integral(
+      [&](const ViscoelasticPressure& contact) { return solved.creep(contact, kernels); },
+      solved.half_length());
+  creep.error += solved.creep_rounding(kernels);
+  return times(solved.units.creep, creep);
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const double position = implementation_->position(y);
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const ViscoelasticPressure& contact) {
@@ -287,7 +341,7 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const double position = implementation_->position(y);
   if (position == 0) return {0, 0};
   CountedKernels kernels = ladder.kernels();
@@ -303,46 +357,23 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
 }
 
 Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
-  const double position = implementation_->position(y);
-  CountedKernels kernels = ladder.kernels();
-  const auto strain_at = [&](const ViscoelasticPressure& contact, const ContactPlace& place) {
-    const double e = std::min(place.e, contact.half_length());
-    return contact.strain({place.half, e}, ladder.tolerance(), kernels);
-  };
-  // As for the pressure: at its distance from each level's own end, beside it, and as far as the end is known.
-  const ViscoelasticPressure& last = ladder.last();
-  const ContactPlace place = last.place(position);
-  const double half_length = implementation_->half_length(), peak = fast::peak_pressure(last);
-  // What the pressure does where it acts, and what the sheet does beside it.
-  const double size = peak * (std::fabs(sheet.material.theta2_instantaneous) + std::min(half_length, 1.0));
-  const double scale =
-      place.e > 0 ? size : implementation_->displacement_size(place) / (half_length * half_length) * size;
-  const auto at = [&](double e) {
-    return ladder.estimate_of_fading(
-        [&, e](const ViscoelasticPressure& contact) {
-          return strain_at(contact, {place.half, e});
-        },
-        size, scale);
-  };
-  Estimate strain = at(place.e);
-  for (const double beside : {0.8 * place.e, 1.25 * place.e})
-    strain.error = std::max(strain.error, at(beside).error);
-  strain = implementation_->with_neglected(strain, scale);
-  if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length, place.e);
-  const double unsure = implementation_->unsure_end(place.half);
-  if (place.e <= 0 && place.half == Half::trailing)
-    strain.error += peak * sheet.neglected_behind(half_length, std::max(-place.e - unsure, 0.0));
-  double shifted = 0;
-  for (const double moved : {place.e - unsure, place.e + unsure})
-    shifted = std::max(shifted, std::fabs(strain_at(last, {place.half, moved}) - strain.value));
-  strain.error += shifted;
-  return times(units.creep, strain);
+  const auto nothing = [](const ViscoelasticPressure&) { return 0.0; };
+  return times(implementation_->units.creep, implementation_->strain_beyond(nothing, 0, y));
+}
+
+Estimate ConvergedViscoelasticNip::slip(double y) const {
+  const Implementation& solved = *implementation_;
+  CountedKernels kernels = solved.ladder.kernels();
+  Estimate slip = solved.strain_beyond(
+      [&](const ViscoelasticPressure& contact) { return solved.creep(contact, kernels); },
+      solved.half_length(), y);
+  slip.error += solved.creep_rounding(kernels);
+  return times(solved.units.creep, slip);
 }
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
     std::span<const InnerPoint> points) const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
   auto stresses = implementation_->field().at(places);
@@ -351,7 +382,7 @@ std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
 }
 
 GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
-  const auto& [units, radius, sheet, ladder] = *implementation_;
+  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
   const auto [value, y, depth] = implementation_->field().greatest(false);
   return {times(units.pressure, value), times(units.length, y), depth};
 }

@@ -50,6 +50,8 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0, unit of length
   /// v'(Y), the strain of the surface along the sheet, in the contact and outside, dimensionless. (thesis 2.5)
   [[nodiscard]] Estimate surface_strain(double y) const;
+  /// surface_strain(y) - creep_ratio(), less uncertain than the two: what both have in common counts once.
+  [[nodiscard]] Estimate slip(double y) const;
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;

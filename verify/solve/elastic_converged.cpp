@@ -35,6 +35,7 @@ const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const
     {"normal_displacement", &ConvergedElasticNip::normal_displacement},
     {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
     {"surface_strain", &ConvergedElasticNip::surface_strain},
+    {"slip", &ConvergedElasticNip::slip},
 };
 
 class Converged : public SolvedContact<Estimate> {

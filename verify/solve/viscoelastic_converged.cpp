@@ -37,6 +37,7 @@ const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) 
         {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
         {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
         {"surface_strain", &ConvergedViscoelasticNip::surface_strain},
+        {"slip", &ConvergedViscoelasticNip::slip},
     };
 
 class Rolling : public SolvedContact<Estimate> {

@@ -68,18 +68,10 @@ LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
   return long_estimate_of(va * vb, abs(va) * eb + abs(vb) * ea + ea * eb, a, b);
 }
 
-Estimate less(const Estimate& a, const Estimate& b) {
-  const double value = a.value - b.value;
-  return {value, a.error + b.error + 0x1p-53 * std::fabs(value)};
-}
 LongEstimate less(const LongEstimate& a, const LongEstimate& b) {
   return long_estimate_of(rational(a.value) - rational(b.value), rational(a.error) + rational(b.error), a, b);
 }
 
-Estimate nothing_like(const Estimate&) { return {0, 0}; }
-LongEstimate nothing_like(const LongEstimate& number) { return {"0", "0", number.proven}; }
-
-bool same(const Estimate& a, const Estimate& b) { return a.value == b.value && a.error == b.error; }
 bool same(const LongEstimate& a, const LongEstimate& b) { return a.value == b.value && a.error == b.error; }
 
 Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
@@ -140,20 +132,25 @@ Number WithDerivedResults<Number>::number(std::string_view name) const {
   return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
 }
 
-template <class Number>
-Number WithDerivedResults<Number>::at(std::string_view name, double y) const {
-  return name == "slip" ? slip(y) : contact_.at(name, y);
+template <>
+Estimate WithDerivedResults<Estimate>::slip(double y) const {
+  return contact_.at("slip", y);
 }
 
-template <class Number>
-Number WithDerivedResults<Number>::slip(double y) const {
+template <>
+LongEstimate WithDerivedResults<LongEstimate>::slip(double y) const {
   if (!creep_) creep_ = contact_.number("creep_ratio");
-  const Number strain = contact_.at("surface_strain", y);
+  const LongEstimate strain = contact_.at("surface_strain", y);
   // What sticks has the creep ratio itself for its strain.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
-  if (grips && same(strain, *creep_)) return nothing_like(strain);
+  if (grips && same(strain, *creep_)) return {"0", "0", strain.proven};
   return less(strain, *creep_);
+}
+
+template <class Number>
+Number WithDerivedResults<Number>::at(std::string_view name, double y) const {
+  return name == "slip" ? slip(y) : contact_.at(name, y);
 }
 
 template <class Number>

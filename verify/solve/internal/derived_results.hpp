@@ -45,7 +45,7 @@ class WithDerivedResults : public SolvedContact<Number> {
   [[nodiscard]] fast::Work error_work() const override { return contact_.error_work(); }
 
  private:
-  [[nodiscard]] Number slip(double y) const;
+  [[nodiscard]] Number slip(double y) const;  ///< fast's contacts know their own
 
   const data::Scene& scene_;
   const SolvedContact<Number>& contact_;
