@@ -78,9 +78,11 @@ double least_between(std::span<const CriticalLine, 4> lines) {
 }
 
 /// The bottoms of the valleys that are as low as the lowest, to what 12 digits of the speed show: a scan by
-/// degrees, halved wherever the speed could be lower in between. Valleys may be narrow and have two bottoms.
+/// degrees, halved wherever the speed could be lower in between. Valleys may be narrow and have two bottoms. Where
+/// constants are so far apart that rounding of the largest hides what the smallest do, there is no end to it.
 std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
   constexpr double noise = 1e-11, narrowest = 1e-5;
+  constexpr std::size_t most_lines = 4000;
   const double theta = motion.degrees();
   const auto line_at = [&](double psi) -> CriticalLine {
     return {psi, approximate_critical_speed(solid, motion, psi)};
@@ -101,6 +103,9 @@ std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const Surfac
     finer.push_back(lines.back());
     is_finer = finer.size() > lines.size();
     lines = std::move(finer);
+    if (lines.size() > most_lines)
+      throw data::BadInput("solid", "(as given)",
+                           "must have moduli nearer to each other to search its lines");
   }
   constexpr double as_low = 1 + 1e-9;
   const double highest = as_low * least();

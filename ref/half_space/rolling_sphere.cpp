@@ -47,8 +47,9 @@ Float creep_of(const RollingLine& line, const Float& span_over_radius) {
 
 /// int_0^1 t sqrt(1 - t^2) cos(P ln((1 - t)/(1 + t))) dt
 Float oscillating_moment(const Float& index, int digits) {
-  return unit_integral(digits, [&](const Float& t, const Float& rest) -> Float {
-    return t * sqrt(rest * (1 + t)) * cos(index * log(rest / (1 + t)));
+  return unit_integral(digits, [&](const UnitNode& node) -> Float {
+    const Float& t = node.left;
+    return t * sqrt(node.right * (1 + t)) * cos(index * (node.log_right - log(1 + t)));
   });
 }
 

@@ -70,13 +70,15 @@ struct LineMoment {
 LineMoment line_moment(const SlidingLine& line, int power, int digits) {
   const Float &ahead = line.ahead, &behind = line.behind;
   const auto lever = [power](const Float& x) -> Float { return power == 1 ? x : Float(x * x); };
-  const Float front = unit_integral(digits, [&](const Float& left, const Float& right) {
-    const Float x = ahead * left;
-    return ahead * lever(x) * pow(ahead * right, behind) * pow(x + behind, ahead);
+  // Logarithms of the rule's nodes are at hand.
+  const Float log_ahead = log(ahead), log_behind = log(behind);
+  const Float front = unit_integral(digits, [&](const UnitNode& node) -> Float {
+    const Float x = ahead * node.left;
+    return ahead * lever(x) * exp(behind * (log_ahead + node.log_right) + ahead * log(x + behind));
   });
-  const Float back = unit_integral(digits, [&](const Float& left, const Float& right) {
-    const Float x = behind * left;
-    return behind * lever(x) * pow(ahead + x, behind) * pow(behind * right, ahead);
+  const Float back = unit_integral(digits, [&](const UnitNode& node) -> Float {
+    const Float x = behind * node.left;
+    return behind * lever(x) * exp(behind * log(ahead + x) + ahead * (log_behind + node.log_right));
   });
   return {front, back};
 }

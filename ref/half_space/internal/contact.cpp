@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -26,6 +27,35 @@ Float number(const Real& real) {
     throw data::BadInput("surface", mpfr_nan_p(real.get()) != 0 ? "nan" : "infinite",
                          "must answer with finite numbers");
   return to_float(real);
+}
+
+struct UnitKey {
+  int digits;
+  mpfr_prec_t precision;
+
+  auto operator<=>(const UnitKey&) const = default;
+};
+using UnitNodes = std::vector<UnitNode>;
+
+/// To the working precision, which is the key's.
+UnitNodes unit_nodes(const UnitKey& key) {
+  const Float step = Float(1) / (key.digits + 20) * 2;
+  // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
+  const int last =
+      static_cast<int>((std::asinh(2.3026 * (key.digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
+  UnitNodes nodes;
+  for (int i = -last; i <= last; ++i) {
+    const Float s = i * step;
+    const Float growth = exp(pi() * sinh(s));
+    const Float right = 1 / (1 + growth), left = growth / (1 + growth);
+    nodes.push_back({left, right, log(right), step * pi() * cosh(s) * left * right});
+  }
+  return nodes;
+}
+
+std::size_t size_of_nodes(const UnitNodes& nodes) {
+  const std::size_t bits = nodes.empty() ? 0 : static_cast<std::size_t>(mpfr_get_prec(nodes[0].left.get()));
+  return nodes.size() * (sizeof(UnitNode) + 4 * (bits / 8 + 16));
 }
 
 }  // namespace
@@ -87,18 +117,11 @@ bool is_settled(const Float& change, const Float& value, int digits) {
   return change <= tolerance(digits) * at_most_1(value) / 10;
 }
 
-Float unit_integral(int digits, const std::function<Float(const Float& left, const Float& right)>& f) {
-  const Float step = Float(1) / (digits + 20) * 2;
-  // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
-  const int last =
-      static_cast<int>((std::asinh(2.3026 * (digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
+Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f) {
+  static Memo<UnitKey, UnitNodes> kept(unit_nodes, size_of_nodes, std::size_t{1} << 26);
+  const auto nodes = kept.at({digits, mpfr_get_prec(Float().get())});
   Float sum = 0;
-  for (int i = -last; i <= last; ++i) {
-    const Float s = i * step;
-    const Float growth = exp(pi() * sinh(s));
-    const Float right = 1 / (1 + growth), left = growth / (1 + growth);
-    sum += f(left, right) * step * pi() * cosh(s) * left * right;
-  }
+  for (const UnitNode& node : *nodes) sum += f(node) * node.weight;
   return sum;
 }
 

@@ -100,8 +100,15 @@ struct Levels {
 Levels half_turn_integral(int digits, const CrowdedDirections& directions,
                           const std::function<Float(const Exact& degrees)>& value);
 
-/// int_0^1 f(x, 1 - x) dx for f with algebraic ends.
-Float unit_integral(int digits, const std::function<Float(const Float& left, const Float& right)>& f);
+/// Of the double exponential rule on 0 .. 1.
+struct UnitNode {
+  Float left, right;  ///< distances from the ends, each exact where nodes crowd there
+  Float log_right;
+  Float weight;
+};
+
+/// int_0^1 f dx for f with algebraic ends.
+Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f);
 
 /// Values at 8, 16, 32 ... of the directions, until `settled` says of them that they are enough; BadInput
 /// "digits" where 4096 are not.

@@ -473,6 +473,11 @@ TEST_CASE("where no proof is found, that is said of the solid") {
                                           data::SymmetryAxis::in_plane);
   CHECK_THROWS_WITH_AS(ref::critical_speed(solid, degrees(30), 20),
                        doctest::Contains("solid = (as given): must be"), data::BadInput);
+  // Here rounding of the largest makes valleys everywhere, of which there is no end.
+  const auto stiff = ref::exact_stiffness(
+      data::TransverselyIsotropicSolid{1e16, 160.7, 6.44, 7.07, 3.5, 1688}, data::SymmetryAxis::in_plane);
+  CHECK_THROWS_WITH_AS(ref::check_subcritical(stiff, Exact(0.01), degrees(0)),
+                       doctest::Contains("solid = (as given): must have moduli nearer"), data::BadInput);
 }
 
 TEST_CASE(

@@ -33,6 +33,7 @@ constexpr std::array<NipNumber, 5> rolling_numbers{{
 
 /// What is audited: the reference's whole range would take it minutes a value.
 constexpr double shortest_rolling = 1e-4, longest_rolling = 1.5, shortest_memory = 0.1, longest_memory = 1e8;
+double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
 
 constexpr int least_rolling_digits = 16;
 
@@ -68,23 +69,27 @@ NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
 }
 
 /// Digits that the reference gives in about ten seconds: as measured, 16 take (0.84 + 0.75 log10(1/memory) + 0.145 L/B)^2
-/// seconds, and each one more 14 %.
+/// seconds, or 0.13 ((softening - 2)/memory)^0.85 if that is more, and each one more 14 %.
 int most_rolling_digits(NipArguments x) {
   const double shortness = std::max(0.0, -std::log10(x[1]));
   const double root = 0.84 + 0.75 * shortness + 0.145 * x[0];
-  return least_rolling_digits + static_cast<int>(std::floor(std::log(11 / (root * root)) / 0.135));
+  const double by_softening = 0.13 * std::pow(std::max(0.0, x[3] - 2) / x[1], 0.85);
+  return least_rolling_digits +
+         static_cast<int>(std::floor(std::log(11 / std::max(root * root, by_softening)) / 0.135));
 }
 
 void check_rolling_work(NipArguments x, int digits) {
   const int most = most_rolling_digits(x);
   if (digits <= most) return;
-  const std::string here = fmt::format("L_over_B = {:.6g} and memory_over_L = {:.6g}", x[0], x[1]);
+  const std::string here =
+      fmt::format("L_over_B = {:.6g}, memory_over_L = {:.6g} and softening = {:.6g}", x[0], x[1], x[3]);
   if (most >= least_rolling_digits)
     throw data::BadInput("digits", std::to_string(digits),
                          fmt::format("must be at most {} for {}: more take too long", most, here));
   throw data::BadInput(
       "L_over_B", x[0],
-      "must be smaller, or memory_over_L larger, on the reference path: " + here + " take it too long");
+      "must be smaller, or memory_over_L larger, or softening smaller, on the reference path: " + here +
+          " take it too long");
 }
 
 NipReferences rolling_by_ref(NipArguments x, int digits) {
@@ -107,13 +112,13 @@ void keep_rolling_in_domain(Point& x) {
   x[0] = std::clamp(x[0], shortest_rolling, longest_rolling);
   x[1] = std::clamp(x[1], shortest_memory, longest_memory);
   x[2] = x[4] == 0 ? std::clamp(x[2], -0.9, 0.5 - 1e-9) : 1.0 / 3;
-  x[3] = x[4] == 0 ? std::clamp(x[3], 1.001, 101.0) : 2;
+  x[3] = x[4] == 0 ? std::clamp(x[3], 1.001, most_softening(x[1])) : 2;
 }
 
 Point draw_rolling_nip_point(Random& random) {
   const double memory =
       random.chance(0.5) ? random.log_uniform(shortest_memory, 10) : random.log_uniform(10, longest_memory);
-  const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, 100);
+  const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, most_softening(memory) - 1);
   return {draw_nip_length(random, shortest_rolling, longest_rolling), memory, draw_nip_poisson(random),
           softening, random.chance(0.2) ? 1.0 : 0.0};
 }

@@ -69,13 +69,17 @@ TEST_CASE("dimensionless rolling nips: refusals name the argument") {
 
 TEST_CASE("dimensionless rolling nips: the reference refuses what takes it longer than ten seconds") {
   const verify::Quantity& load = verify::find_quantity("rolling_nip.load");
-  const auto ref = [&](double length, double memory, int digits) {
-    static_cast<void>(verify::ref_value(load, Point{length, memory, 0.3, 2, 0}, digits));
+  const auto ref = [&](double length, double memory, int digits, double softening = 2) {
+    static_cast<void>(verify::ref_value(load, Point{length, memory, 0.3, softening, 0}, digits));
   };
   CHECK_THROWS_WITH_AS(
       ref(0.01, 0.03, 30),
-      doctest::Contains("digits = 30: must be at most 23 for L_over_B = 0.01 and memory_over_L = 0.03"),
+      doctest::Contains(
+          "digits = 30: must be at most 23 for L_over_B = 0.01, memory_over_L = 0.03 and softening = 2"),
       data::BadInput);
   CHECK_THROWS_WITH_AS(ref(10, 1e-3, 16),
                        doctest::Contains("L_over_B = 10: must be smaller, or memory_over_L"), data::BadInput);
+  // A solid that softens much does so within a small part of its memory.
+  CHECK_THROWS_WITH_AS(ref(1, 1, 16, 700), doctest::Contains("softening = 700 take it too long"),
+                       data::BadInput);
 }
