@@ -238,6 +238,7 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
   };
   const auto size = [&](double e) { return size_of(ladder.last(), e); };
   const auto reach = [](double e) { return std::min(e / 4, 0.5); };
+  const LocalSlope local_slope;
   const auto slope_of = [&](const HalfContact& contact, double e) {
     const auto shear = [&](double at) { return Implementation::shear_of(contact, at); };
     return std::copysign(1, Implementation::shear_of(ladder.last(), e)) * local_slope(shear, e, reach(e));

@@ -117,7 +117,7 @@ ContactPlace across(double half_length, Half half, double e) {
   return {half == Half::leading ? Half::trailing : Half::leading, 2 * half_length - e};
 }
 
-/// How far from y the pressure is one polynomial, or nearly: within its panel and well inside the contact.
+/// How far from y the pressure is one polynomial of its panel's degree, or nearly: well inside the contact.
 double slope_reach(const ViscoelasticPressure& contact, double y) {
   const ContactPlace place = contact.place(y);
   const double e = std::max(place.e, 1e-9 * contact.half_length());
@@ -273,6 +273,8 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
     return fast::pressure(contact, contact.place(y));
   };
   const auto from_end = [&](double y) { return std::max(last.place(y).e, 1e-9 * half_length); };
+  // A memory that swings may need all terms of a panel.
+  const LocalSlope local_slope(std::max(16, 2 * last.layout().terms()));
   const auto slope_of = [&](const ViscoelasticPressure& contact, double y) {
     return local_slope([&](double place) { return at(contact, place); }, y, slope_reach(last, y));
   };
@@ -345,13 +347,21 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const double position = implementation_->position(y);
   if (position == 0) return {0, 0};
   CountedKernels kernels = ladder.kernels();
-  const auto displacement = [&](const ViscoelasticPressure& contact) {
-    return contact.tangential_displacement(contact.place(position), contact.place(0), ladder.tolerance(),
-                                           kernels);
-  };
+  // Next to the middle it may be much less than the strains around let it change with the contact's length.
   const double half_length = implementation_->half_length();
-  Estimate estimate = implementation_->estimate_of_integral(
-      displacement, half_length * std::min(std::fabs(position), half_length));
+  const double strain = std::max(half_length, 2 * std::fabs(implementation_->creep(ladder.last(), kernels)));
+  const double scale = strain * std::min(std::fabs(position), half_length);
+  const auto at = [&](double place) {
+    return implementation_->estimate_of_integral(
+        [&, place](const ViscoelasticPressure& contact) {
+          return contact.tangential_displacement(contact.place(place), contact.place(0), ladder.tolerance(),
+                                                 kernels);
+        },
+        scale);
+  };
+  // Levels that agree at a place by chance do not beside it.
+  Estimate estimate = at(position);
+  estimate.error = std::max(estimate.error, at(0.8 * position).error);
   estimate.error += difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels);
   return times(units.creep * units.length, estimate);
 }

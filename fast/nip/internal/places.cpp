@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -10,24 +9,6 @@
 
 namespace nipref::fast {
 namespace {
-
-constexpr int slope_nodes = 16;
-
-struct SlopeNode {
-  double place, weight;
-};
-
-/// sum_k a_k T_k'(0), a_k = (2/n) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2); odd, so that pairs do.
-std::array<SlopeNode, slope_nodes / 2> slope_rule() {
-  std::array<SlopeNode, slope_nodes / 2> rule;
-  for (std::size_t j = 0; j < rule.size(); ++j) {
-    const double theta = (2.0 * static_cast<double>(j) + 1) * std::numbers::pi / (2 * slope_nodes);
-    double weight = 0;
-    for (int k = 1; k < slope_nodes; k += 2) weight += (k % 4 == 1 ? k : -k) * std::cos(k * theta);
-    rule[j] = {std::cos(theta), 2 * weight / slope_nodes};
-  }
-  return rule;
-}
 
 bool is_sure(const Estimate& number) { return std::fabs(number.value) > number.error; }
 
@@ -42,10 +23,19 @@ double unsure_distance(const std::function<double(double)>& f, double place, dou
 
 }  // namespace
 
-double local_slope(const std::function<double(double)>& f, double x, double reach) {
-  static const auto rule = slope_rule();
+/// sum_k a_k T_k'(0), a_k = (2/n) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2); odd, so that pairs do.
+LocalSlope::LocalSlope(int points) {
+  for (int j = 0; j < points / 2; ++j) {
+    const double theta = (2.0 * j + 1) * std::numbers::pi / (2 * points);
+    double weight = 0;
+    for (int k = 1; k < points; k += 2) weight += (k % 4 == 1 ? k : -k) * std::cos(k * theta);
+    nodes_.push_back({std::cos(theta), 2 * weight / points});
+  }
+}
+
+double LocalSlope::operator()(const std::function<double(double)>& f, double x, double reach) const {
   double sum = 0;
-  for (const auto& [place, weight] : rule) sum += weight * (f(x + reach * place) - f(x - reach * place));
+  for (const auto& [place, weight] : nodes_) sum += weight * (f(x + reach * place) - f(x - reach * place));
   return sum / reach;
 }
 

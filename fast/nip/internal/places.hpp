@@ -8,8 +8,19 @@ namespace nipref::fast {
 
 // Where a traction of a solved contact is largest or changes its sign. Places are dimensionless and of any origin.
 
-/// f'(x) of an f that is analytic well beyond `reach` around x: by the polynomial through 16 points within it.
-double local_slope(const std::function<double(double)>& f, double x, double reach);
+/// f'(x) by the polynomial through `points` places, an even number, within `reach` around x: of polynomials of a lower
+/// degree, and by 16 points of what is analytic well beyond `reach`.
+class LocalSlope {
+ public:
+  explicit LocalSlope(int points = 16);
+  [[nodiscard]] double operator()(const std::function<double(double)>& f, double x, double reach) const;
+
+ private:
+  struct Node {
+    double place, weight;
+  };
+  std::vector<Node> nodes_;  ///< ahead of x; those behind are their mirror images
+};
 
 /// A number at a place of the last solution, and the same with an estimate of its error.
 struct PlaceFunction {

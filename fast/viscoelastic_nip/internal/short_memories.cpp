@@ -32,6 +32,10 @@ class Ways {
   [[nodiscard]] Complex way(const data::RelaxationTerm& term) const {
     return half_thicknesses_per_time_ / term.rate;
   }
+  /// Longer than 1/|rate| where that swings.
+  [[nodiscard]] double fade(const data::RelaxationTerm& term) const {
+    return half_thicknesses_per_time_ / term.rate.real();
+  }
   [[nodiscard]] bool is_short(const data::RelaxationTerm& term) const {
     return std::abs(way(term)) < shortest_;
   }
@@ -63,20 +67,22 @@ class Ways {
 double EffectiveSheet::neglected(double half_length) const { return safety * way / edge(half_length); }
 
 double EffectiveSheet::neglected_of_shift(double half_length) const {
-  return std::max(safety * longest / edge(half_length), 0x1p-48) * way;
+  return std::max(safety * fade / edge(half_length), 0x1p-48) * way;
 }
 
 double EffectiveSheet::neglected_near_end(double half_length, double distance) const {
   if (way == 0) return 0;
   const double growth = std::sqrt(edge(half_length) / std::max(std::fabs(distance), way));
-  return neglected(half_length) * std::max(growth, 1.0) * std::max(softening, 1.0);
+  // At its beginning, for a pressure that rises like a square root, half as much in all.
+  const double swinging = 2 * swing / std::sqrt(edge(half_length)) * std::exp(-std::fabs(distance) / fade);
+  return (neglected(half_length) * std::max(growth, 1.0) + swinging) * std::max(softening, 1.0);
 }
 
 double EffectiveSheet::neglected_behind(double half_length, double distance) const {
   if (held == 0) return 0;
   // sqrt(pi/2) of it, for a pressure that rises like a square root and one memory.
   constexpr double several = 4;
-  return several * held * std::sqrt(longest / edge(half_length)) * std::exp(-distance / longest);
+  return several * held * std::sqrt(fade / edge(half_length)) * std::exp(-distance / fade);
 }
 
 EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy) {
@@ -93,7 +99,9 @@ EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_len
       if (!ways.is_short(term)) continue;
       const Complex delay = strength(term) / compliance * ways.way(term);
       sheet.way += std::abs(delay);
-      sheet.longest = std::max(sheet.longest, std::abs(ways.way(term)));
+      sheet.fade = std::max(sheet.fade, ways.fade(term));
+      if (term.rate.imag() != 0)
+        sheet.swing += std::abs(strength(term)) / compliance * std::sqrt(std::abs(ways.way(term)));
       if (function == &normal) sheet.shift += delay.real();
       if (function == &theta2) sheet.held += std::abs(strength(term)) / compliance;
     }

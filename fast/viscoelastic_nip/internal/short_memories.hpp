@@ -15,7 +15,9 @@ struct EffectiveSheet {
   double softening = 1;              ///< that compliance over N at once without them
   double shift = 0;                  ///< by the short memories of N, half-thicknesses
   double way = 0;                    ///< of that shift in size, with theta2's; 0: no memory is short
-  double longest = 0;                ///< in which a short memory fades, half-thicknesses
+  double fade = 0;  ///< the longest in which a short memory fades, 1/Re rate, half-thicknesses
+  double swing =
+      0;  ///< of short memories with complex rates, their part of the compliance times sqrt(1/|rate|)
   double held = 0;  ///< what theta2's short memories leave, in size, in units of the compliance
 
   /// The pressure trails by `shift` and no more: there is no longer memory.
@@ -25,7 +27,8 @@ struct EffectiveSheet {
   /// Of the shift, half-thicknesses.
   [[nodiscard]] double neglected_of_shift(double half_length) const;
   /// The same of the pressure, relative to that in the middle, at a distance from the contact's end: it changes
-  /// there like a square root and, within the way itself, from the compliance at once to that of the limit.
+  /// there like a square root and, within the way itself, from the compliance at once to that of the limit; a complex rate
+  /// leaves a swing that fades more slowly.
   [[nodiscard]] double neglected_near_end(double half_length, double distance) const;
   /// Of the surface's strain at a distance behind the trailing end, relative to the pressure in the middle: what
   /// theta2's short memories still hold of the pressure that has passed, whose limit holds nothing.

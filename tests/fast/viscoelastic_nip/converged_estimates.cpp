@@ -118,3 +118,52 @@ TEST_CASE("a largest pressure next to the leading end is known no better than th
                        other = fast::converged_for_load(nip, load, 1e-13).peak_pressure_position();
   CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
+
+TEST_CASE("a memory that swings within the contact: places of the largest pressure agree at all accuracies") {
+  const data::ViscoelasticNip nip{
+      0.6918036215938628, 0.11073930429847678,
+      data::operator_solid({.p = {181366.22010803223, 176.96774405241013, 1},
+                            .q = {3268.934533596039, 4.408652518875897, 0.03004996230993129},
+                            .p_dilatation = {181366.22010803223, 176.96774405241013, 1},
+                            .q_dilatation = {193843.0047607422, 261.42660319805145, 1.781918520340696}}),
+      0.05409972866254975};
+  const auto place = [&](double accuracy) {
+    return fast::converged_for_load(nip, 1.0704373618608543e-06, accuracy).peak_pressure_position();
+  };
+  const fast::Estimate coarse = place(1e-8);
+  for (const double accuracy : {1e-10, 1e-12}) {
+    const fast::Estimate fine = place(accuracy);
+    CHECK(std::fabs(fine.value - coarse.value) <= fine.error + coarse.error);
+  }
+}
+
+TEST_CASE("behind the trailing end a short memory that swings fades by its real part alone") {
+  const data::ViscoelasticNip nip{
+      0.26208559203344134, 0.08288908159170785,
+      data::operator_solid({.p = {2.6963243495653964e+24, 110579119933.7209, 1},
+                            .q = {8.661786688676012e+24, 375686609987.53705, 3.5393944847217655},
+                            .p_dilatation = {2.6963243495653964e+24, 110579119933.7209, 1},
+                            .q_dilatation = {8.813991254984685e+25, 3822881599444.165, 36.015885818410894}}),
+      34.432234780098426};
+  const double length = 9.511302533807496e-4, fade = nip.speed / (110579119933.7209 / 2);
+  const auto asked = fast::converged_for_length(nip, length, 1e-3);
+  const auto truth = fast::converged_for_length(nip, length, 1e-13);
+  for (const double behind : {0.3, 1.0, 3.0}) {
+    const double place = -truth.trailing_length().value - behind * fade;
+    const fast::Estimate found = asked.surface_strain(place), other = truth.surface_strain(place);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}
+
+TEST_CASE("next to the middle the tangential displacement is as unsure as the strains around let it be") {
+  const data::ViscoelasticNip nip{2.291610184824094, 0.002508216956812248,
+                                  data::operator_solid({.p = {0.25636365165701136, 1},
+                                                        .q = {117820.5478439331, 2030654.2149658203},
+                                                        .p_dilatation = {155.95582568645477, 1},
+                                                        .q_dilatation = {140721809.625, 3986861.9428710938}}),
+                                  2.072009459603578};
+  const double load = 561798.7498168945, place = 0.02498268957606342;
+  const fast::Estimate found = fast::converged_for_load(nip, load, 5.6e-3).tangential_displacement(place),
+                       other = fast::converged_for_load(nip, load, 1e-13).tangential_displacement(place);
+  CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+}
