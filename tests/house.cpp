@@ -68,7 +68,8 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
       {"golden", {"support", "catalogue", "audit"}},
       {"report", {"support", "catalogue", "audit", "golden", "grade", "replay", "bench", "solve", "witness", "seeds", "figures"}},
       {"cli",
-       {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures", "report"}}}},
+       {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures", "report"}},
+      {"mpi", {"support", "audit", "cli"}}}},
 };
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.

@@ -79,6 +79,10 @@ Json Json::at(std::string_view key) const {
   return Json(Value{*found});
 }
 
+bool Json::has(std::string_view key) const {
+  return value_->tree.is_object() && value_->tree.contains(std::string(key));
+}
+
 std::vector<Json> Json::items() const {
   if (!value_->tree.is_array()) throw JsonMisfit("no list");
   std::vector<Json> list;

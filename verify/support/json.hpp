@@ -63,6 +63,7 @@ class Json {
   // Reading: JsonMisfit where it is something else.
   static Json parse(std::string_view text);
   [[nodiscard]] Json at(std::string_view key) const;
+  [[nodiscard]] bool has(std::string_view key) const;  ///< false for what is no object
   [[nodiscard]] std::vector<Json> items() const;
   [[nodiscard]] std::string as_text() const;
   [[nodiscard]] std::uint64_t as_count() const;

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// So that its options are refused before what takes a while.
+CommandLine checked_audit(const CommandLine& line) {
+  if (!line.option("out")) {
+    refuse_option(line, "shard", "must be given with --out, where what it finds is kept");
+  } else {
+    refuse_option(line, "changed", "must be left out beside --out: a run is of quantities that are named");
+  }
+  return line;
+}
+
+}  // namespace
+
+AuditRun::AuditRun(const CommandLine& line)
+    : line_(checked_audit(line)),
+      shard_(parse_shard(line.option("shard").value_or("1/1"))),
+      works_(line),
+      all_(works_.all()),
+      there_of_(all_.size()) {
+  const auto folder = line.option("out");
+  if (!folder) return;
+  file_.emplace(*folder, works_.fingerprint(), shard_);
+  there_.emplace(all_);
+  read_blocks(*folder, all_, *there_);
+  for (std::size_t work = 0; work < all_.size(); ++work) {
+    for (std::size_t block = 0; block < all_[work]->blocks(); ++block)
+      there_of_[work] += there_->has(work, block) ? 1U : 0U;
+  }
+}
+
+std::optional<BlockAt> AuditRun::next() {
+  for (; at_.work < all_.size(); at_ = {at_.work + 1, 0}) {
+    while (at_.block < all_[at_.work]->blocks()) {
+      const BlockAt here{at_.work, at_.block++};
+      if (shard_.has(here.block) && !(there_ && there_->has(here.work, here.block))) return here;
+    }
+  }
+  return std::nullopt;
+}
+
+void AuditRun::keep(BlockAt at, const Json& found) {
+  if (file_) file_->append(*all_[at.work], at.block, found);
+  all_[at.work]->add(at.block, found);
+  ++there_of_[at.work];
+  ++done_;
+}
+
+std::size_t AuditRun::finished() const {
+  std::size_t work = 0;
+  while (work < all_.size() && work <= at_.work && there_of_[work] == all_[work]->blocks()) ++work;
+  return work;
+}
+
+void AuditRun::tell_shard(std::ostream& out) const {
+  const std::string folder = line_.option("out").value();
+  if (line_.json) {
+    out << answer_text("audit",
+                       {{"run", folder},
+                        {"shard", fmt::format("{}/{}", shard_.index + 1, shard_.of)},
+                        {"blocks_done", done_},
+                        {"blocks_there", there_->count()},
+                        {"blocks", there_->of()}},
+                       line_.no_times);
+  } else {
+    out << fmt::format("{}: {} of {} blocks were there at the start; shard {}/{} did {} more\n", folder,
+                       there_->count(), there_->of(), shard_.index + 1, shard_.of, done_)
+        << (interrupted()
+                ? "interrupted: the same command goes on\n"
+                : fmt::format("nipref merge {} tells what was found when all shards are done\n", folder));
+  }
+}
+
+int AuditRun::answer(std::ostream& out) const {
+  if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
+  tell_shard(out);
+  return 0;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/program.hpp>
+#include <nipref/verify/cli/standard_output.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/text.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr int status_bad_input = 2;
+constexpr int status_internal = 70;  // EX_SOFTWARE of sysexits.h
+constexpr int status_not_written = 4;
+constexpr int status_interrupted = 130;
+
+/// Whatever was in the input, the message stays one line, which is given back. There is nobody to tell if this fails.
+std::string complain(std::string message) {
+  std::ranges::replace_if(
+      message, [](unsigned char letter) { return letter < ' '; }, ' ');
+  std::fputs(("nipref: " + message + "\n").c_str(), stderr);
+  return message;
+}
+
+/// What came of a command line: all that goes to standard output.
+struct Result {
+  int status;
+  std::string output = {};
+};
+
+Result result_of(int argc, const char* const* argv,
+                 const std::function<int(const CommandLine&, std::ostream&)>& run) {
+  const bool json = asks_for_json(argc, argv);
+  try {
+    std::ostringstream out;
+    const int status = run(parse_command_line(argc, argv), out);
+    return {status, out.str()};
+  } catch (const data::BadInput& error) {
+    const std::string message = complain(error.what());
+    if (!json) return {status_bad_input};
+    return {status_bad_input, error_answer_text(message, error.argument(), error.value(), error.allowed())};
+  } catch (const OutputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    const std::string message = complain(std::string("internal error: ") + error.what());
+    return {status_internal, json ? error_answer_text(message) : ""};
+  }
+}
+
+}  // namespace
+
+int program_status(int argc, const char* const* argv,
+                   const std::function<int(const CommandLine&, std::ostream&)>& run) try {
+  occupy_standard_descriptors();
+  Result result = result_of(argc, argv, run);
+  if (!standard_output_shows_colours()) result.output = plain(result.output);
+  if (!result.output.empty()) write_to_standard_output(result.output);
+  return interrupted() ? status_interrupted : result.status;
+} catch (const OutputError& error) {
+  complain(error.what());
+  return status_not_written;
+}
+
+}  // namespace nipref::verify
