@@ -12,8 +12,7 @@ struct ViscoelasticNip {
   double speed;  ///< F0 of the sheet, > 0, length/time
 
   [[nodiscard]] double half_thickness() const { return sheet_thickness / 2; }
-  /// Throws BadInput unless the values are physical and both functions of the material > 0 at once
-  /// and no rate 0.
+  /// Throws BadInput unless the values are physical and theta1 gives way at once.
   void check() const;
 };
 

@@ -49,7 +49,7 @@ struct ViscoelasticLineLoads {
   /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
   /// 2.5), which needs a given load.
   std::optional<int> trailing_elements;
-  int residue_terms = 0;    ///< as above; real relaxation rates only
+  int residue_terms = 0;    ///< as above; real relaxation rates > 0 only
   double approach_lengths;  ///< C_L, how far before the nip the loads started, > 0, half-thicknesses;
                             ///< method.approach_lengths
 };

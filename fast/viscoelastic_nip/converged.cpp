@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
@@ -26,6 +27,18 @@ EffectiveSheet effective_sheet_for_load(const data::ViscoelasticNip& nip, double
   const EffectiveSheet shortest = effective_sheet(nip, shortest_half_length, accuracy);
   const ViscoelasticNipLevels levels(shortest.material);
   return effective_sheet(nip, levels.half_length_guess(load / units_of(nip, shortest).load), accuracy);
+}
+
+/// Beyond it pressures are nearly as large next to the leading end as where nothing gives way at once, and levels
+/// alike there by chance: from five times that on peaks were wrong by more than their estimates.
+void check_softening(const ViscoelasticNipLevels& levels, double half_length) {
+  constexpr double most = 3e4;
+  const double softening = levels.softening_over(half_length);
+  if (!(softening <= most))
+    throw data::BadInput(
+        "nip.material", softening,
+        "times as soft over the contact as at once, must be at most 3e4 times: with less at once "
+        "the pressure at the leading end is nearly infinite");
 }
 
 }  // namespace
@@ -406,9 +419,10 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_contact_length(shape(nip), contact_length);
   const double half_length = contact_length / nip.sheet_thickness;
   const EffectiveSheet sheet = effective_sheet(nip, half_length, accuracy);
+  const ViscoelasticNipLevels levels(sheet.material);
+  check_softening(levels, half_length);
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      nip, sheet,
-      ViscoelasticNipLadder::at_half_length(ViscoelasticNipLevels(sheet.material), half_length, accuracy)));
+      nip, sheet, ViscoelasticNipLadder::at_half_length(levels, half_length, accuracy)));
 }
 
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
@@ -416,11 +430,11 @@ ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, do
   check_contact_accuracy(accuracy);
   check_contact_load(load);
   const EffectiveSheet sheet = effective_sheet_for_load(nip, load, accuracy);
+  const ViscoelasticNipLevels levels(sheet.material);
   auto solved = std::make_unique<ConvergedViscoelasticNip::Implementation>(
-      nip, sheet,
-      ViscoelasticNipLadder::at_load(ViscoelasticNipLevels(sheet.material), load / units_of(nip, sheet).load,
-                                     accuracy));
+      nip, sheet, ViscoelasticNipLadder::at_load(levels, load / units_of(nip, sheet).load, accuracy));
   check_length_of_load(shape(nip), load, solved->half_length() * nip.sheet_thickness);
+  check_softening(levels, solved->half_length());
   return ConvergedViscoelasticNip(std::move(solved));
 }
 

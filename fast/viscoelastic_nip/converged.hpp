@@ -66,7 +66,8 @@ class ConvergedViscoelasticNip {
 };
 
 /// The contact of length L = `contact_length`, unit of length: 1e-8 <= L/B <= 1e4 and L <= R, beyond which
-/// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise.
+/// the parabola is no circle. accuracy: relative, 1e-13 <= accuracy <= 0.1. BadInput otherwise, naming "nip.material"
+/// where the sheet gives way over the contact more than 3e4 times what it does at once.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               double accuracy);
 

@@ -42,6 +42,7 @@ bool rolling_length_is_allowed(const data::ViscoelasticNip& nip, double length) 
 
 void check_swing(const RollingMaterial& material) {
   for (const RollingMemory& term : material.normal) {
+    if (is_flow(term)) continue;
     const Float swing = term.rate.im / term.rate.re;
     if (swing > most_swing)
       throw BadInput("nip.material", static_cast<double>(swing),
@@ -53,6 +54,7 @@ void check_swing(const RollingMaterial& material) {
 void check_memories(const RollingMaterial& material, double half_length) {
   for (const RollingMemory& term : material.normal) {
     const double length = 2 * half_length;
+    if (is_flow(term)) continue;
     const double way = 1 / static_cast<double>(abs(term.rate)),
                  longest = 1 / static_cast<double>(term.rate.re);
     if (way < shortest_memory * length || longest > longest_memory * length)
@@ -74,6 +76,12 @@ struct RollingUnits {
         pressure(length / (2 * Float(nip.roller_radius) * material.compliance)),
         lever(length / nip.roller_radius) {}
 };
+
+/// To more than the results' digits; what memories' parts lose as they cancel they do not lose of it.
+RollingMaterial material_to(int digits, const data::ViscoelasticNip& nip) {
+  const WorkingDigits working(digits + 14);
+  return rolling_material(nip);
+}
 
 FieldSource field_source(const RollingPressure& contact) {
   const auto tractions = [&contact](const Float& left, const Float& right) -> FaceTraction {
@@ -290,8 +298,8 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_rolling_digits(digits);
   if (!rolling_length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_rolling_lengths);
-  const WorkingDigits working(digits + 14);
-  const RollingMaterial material = rolling_material(nip);
+  const RollingMaterial material = material_to(digits, nip);
+  const WorkingDigits working(RollingContact::working_digits(material, digits));
   const Float half_length = Float(contact_length) / nip.sheet_thickness;
   check_swing(material);
   check_memories(material, static_cast<double>(half_length));
@@ -303,8 +311,8 @@ ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, do
   nip.check();
   check_rolling_digits(digits);
   if (!(std::isfinite(load) && load > 0)) throw BadInput("load", load, "must be finite and > 0");
-  const WorkingDigits working(digits + 14);
-  const RollingMaterial material = rolling_material(nip);
+  const RollingMaterial material = material_to(digits, nip);
+  const WorkingDigits working(RollingContact::working_digits(material, digits));
   check_swing(material);
   const RollingUnits units(nip, material);
   const auto check = [&](double half_length) {

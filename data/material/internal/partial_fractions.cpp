@@ -83,6 +83,11 @@ Roots in_pairs(const Roots& roots) {
 
 Roots roots_of(const Polynomial& p) {
   if (p.size() == 1) return {};
+  if (p[0] == 0) {
+    Roots roots = roots_of({p.begin() + 1, p.end()});
+    roots.emplace_back(0);
+    return roots;
+  }
   if (p.size() == 2) return {-p[0] / p[1]};
   return in_pairs(p.size() == 3 ? quadratic_roots(p[2], p[1], p[0]) : aberth_roots(p));
 }
@@ -112,9 +117,10 @@ void check_simple(const Roots& poles, std::string_view name) {
 
 /// gain prod (pole - z)/prod (pole - other pole)
 Complex residue(double gain, const Roots& zeros, const Roots& poles, std::size_t k) {
-  Complex value = gain * (poles[k] - zeros[k]);
+  const auto from_zero = [&](std::size_t j) { return j < zeros.size() ? poles[k] - zeros[j] : 1.0; };
+  Complex value = gain * from_zero(k);
   for (std::size_t j = 0; j < poles.size(); ++j) {
-    if (j != k) value *= (poles[k] - zeros[j]) / (poles[k] - poles[j]);
+    if (j != k) value *= from_zero(j) / (poles[k] - poles[j]);
   }
   return value;
 }
@@ -147,21 +153,23 @@ MaterialFunction partial_fractions(const std::vector<Polynomial>& factors, const
     const Roots roots = roots_of(factor);
     zeros.insert(zeros.end(), roots.begin(), roots.end());
   }
-  if (degree + 1 != denominator.size()) {
-    throw BadInput(name, "of degree " + std::to_string(denominator.size() - 1),
-                   "must make the compliance's denominator of the numerator's degree, " +
-                       std::to_string(degree) + ": the material gives way at once, and not without bound");
+  const std::size_t most = denominator.size() - 1;
+  if (degree > most || degree + 1 < most) {
+    throw BadInput(
+        name, "of degree " + std::to_string(most),
+        "must make the compliance's denominator of the numerator's degree, " + std::to_string(degree) +
+            ", or one more: the material gives way not without bound, and at once or by a dashpot");
   }
   Roots poles = roots_of(denominator);
-  if (zeros.size() != degree || poles.size() != degree)
+  if (zeros.size() != degree || poles.size() != most)
     throw BadInput(name, "(its roots)", "must come in conjugate pairs: some are repeated or nearly so");
   cancel(zeros, poles);
   check_simple(poles, name);
-  MaterialFunction function{gain, {}};
+  MaterialFunction function{degree < most ? 0 : gain, {}};
   for (std::size_t k = 0; k < poles.size(); ++k) {
     Complex amplitude = residue(gain, zeros, poles, k);
     if (poles[k].imag() == 0) amplitude = amplitude.real();
-    function.terms.push_back({amplitude, -poles[k]});
+    function.terms.push_back({amplitude, 0.0 - poles[k]});  // no -0
   }
   // Rounding must not part the two of a pair.
   for (RelaxationTerm& term : function.terms) {

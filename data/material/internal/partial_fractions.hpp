@@ -14,8 +14,9 @@ using Polynomial = std::vector<double>;
 
 /// The function of time whose transform is the product of `factors` over `denominator`. What both share (to
 /// 1e-12) is cancelled; as factors, so that a root of two of them is not parted by rounding. BadInput, naming
-/// `name`, unless both have the same degree (a lower one of the numerator: nothing gives way at once; a
+/// `name`, unless both have the same degree or the numerator's is one lower (nothing gives way at once; a
 /// higher one: it gives way without bound) and the denominator's roots that remain are simple (to 1e-6).
+/// A root 0 is exactly 0.
 /// Relative accuracy some 1e-15 over the relative distance of the roots.
 [[nodiscard]] MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
                                                  const Polynomial& denominator, std::string_view name);

@@ -8,14 +8,6 @@
 namespace nipref::fast {
 namespace {
 
-/// The compliance with which the contact acts over its whole length, over the instantaneous one.
-double compliance_over(double half_length, const ViscoelasticCompliances& material) {
-  double sum = 1;
-  for (const MemoryTerm& term : material.normal)
-    sum += (term.amplitude / (term.rate + 1 / half_length)).real();
-  return sum;
-}
-
 /// How many pieces of a panel of this width hold what is left of e^(-rate d) at d = `from`. Pressure that sets in like a
 /// square root leaves a swing of (rate edge)^(-1/2) of it at the edge, which fades on its way; over half a piece of c
 /// radians its coefficients are Bessel's J_n(c) < (c/2)^n/n!. They are to fall by `fall` a term from the pressure's own,
@@ -100,9 +92,16 @@ std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const Vi
           {pressure(Half::leading, 1)}};
 }
 
+double ViscoelasticNipLevels::softening_over(double half_length) const {
+  double sum = 1;
+  for (const MemoryTerm& term : material_.normal)
+    sum += (term.amplitude / (term.rate + 1 / half_length)).real();
+  return sum;
+}
+
 double ViscoelasticNipLevels::half_length_guess(double load) const {
   const double stiff = fast::half_length_guess(load);
-  return fast::half_length_guess(load * compliance_over(stiff, material_));
+  return fast::half_length_guess(load * softening_over(stiff));
 }
 
 }  // namespace nipref::fast

@@ -37,6 +37,8 @@ class ViscoelasticNipLevels {
   [[nodiscard]] std::vector<Judged<ViscoelasticPressure>> judged(const ViscoelasticPressure& last,
                                                                  double accuracy) const;
   [[nodiscard]] double half_length_guess(double load) const;
+  /// The compliance with which a contact acts over its whole length, over what acts at once.
+  [[nodiscard]] double softening_over(double half_length) const;
 
  private:
   ViscoelasticCompliances material_;

@@ -11,7 +11,8 @@ using Complex = std::complex<double>;
 
 /// Of a contact, or of the half-thickness: what is shorter is not told from its limit.
 double too_short(double accuracy) { return std::max(1e-9, std::min(accuracy / 100, 1e-5)); }
-/// In half-thicknesses: what a memory then still adds, at most 1e120 of the compliance over such a way, is none.
+/// In half-thicknesses: what a memory then still adds, at most 1e120 of the compliance over such a way, is none;
+/// but what flows for ever has no such way.
 constexpr double too_long = 1e150;
 /// Differences between contacts with resolved short memories and their limit, over the neglected way, reach 3.
 constexpr double safety = 8;
@@ -36,8 +37,11 @@ class Ways {
   [[nodiscard]] double fade(const data::RelaxationTerm& term) const {
     return half_thicknesses_per_time_ / term.rate.real();
   }
+  [[nodiscard]] bool is_too_long(const data::RelaxationTerm& term) const {
+    return term.rate != 0.0 && !(std::abs(way(term)) < too_long);
+  }
   [[nodiscard]] bool is_short(const data::RelaxationTerm& term) const {
-    return std::abs(way(term)) < shortest_;
+    return term.rate != 0.0 && std::abs(way(term)) < shortest_;
   }
   [[nodiscard]] double at_once(const data::MaterialFunction& function) const {
     double sum = function.instantaneous;
@@ -50,9 +54,9 @@ class Ways {
                                                double compliance) const {
     std::vector<MemoryTerm> terms;
     for (const data::RelaxationTerm& term : function.terms) {
-      if (is_short(term) || !(std::abs(way(term)) < too_long)) continue;
+      if (is_short(term) || is_too_long(term)) continue;
       terms.push_back({term.amplitude / (half_thicknesses_per_time_ * compliance),
-                       term.rate / half_thicknesses_per_time_});
+                       0.0 + term.rate / half_thicknesses_per_time_});  // no -0
     }
     return terms;
   }

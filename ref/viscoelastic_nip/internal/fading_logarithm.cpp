@@ -56,6 +56,7 @@ ComplexFloat scaled_exponential_integral(const ComplexFloat& z) {
 }
 
 ComplexFloat fading_logarithm(const ComplexFloat& rate, const Float& x) {
+  if (rate.re == 0) return x * log(abs(x)) - x;
   return (ComplexFloat(log(abs(x))) - scaled_exponential_integral(rate * x)) / rate;
 }
 

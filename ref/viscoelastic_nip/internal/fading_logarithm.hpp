@@ -9,7 +9,8 @@ namespace nipref::ref {
 ComplexFloat scaled_exponential_integral(const ComplexFloat& z);
 
 /// int_0^inf e^{-rate w} ln|x - w| dw = (ln|x| - e^{-rate x} Ei(rate x))/rate, x not 0, Re rate > 0: for real
-/// rates by parts, a principal value; both sides are analytic in the rate.
+/// rates by parts, a principal value; both sides are analytic in the rate. Of rate 0 the integral of ln|x| up to x
+/// but for a constant, x ln|x| - x: like the others one of the functions f with f' + rate f = ln|x|.
 ComplexFloat fading_logarithm(const ComplexFloat& rate, const Float& x);
 
 }  // namespace nipref::ref

@@ -18,13 +18,17 @@ bool are_zeros(const FloatPolynomial& p, const std::vector<ComplexFloat>& zeros,
   });
 }
 
-/// All zeros, checked.
-std::vector<ComplexFloat> zeros_of(const FloatPolynomial& p, const Float& unit) {
-  std::vector<ComplexFloat> zeros = approximate_zeros(p, unit);
-  if (!are_zeros(p, zeros, unit)) {
+/// All zeros, checked; one that is 0 exactly, and last.
+std::vector<ComplexFloat> zeros_of(Polynomial p, const Float& unit) {
+  const bool flows = sgn(p[0]) == 0;
+  if (flows) p.erase(p.begin());
+  const FloatPolynomial others(p);
+  std::vector<ComplexFloat> zeros = approximate_zeros(others, unit);
+  if (sgn(p[0]) == 0 || !are_zeros(others, zeros, unit)) {
     throw data::BadInput("nip.material", "(operators)",
                          "must have rates that are apart: two of them are one, or nearly so");
   }
+  if (flows) zeros.emplace_back();
   return zeros;
 }
 
@@ -36,7 +40,8 @@ ComplexFloat rounded(const ComplexFloat& x) {
 
 Compliance rational_compliance(Polynomial numerator, Polynomial denominator) {
   cancel(numerator, denominator);
-  const mpq_class gain = numerator.back() / denominator.back();
+  const mpq_class gain =
+      numerator.size() < denominator.size() ? mpq_class(0) : mpq_class(numerator.back() / denominator.back());
 
   const mpfr_prec_t bits = mpfr_get_prec(Float().get());
   const Float unit = ldexp(Float(1), -bits - 8);
@@ -44,7 +49,7 @@ Compliance rational_compliance(Polynomial numerator, Polynomial denominator) {
   {
     const WorkingDigits working(static_cast<int>(static_cast<double>(2 * bits) * 0.302) + 10);
     const FloatPolynomial above(numerator), below(denominator);
-    for (ComplexFloat zero : zeros_of(below, unit)) {
+    for (ComplexFloat zero : zeros_of(denominator, unit)) {
       if (abs(zero.im) <= unit * abs(zero)) zero.im = 0;
       if (zero.im > 0) continue;  // its conjugate stands for both
       const ComplexFloat residue = above.at(zero).first / below.at(zero).second;

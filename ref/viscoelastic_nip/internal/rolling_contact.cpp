@@ -12,13 +12,18 @@ namespace {
 /// A minute or two; a load takes several solutions.
 constexpr int most_unknowns = 1200, most_unknowns_for_load = 1000;
 constexpr int guard_digits = 14;  ///< of the arithmetic beyond the results
+constexpr int spare_digits = 6;   ///< of those, what the kernels need not have
 constexpr int search_digits = 8, fine_search_digits = 12;
 constexpr int most_load_steps = 40;
 
-/// The distance from the ends in which the pressure changes, half-thicknesses: the shortest memory's.
+/// The distance from the ends in which the pressure changes, half-thicknesses: the shortest memory's, or that in
+/// which a fluid flows by as much as it gives way at once.
 double end_length(const std::vector<RollingMemory>& memory) {
   double length = 2.5;
-  for (const RollingMemory& term : memory) length = std::min(length, 2 / static_cast<double>(abs(term.rate)));
+  for (const RollingMemory& term : memory) {
+    const Float change = is_flow(term) ? abs(term.amplitude) : abs(term.rate);
+    length = std::min(length, 2 / static_cast<double>(change));
+  }
   return length;
 }
 
@@ -66,11 +71,13 @@ double guessed_half_length(double load, const std::vector<RollingMemory>& memory
   return size;
 }
 
-/// Digits that are lost where memories make the sheet far softer than it is at once: their parts cancel.
+/// Digits that are lost where memories make the sheet far softer than it is at once, a fluid over a
+/// half-thickness: their parts cancel.
 int digits_of_softness(const std::vector<RollingMemory>& memory) {
   double softness = 1;
   for (const RollingMemory& term : memory)
-    softness += static_cast<double>(abs(term.amplitude) / abs(term.rate));
+    softness +=
+        static_cast<double>(is_flow(term) ? abs(term.amplitude) : abs(term.amplitude) / abs(term.rate));
   return static_cast<int>(std::log10(softness));
 }
 
@@ -94,14 +101,15 @@ class LoadSteps {
 
 }  // namespace
 
+int RollingContact::working_digits(const RollingMaterial& material, int digits) {
+  return digits + guard_digits + digits_of_softness(material.normal);
+}
+
 RollingContact::RollingContact(const RollingMaterial& material, int digits)
     : digits_(digits),
-      normal_(std::make_unique<NormalRollingKernel>(
-          material, digits + guard_digits - 6 + digits_of_softness(material.normal))),
-      tangential_(std::make_unique<TangentialRollingKernel>(
-          material, digits + guard_digits - 6 + digits_of_softness(material.normal))) {}
-
-int RollingContact::working_digits() const { return digits_ + guard_digits; }
+      working_digits_(working_digits(material, digits)),
+      normal_(std::make_unique<NormalRollingKernel>(material, working_digits_ - spare_digits)),
+      tangential_(std::make_unique<TangentialRollingKernel>(material, working_digits_ - spare_digits)) {}
 
 void RollingContact::measure() {
   const auto apart = [](const Float& x, const Float& y, const Float& scale) { return abs(x - y) / scale; };

@@ -25,7 +25,9 @@ class RollingContact {
                                 const std::function<void(double half_length)>& check);
 
   [[nodiscard]] int digits() const { return digits_; }
-  [[nodiscard]] int working_digits() const;
+  [[nodiscard]] int working_digits() const { return working_digits_; }
+  /// Of the arithmetic that a contact of so many digits is solved in.
+  static int working_digits(const RollingMaterial& material, int digits);
   [[nodiscard]] const RollingPressure& fine() const { return *fine_; }
   [[nodiscard]] const RollingPressure& coarse() const { return *coarse_; }
   /// What they differ by anywhere, relative to the largest value of the kind.
@@ -48,7 +50,7 @@ class RollingContact {
   void solve_for_load(Sought sought);
   void measure();
 
-  int digits_;
+  int digits_, working_digits_;
   std::unique_ptr<RollingKernel> normal_, tangential_;
   std::unique_ptr<RollingPressure> coarse_, fine_;
   Float difference_;

@@ -36,6 +36,12 @@ std::vector<Float> interpolate_at_zeros(const std::vector<Float>& values) {
 /// Where I1, and what I3 differs from its limit by, is below e^{-nats}: they decay faster than e^{-2.1 |x|}.
 long far_ahead(double nats) { return std::lround(std::ceil(nats / 2.1)) + 2; }
 
+/// int_0^x e^{-rate w} dw
+ComplexFloat fading_way(const ComplexFloat& rate, const Float& x) {
+  if (rate.re == 0) return x;
+  return (ComplexFloat(1) - exp(-(rate * x))) / rate;
+}
+
 }  // namespace
 
 FadingSmoothPart::FadingSmoothPart(const ComplexFloat& rate, int digits, const ComplexFloat& first_value,
@@ -175,23 +181,21 @@ TangentialRollingKernel::TangentialRollingKernel(const RollingMaterial& material
       theta2_at_once_(material.theta2_at_once),
       theta2_(material.theta2) {
   const long far = far_ahead(nats());
-  for (const RollingMemory& term : memory())
-    fading_.emplace_back(term.rate, digits, ComplexFloat(-pi() / 4) / term.rate, -far);
+  for (const RollingMemory& term : memory()) fading_.emplace_back(term.rate, digits, ComplexFloat(), -far);
 }
 
 Float TangentialRollingKernel::direct(const Float& x) {
   const auto I3 = [&](const Float& at) { return at < 0 ? -smooth()(at) : smooth()(at); };
+  const auto above_limit = [&](const Float& at) { return I3(at) + pi() / 4; };
   const Float far = -Float(far_ahead(nats()));
   const Float& within = x < far ? far : x;  // nothing changes before
   Float sum = -I3(within);
   for (std::size_t r = 0; r < memory().size(); ++r)
-    sum -= (memory()[r].amplitude * fading_[r](within, I3)).re;
+    sum -= (memory()[r].amplitude * fading_[r](within, above_limit)).re;
   const Float half_pi = pi() / 2;
-  sum += x < 0 ? -half_pi * theta2_at_once_ : half_pi * theta2_at_once_;
-  for (const auto& [amplitude, rate] : theta2_) {
-    const ComplexFloat signs = x < 0 ? ComplexFloat(-1) : ComplexFloat(1) - exp(-(rate * x)) * Float(2);
-    sum += half_pi * (amplitude * signs / rate).re;
-  }
+  if (x < 0) return (sum - half_pi * theta2_at_once_) / pi();
+  sum += half_pi * theta2_at_once_;
+  for (const auto& [amplitude, rate] : theta2_) sum += pi() * (amplitude * fading_way(rate, x)).re;
   return sum / pi();
 }
 

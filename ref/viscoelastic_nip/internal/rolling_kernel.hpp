@@ -89,10 +89,12 @@ class NormalRollingKernel : public RollingKernel {
 
 /// Displacement along the sheet, upstream (towards the leading side), up to a constant,
 ///
-///     pi T(x) = theta2 * I2(x) - N * I3(x),    theta * I(x) = theta_0 I(x) + sum amplitude int_0^inf e^{-rate w} I(x - w) dw;
+///     pi T(x) = theta2 * I2(x) - N * I3(x),
+///     theta * I(x) = theta_0 I(x) + sum amplitude int_0^inf e^{-rate w} (I(x - w) - I(-inf)) dw;
 ///
-/// the terms in eta of (thesis 6.23-6.28) are the same at all points. The sign's memory, I2 = (pi/2) sign, is in
-/// closed form, and I3 is analytic.
+/// the terms in eta of (thesis 6.23-6.28) are the same at all points, and so is what is taken away by I(-inf),
+/// -pi/2 or -pi/4, which would be infinite for a fluid. The sign's memory, I2 = (pi/2) sign, is in closed form, and
+/// I3 is analytic.
 class TangentialRollingKernel : public RollingKernel {
  public:
   TangentialRollingKernel(const RollingMaterial& material, int digits);

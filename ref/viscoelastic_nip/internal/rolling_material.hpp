@@ -11,8 +11,11 @@ namespace nipref::ref {
 struct RollingMemory {
   ComplexFloat
       amplitude;      ///< twice that of the term, and not real, if it stands for a pair of conjugate ones
-  ComplexFloat rate;  ///< real part > 0, imaginary part >= 0
+  ComplexFloat rate;  ///< real part > 0 and imaginary part >= 0, or 0: a fluid's
 };
+
+/// Whether it never fades.
+inline bool is_flow(const RollingMemory& term) { return term.rate.re == 0; }
 
 /// The compliances of a steadily rolling sheet.
 struct RollingMaterial {

@@ -129,6 +129,25 @@ TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
   }
 }
 
+TEST_CASE(
+    "operators of a fluid have a rate that is 0, no -0, and with a dashpot beside a spring nothing at once") {
+  // P/Q = 1 + 0.8/p + 0.5/(p + 1) + 0.3/(p + 2) + 0.2/(p + 3): rates that an iteration finds, and 0.
+  const auto fluid = data::operator_solid({{4.8, 19.1, 20.1, 7.8, 1}, {0, 6, 11, 6, 1}, {1}, {7}});
+  CHECK(fluid.theta1().is_fluid());
+  CHECK(fluid.theta1().terms.size() == 4);
+  CHECK_FALSE(fluid.theta2().is_fluid());
+  const auto flow = std::ranges::find(fluid.theta1().terms, 0.0, &data::RelaxationTerm::rate);
+  CHECK_FALSE(std::signbit(flow->rate.real()));
+  check_equal(flow->amplitude, 0.4, 1e-13);
+  // K = 2 + 3 p: theta2 = 3/(14 + 18 p).
+  const auto voigt = data::operator_solid({{1}, {1}, {1}, {2, 3}});
+  CHECK(voigt.theta1().instantaneous == 0.5);
+  CHECK(voigt.theta2().instantaneous == 0);
+  REQUIRE(voigt.theta2().terms.size() == 1);
+  check_equal(voigt.theta2().terms[0].rate, 14.0 / 18, 1e-15);
+  check_equal(voigt.theta2().terms[0].amplitude, 3.0 / 18, 1e-15);
+}
+
 TEST_CASE("Kelvin's and Voigt's gives way to nothing at once, Maxwell's flows for ever: both are materials") {
   const auto kelvin = data::prony_solid({0, {1}, {2}}, {0, {0.25}, {2}});
   check_moduli(

@@ -115,6 +115,45 @@ TEST_CASE("fast and slow relaxation give the two elastic contacts, with errors o
       [](const fast::ConvergedElasticNip& c) { return c.creep_ratio(); });
 }
 
+TEST_CASE("a fluid's contact is what those of slow rates tend to, by as much as the rate, also far behind") {
+  const auto rolled = [](double rate) -> ViscoelasticNip {
+    return {radius, thickness, {{1e-5, {{8e-5, rate}}}, {4e-6, {{1e-5, rate}}}}, 1};
+  };
+  const double length = 0.1;
+  const auto fluid = converged_for_length(rolled(0), length, 1e-12);
+  const auto check = [&](const char* name, double size, const Result& result) {
+    CAPTURE(name);
+    const Estimate limit = result(fluid);
+    CHECK(limit.error <= 1e-10 * size);
+    const auto short_by = [&](double rate) {
+      return result(converged_for_length(rolled(rate), length, 1e-12)).value - limit.value;
+    };
+    const double slow = short_by(1e-4);
+    CHECK(std::fabs(slow) < 1e-3 * size);
+    CHECK(std::fabs(slow) > 1e-9 * size);
+    CHECK(slow / short_by(5e-5) == doctest::Approx(2).epsilon(1e-2));
+    CHECK(std::fabs(short_by(1e-12)) <= 1e-11 * size + 2 * limit.error);
+  };
+  const double displacement = length * length / radius, strain = length / radius;
+  check("load", fluid.load().value, [](const auto& c) { return c.load(); });
+  check("indentation", displacement, [](const auto& c) { return c.indentation(); });
+  check("resistance", strain, [](const auto& c) { return c.rolling_resistance(); });
+  check("creep", strain, [](const auto& c) { return c.creep_ratio(); });
+  check("peak", fluid.peak_pressure().value, [](const auto& c) { return c.peak_pressure(); });
+  check("u behind", displacement, [](const auto& c) { return c.normal_displacement(-1); });
+  check("v behind", displacement, [](const auto& c) { return c.tangential_displacement(-1); });
+  check("strain behind", strain, [](const auto& c) { return c.surface_strain(-1); });
+  // Behind the sheet keeps its displacement and its strain, so that v grows for ever; a dashpot forgets no force.
+  CHECK(fluid.normal_displacement(-1e6).value ==
+        doctest::Approx(fluid.normal_displacement(-5).value).epsilon(1e-12));
+  CHECK(fluid.surface_strain(-1e6).value == doctest::Approx(fluid.surface_strain(-5).value).epsilon(1e-12));
+  CHECK(fluid.tangential_displacement(-1e6).value ==
+        doctest::Approx(-1e6 * fluid.surface_strain(-5).value).epsilon(1e-5));
+  // I1 integrates to pi/2, half-thicknesses.
+  CHECK(fluid.normal_displacement(-5).value ==
+        doctest::Approx(9e-5 * fluid.load().value * thickness / 4).epsilon(1e-11));
+}
+
 TEST_CASE("towards both elastic limits the pressure becomes its own mirror image") {
   for (const double relaxation_length : {1e5, 1e-5}) {
     CAPTURE(relaxation_length);

@@ -168,6 +168,24 @@ TEST_CASE("ref rolling contact: the double path's estimates cover what they are 
   }
 }
 
+TEST_CASE("ref rolling contact: fluids, and theta2 with nothing at once, are covered in double") {
+  const double length = 0.1;
+  // Shear flows within a way of 0.1 or 0.01 by as much as it gives way at once, or not at all; K is constant,
+  // flows as well, or is a spring beside a dashpot.
+  const auto rolled = [&](const data::DifferentialOperators& operators) -> ViscoelasticNip {
+    return {6, 0.25, data::operator_solid(operators), 1};
+  };
+  const std::vector<double> p{6e4, 6e3}, q{0, 3.6e8};
+  for (const ViscoelasticNip& nip :
+       {rolled({p, q, {1}, {1.4e5}}), rolled({{6e4, 600}, {0, 3.6e7}, {7e4, 1.4e5}, {0, 1.4e10}}),
+        rolled({{1}, {6e4}, {1}, {1.4e5, 3e3}})}) {
+    const auto truth = ref::converged_for_length(nip, length, 16);
+    const auto computed = fast::converged_for_length(nip, length, 1e-10);
+    check_covered(truth, computed, length);
+    CHECK(computed.load().error <= 1e-10 * computed.load().value);
+  }
+}
+
 TEST_CASE("ref rolling contact: the length that a load needs gives it back, and more digits are covered") {
   const ViscoelasticNip nip = rolled_nip(0.25, 0.1, 2);
   const auto coarse = ref::converged_for_load(nip, 60, 16);

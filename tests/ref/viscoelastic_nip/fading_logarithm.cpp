@@ -49,6 +49,20 @@ TEST_CASE("fading logarithm: real and complex rates, before and behind, by quadr
   }
 }
 
+TEST_CASE("fading logarithm: of rate 0 its slope is the logarithm, as the others' with their rate") {
+  const WorkingDigits working(40);
+  const Float step = ldexp(Float(1), -40);
+  for (const double rate : {0.0, 1e-3, 2.0}) {
+    for (const double x : {-4.0, -0.3, 0.02, 5.0}) {
+      CAPTURE(rate);
+      CAPTURE(x);
+      const auto at = [&](const Float& place) { return fading_logarithm(ComplexFloat(rate), place).re; };
+      const Float slope = (at(x + step) - at(x - step)) / (2 * step);
+      CHECK(abs(slope + rate * at(x) - log(abs(Float(x)))) < 1e-19);
+    }
+  }
+}
+
 TEST_CASE("scaled exponential integral: its differential equation holds where series and asymptotics meet") {
   // y = e^{-z} Ei(z): y' = 1/z - y, to the fourth order by five values.
   const WorkingDigits working(20);

@@ -48,6 +48,27 @@ TEST_CASE("rational compliance: common factors cancel exactly, and rates need no
   CHECK(close.terms.size() == 2);
 }
 
+TEST_CASE(
+    "rational compliance: a fluid's rate is 0 exactly and once, and what gives way to nothing at once") {
+  const WorkingDigits working(40);
+  // 2 + 3/p + 5/(p + 7)
+  const Polynomial rate{7, 1}, flow{0, 1};
+  const Polynomial numerator =
+      sum(sum(product({2}, product(flow, rate)), product({3}, rate)), product({5}, flow));
+  const Compliance fluid = rational_compliance(numerator, product(flow, rate));
+  REQUIRE(fluid.terms.size() == 2);
+  for (const ComplianceTerm& term : fluid.terms) {
+    CHECK((term.rate.re == 0 || near(term.rate.re, 7)));
+    CHECK(near(term.amplitude.re, term.rate.re == 0 ? 3 : 5));
+  }
+  CHECK_THROWS_AS((void)rational_compliance(numerator, product(flow, product(flow, rate))),
+                  nipref::data::BadInput);
+  const Compliance creeping = rational_compliance({3}, {14, 18});
+  CHECK(creeping.at_once == 0);
+  REQUIRE(creeping.terms.size() == 1);
+  CHECK(near(creeping.terms[0].amplitude.re, Float(1) / 6));
+}
+
 TEST_CASE("rational compliance: a twofold rate is refused by name") {
   const WorkingDigits working(40);
   const Polynomial twice{2, 1}, zero{5, 1};

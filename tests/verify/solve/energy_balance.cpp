@@ -58,6 +58,11 @@ TEST_CASE("energy balance: of a material whose rates are a conjugate pair") {
   check_balanced(verify::energy_balance(rolling_scene(nip, 0.1), 16), 1e-13);
 }
 
+TEST_CASE("energy balance: of a fluid, which loses energy however slowly it is loaded") {
+  const data::ViscoelasticNip nip{6, 0.25, {{1e-5, {{8e-5, 0}}}, {4e-6, {{1e-5, 0}}}}, 1};
+  check_balanced(verify::energy_balance(rolling_scene(nip, 0.1)), 1e-9);
+}
+
 TEST_CASE("energy balance: what has no memory loses nothing") {
   const data::ViscoelasticNip nip{6, 0.25, data::elastic_solid({1e5, 0.3}), 1};
   const auto balance = verify::energy_balance(rolling_scene(nip, 0.1));
