@@ -47,8 +47,8 @@ class ContactField {
   /// rounding make.
   [[nodiscard]] std::vector<InnerStresses> at(const std::vector<InnerPlace>& places) {
     std::vector<InnerStresses> result(places.size());
-    const std::vector<double> errors =
-        places.size() <= most_judged ? errors_of(places) : errors_by_kind(places);
+    const bool many = places.size() > most_judged;
+    const std::vector<double> errors = many ? errors_by_kind(places) : errors_of(places);
     std::vector<InnerPlace> moved;
     const FieldOfContact& field = of(ladder_.last());
     for (const InnerPlace& place : places) moved.push_back(field.moved(place));
@@ -108,8 +108,6 @@ class ContactField {
  private:
   /// Places each judged for itself.
   static constexpr std::size_t most_judged = 48;
-  /// Of the half-planes' and the sheet's parts, over the largest traction.
-  static constexpr double rounding = 2e-15;
 
   [[nodiscard]] const FieldOfContact& of(const Contact& contact) {
     const auto found = fields_.find(&contact);
@@ -131,13 +129,14 @@ class ContactField {
     return peak_ * std::min(1.0, last.half_length / away);
   }
   /// Besides what the ladder says: tractions end like roots.
-  [[nodiscard]] double uncertainty_at(const InnerPlace& place) {
+  [[nodiscard]] double uncertainty_at(const InnerPlace& place, bool of_many) {
     const FieldOfContact& last = of(ladder_.last());
     const double beside = std::fabs(std::fabs(place.alpha - last.middle) - last.half_length);
     const double unsure = uncertainty_.of_ends + 4e-16 * (last.half_length + std::fabs(place.alpha));
     const double away = std::max(unsure, std::hypot(beside, 1 - std::fabs(place.depth)));
     const double of_end = std::min(1.0, last.half_length / away) / std::sqrt(away * last.half_length);
-    return peak_ * unsure * of_end + (rounding + uncertainty_.of_tractions(away)) * size_at(place);
+    return peak_ * unsure * of_end +
+           (last.field.rounding(of_many) + uncertainty_.of_tractions(away)) * size_at(place);
   }
   /// The place itself and, near a face, two beside it: there levels that agree by chance do not.
   [[nodiscard]] std::vector<InnerPlace> judged_at(const InnerPlace& place) {
@@ -173,7 +172,7 @@ class ContactField {
     std::vector<double> errors;
     for (const InnerPlace& place : places) {
       const auto stresses = [](const TractionField& field, const InnerPlace& at) { return field.at(at); };
-      double error = uncertainty_at(place);
+      double error = uncertainty_at(place, false);
       for (const InnerPlace& beside : judged_at(place))
         error = std::max(error, ladder_error(beside, stresses));
       errors.push_back(error);
@@ -196,7 +195,7 @@ class ContactField {
     }
     std::vector<double> errors;
     for (const InnerPlace& place : places)
-      errors.push_back(std::max(2 * largest[kind_of(place)] * size_at(place), uncertainty_at(place)));
+      errors.push_back(std::max(2 * largest[kind_of(place)] * size_at(place), uncertainty_at(place, true)));
     return errors;
   }
   /// By how far away from a face and from the ends places are.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include <nipref/fast/nip/internal/traction_field.hpp>
@@ -13,25 +13,13 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int halvings = 72, graded_panels = halvings + 1;
-/// Of the sheet's part, in the graded part of a side and in a panel behind it.
-constexpr std::size_t nodes_at_end = 24, nodes_inside = 12;
-
-SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {
-  return {a.across + b.across, a.along + b.along, a.shear + b.shear};
-}
-SheetStresses operator*(double factor, const SheetStresses& a) {
-  return {factor * a.across, factor * a.along, factor * a.shear};
-}
-
-/// Right ends of the panels of one side: doubling from the contact's end, then of one length up to the middle.
-std::vector<double> panel_ends(double half_length) {
-  const double graded = std::min(half_length, 1.0);
+/// Right ends of the panels of one side: doubling from the contact's end, then the blocks up to the middle.
+std::vector<double> panel_ends(const ContactBlocks& blocks) {
   std::vector<double> ends;
-  for (int k = halvings; k >= 0; --k) ends.push_back(std::ldexp(graded, -k));
-  const double rest = half_length - graded;
-  const int count = static_cast<int>(std::ceil(rest));
-  for (int k = 1; k <= count; ++k) ends.push_back(graded + rest * k / count);
-  ends.back() = half_length;
+  for (int k = halvings; k >= 0; --k) ends.push_back(std::ldexp(blocks.graded(), -k));
+  for (std::size_t block = 1; block < blocks.of_side(); ++block)
+    ends.push_back(blocks.graded() + blocks.inner() * static_cast<double>(block));
+  ends.back() = blocks.half_length();
   return ends;
 }
 
@@ -78,22 +66,26 @@ std::array<std::complex<double>, order> second_kind(std::complex<double> z, std:
   return q;
 }
 
-/// Where a load counts as far: its residues need near_load_end, and a cell's series over depths converge like 14^-n for
-/// loads so far off.
-constexpr double nearest_far = 1.5;
-static_assert(nearest_far >= internal::near_load_end);
+/// Places of one alpha, by their numbers.
+using Columns = std::map<double, std::vector<std::size_t>>;
+constexpr double cell_length = 2;
+
+/// Whether the sheet's part between two alphas is had for less than that at each of them.
+bool is_crowded(const Columns& columns) {
+  std::size_t rows = 0;
+  for (const auto& [alpha, members] : columns) rows += std::min(members.size(), SheetPartAcross::count);
+  return rows > SheetPartBetween::count * SheetPartAcross::count;
+}
 
 }  // namespace
 
-TractionField::TractionField(double half_length, bool symmetric, const Traction& traction)
-    : half_length_(half_length), symmetric_(symmetric) {
+TractionField::TractionField(double half_length, bool symmetric, const FaceTractions& traction)
+    : blocks_(half_length), symmetric_(symmetric), sheet_part_(blocks_, symmetric, traction) {
   sides_[1] = make_side(true, traction);
-  add_smooth_nodes(true, traction);
   if (symmetric) {
     mirror();
   } else {
     sides_[0] = make_side(false, traction);
-    add_smooth_nodes(false, traction);
   }
 }
 
@@ -109,18 +101,16 @@ void TractionField::mirror() {
   for (Moments& moments : sides_[0].moments) {
     for (double& moment : moments.shear) moment = -moment;
   }
-  smooth_[0] = smooth_[1];
-  for (SmoothNode& node : smooth_[0]) node = {-node.alpha, node.pressure, -node.shear};
 }
 
-TractionField::Side TractionField::make_side(bool right, const Traction& traction) const {
+TractionField::Side TractionField::make_side(bool right, const FaceTractions& traction) const {
   const GaussRule rule = gauss_legendre(order);
   Side side;
   double left = 0;
   std::array<std::array<double, order>, order> polynomials{};
   for (std::size_t j = 0; j < order; ++j)
     legendre(right ? 1 - 2 * rule.at[j] : 2 * rule.at[j] - 1, polynomials[j]);
-  for (const double end : panel_ends(half_length_)) {
+  for (const double end : panel_ends(blocks_)) {
     Panel panel{};
     panel.left = left;
     panel.right = end;
@@ -159,38 +149,17 @@ TractionField::Side TractionField::make_side(bool right, const Traction& tractio
   return side;
 }
 
-/// With e = w x^4 at the end, which takes the sting out of any exponent there.
-void TractionField::add_smooth_nodes(bool right, const Traction& traction) {
-  const auto add = [&](double e, double weight) {
-    const FaceTraction here = traction(right, e);
-    smooth_[right ? 1 : 0].push_back(
-        {right ? half_length_ - e : e - half_length_, weight * here.pressure, weight * here.shear});
-  };
-  const GaussRule at_end = gauss_legendre(nodes_at_end), inside = gauss_legendre(nodes_inside);
-  const double graded = std::min(half_length_, 1.0), rest = half_length_ - graded;
-  for (std::size_t j = 0; j < at_end.at.size(); ++j) {
-    const double x = at_end.at[j];
-    add(graded * x * x * x * x, 4 * graded * x * x * x * at_end.weight[j]);
-  }
-  const int count = static_cast<int>(std::ceil(rest));
-  for (int piece = 0; piece < count; ++piece) {
-    for (std::size_t j = 0; j < inside.at.size(); ++j)
-      add(graded + rest * (piece + inside.at[j]) / count, rest / count * inside.weight[j]);
-  }
-}
-
-void TractionField::add_side(bool right, const std::vector<bool>& blocks, double alpha, double distance,
+void TractionField::add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
                              Cauchy& sum) const {
   const Side& side = sides_[right ? 1 : 0];
-  const bool whole = std::ranges::find(blocks, false) == blocks.end();
-  const auto graded = static_cast<std::size_t>(graded_panels);
+  const auto [begin, end_panel] = panels_of(right, near);
+  const double half_length = blocks_.half_length();
   const double turn = right ? -1 : 1;  // along the sheet with growing distance from the end
-  const Complex from_end(alpha - (right ? half_length_ : -half_length_), distance);
+  const Complex from_end(alpha - (right ? half_length : -half_length), distance);
   const double reach = std::abs(from_end) / 4;
-  const std::size_t last_in_moments = whole ? side.panels.size() : blocks[0] ? graded : 0;
-  std::size_t first = 0;
-  while (first < last_in_moments && side.panels[first].right <= reach) ++first;
-  if (first > 0) {
+  std::size_t first = begin;
+  while (begin == 0 && first < end_panel && side.panels[first].right <= reach) ++first;
+  if (first > begin) {
     // Sum of moments over powers of the distance from the end.
     const double end = side.panels[first - 1].right;
     const Moments& moments = side.moments[first - 1];
@@ -204,13 +173,12 @@ void TractionField::add_side(bool right, const std::vector<bool>& blocks, double
       sum.shear_slope += moments.shear[m] * slope;
     }
   }
-  for (std::size_t i = first; i < side.panels.size(); ++i) {
-    if (!blocks[i < graded ? 0 : i - graded + 1]) continue;
+  for (std::size_t i = first; i < end_panel; ++i) {
     const Panel& panel = side.panels[i];
     const double half = panel.width / 2;
     // From both of its ends, as its neighbours see them too.
     const auto from_break = [&](double e) {
-      return e == half_length_ ? Complex(alpha, distance) : from_end - turn * e;
+      return e == half_length ? Complex(alpha, distance) : from_end - turn * e;
     };
     const Complex z = (from_end - turn * (panel.left + half)) / half;
     if (std::norm(z) > 2.6) {
@@ -253,39 +221,21 @@ void TractionField::add_side(bool right, const std::vector<bool>& blocks, double
   }
 }
 
-TractionField::Blocks TractionField::all_blocks() const {
-  Blocks all;
-  for (const int side : {0, 1})
-    all.of_side[side].assign(sides_[side].panels.size() - graded_panels + 1, true);
-  return all;
+std::pair<std::size_t, std::size_t> TractionField::panels_of(bool right,
+                                                             const ContactBlocks::Range& blocks) const {
+  const std::size_t of_side = blocks_.of_side(), all = blocks_.count();
+  const auto before = [&](std::size_t block) { return block == 0 ? 0 : graded_panels + block - 1; };
+  if (right)
+    return {before(all - std::max(blocks.end, of_side)), before(all - std::max(blocks.begin, of_side))};
+  return {before(std::min(blocks.begin, of_side)), before(std::min(blocks.end, of_side))};
 }
 
-TractionField::Blocks TractionField::blocks_near(double left, double right) const {
-  Blocks near = all_blocks();
-  for (const int side : {0, 1}) {
-    for (std::size_t block = 0; block < near.of_side[side].size(); ++block) {
-      const Panel& outer = sides_[side].panels[block == 0 ? 0 : block + graded_panels - 1];
-      const Panel& inner = sides_[side].panels[block + graded_panels - 1];
-      const double begin = side == 0 ? outer.left - half_length_ : half_length_ - inner.right;
-      const double end = side == 0 ? inner.right - half_length_ : half_length_ - outer.left;
-      near.of_side[side][block] = std::max(begin - right, left - end) < nearest_far;
-    }
-  }
-  return near;
-}
-
-std::span<const TractionField::SmoothNode> TractionField::nodes_of(bool right, std::size_t block) const {
-  const std::span<const SmoothNode> all(smooth_[right ? 1 : 0]);
-  if (block == 0) return all.first(nodes_at_end);
-  return all.subspan(nodes_at_end + (block - 1) * nodes_inside, nodes_inside);
-}
-
-SheetStresses TractionField::half_planes(const Blocks& blocks, const InnerPlace& place) const {
+SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const InnerPlace& place) const {
   SheetStresses sum{};
   for (const double face : {1.0, -1.0}) {
     const double d = 1 - face * place.depth;
     Cauchy f{};
-    for (const bool right : {false, true}) add_side(right, blocks.of_side[right ? 1 : 0], place.alpha, d, f);
+    for (const bool right : {false, true}) add_side(right, near, place.alpha, d, f);
     const Complex p = d * f.pressure_slope, q = d * f.shear_slope;
     sum = sum + SheetStresses{(f.pressure.imag() + p.real() + q.imag()) / pi,
                               (f.pressure.imag() - p.real() - 2 * f.shear.real() - q.imag()) / pi,
@@ -294,170 +244,48 @@ SheetStresses TractionField::half_planes(const Blocks& blocks, const InnerPlace&
   return sum;
 }
 
-/// What is between two alphas and not from the half-planes' loads near it: those near give what the sheet adds, those
-/// far the whole.
-class TractionField::Cell {
- public:
-  Cell(const TractionField& field, double left, double right)
-      : left_(left), near_(field.blocks_near(left, right)) {
-    for (const bool on_right : {false, true}) {
-      const std::vector<bool>& near = near_.of_side[on_right ? 1 : 0];
-      for (std::size_t block = 0; block < near.size(); ++block) {
-        const auto nodes = field.nodes_of(on_right, block);
-        if (near[block]) {
-          near_nodes_.insert(near_nodes_.end(), nodes.begin(), nodes.end());
-        } else {
-          for (const SmoothNode& node : nodes) add_far(node, node.alpha < left ? left_of_ : right_of_, right);
-        }
-      }
-    }
-  }
-
-  [[nodiscard]] const Blocks& near() const { return near_; }
-  /// At one alpha.
-  void add(double alpha, const internal::StressesAtDepths& depths, std::span<SheetStresses> sums) const {
-    std::vector<internal::StressesBeside> one(sums.size());
-    for (const SmoothNode& node : near_nodes_) {
-      depths(alpha - node.alpha, one);
-      for (std::size_t i = 0; i < sums.size(); ++i)
-        sums[i] = sums[i] + node.pressure * one[i].normal + node.shear * one[i].shear;
-    }
-    if (left_of_) depths.add_far(seen_from(*left_of_, alpha), 1, sums);
-    if (right_of_) depths.add_far(seen_from(*right_of_, alpha), -1, sums);
-  }
-
- private:
-  /// Far loads of one side as seen from the nearer end of the cell.
-  struct Far {
-    double end;
-    internal::FarLoads loads;
-  };
-
-  void add_far(const SmoothNode& node, std::optional<Far>& side, double right) {
-    if (!side) {
-      side.emplace(
-          Far{node.alpha < left_ ? left_ : right, {internal::AlongWaves(0), internal::AlongWaves(0), 0}});
-      for (internal::AlongWaves* waves : {&side->loads.pressure, &side->loads.shear}) waves->of.fill(0);
-    }
-    const internal::AlongWaves waves(std::fabs(node.alpha - side->end));
-    for (std::size_t n = 0; n < static_cast<std::size_t>(waves.count); ++n) {
-      side->loads.pressure.of[n] += node.pressure * waves.of[n];
-      side->loads.shear.of[n] += node.shear * waves.of[n];
-    }
-    side->loads.shear_force += node.shear;
-  }
-  static internal::FarLoads seen_from(const Far& far, double alpha) {
-    internal::FarLoads loads = far.loads;
-    const internal::AlongWaves waves(std::fabs(alpha - far.end));
-    for (std::size_t n = 0; n < loads.pressure.of.size(); ++n) {
-      const Complex wave = n < static_cast<std::size_t>(waves.count) ? waves.of[n] : 0;
-      loads.pressure.of[n] *= wave;
-      loads.shear.of[n] *= wave;
-    }
-    return loads;
-  }
-
-  double left_;
-  Blocks near_;
-  std::vector<SmoothNode> near_nodes_;
-  std::optional<Far> left_of_, right_of_;
-};
-
-/// Chebyshev series of a cell in alpha and in the square of the depth: stresses across and along are even in it, the
-/// shear over the depth too.
-class TractionField::Interpolant {
- public:
-  static constexpr int along = 24, across = 12;
-
-  Interpolant(const Cell& cell, double left, double length) : left_(left), length_(length) {
-    std::array<double, across> depths;
-    for (int j = 0; j < across; ++j)
-      depths[static_cast<std::size_t>(j)] = std::sqrt((1 + zero(j, across)) / 2);
-    const internal::StressesAtDepths at_depths(depths);
-    std::array<SheetStresses, along * across> values{};
-    for (int i = 0; i < along; ++i) {
-      cell.add(left + length * (1 + zero(i, along)) / 2, at_depths,
-               std::span(values).subspan(static_cast<std::size_t>(i * across), across));
-    }
-    for (std::size_t k = 0; k < values.size(); ++k) values[k].shear /= depths[k % across];
-    // One variable after the other.
-    std::array<SheetStresses, along * across> halfway{};
-    for (int i = 0; i < along; ++i) {
-      for (int n = 0; n < across; ++n) {
-        SheetStresses sum{};
-        for (int j = 0; j < across; ++j) {
-          const double weight = (n == 0 ? 1.0 : 2.0) / across * std::cos(pi * n * (j + 0.5) / across);
-          sum = sum + weight * values[static_cast<std::size_t>(i * across + j)];
-        }
-        halfway[static_cast<std::size_t>(i * across + n)] = sum;
-      }
-    }
-    for (int m = 0; m < along; ++m) {
-      for (int i = 0; i < along; ++i) {
-        const double weight = (m == 0 ? 1.0 : 2.0) / along * std::cos(pi * m * (i + 0.5) / along);
-        for (int n = 0; n < across; ++n)
-          coefficient_[m][n] =
-              coefficient_[m][n] + weight * halfway[static_cast<std::size_t>(i * across + n)];
-      }
-    }
-  }
-
-  [[nodiscard]] SheetStresses at(const InnerPlace& place) const {
-    const double x = 2 * (place.alpha - left_) / length_ - 1, y = 2 * place.depth * place.depth - 1;
-    std::array<double, across> polynomials{};
-    polynomials[0] = 1;
-    polynomials[1] = y;
-    for (std::size_t n = 2; n < across; ++n) polynomials[n] = 2 * y * polynomials[n - 1] - polynomials[n - 2];
-    SheetStresses sum{};
-    double before = x, here = 1;
-    for (int m = 0; m < along; ++m) {
-      SheetStresses row{};
-      for (int n = 0; n < across; ++n) {
-        const double t = polynomials[static_cast<std::size_t>(n)];
-        row = row + t * coefficient_[m][n];
-      }
-      sum = sum + here * row;
-      before = std::exchange(here, 2 * x * here - before);
-    }
-    sum.shear *= place.depth;
-    return sum;
-  }
-
- private:
-  static double zero(int i, int count) { return std::cos(pi * (i + 0.5) / count); }
-
-  double left_, length_;
-  SheetStresses coefficient_[along][across]{};
-};
-
 SheetStresses TractionField::at(const InnerPlace& place) const {
-  const Cell cell(*this, place.alpha, place.alpha);
-  SheetStresses sum = half_planes(cell.near(), place);
-  cell.add(place.alpha, internal::StressesAtDepths({&place.depth, 1}), {&sum, 1});
+  const ContactBlocks::Range near = blocks_.near(place.alpha, place.alpha);
+  SheetStresses sum = half_planes(near, place);
+  sheet_part_.add(place.alpha, near, internal::StressesAtDepths({&place.depth, 1}), {&sum, 1});
   return sum;
 }
 
 std::vector<SheetStresses> TractionField::at(std::span<const InnerPlace> places) const {
-  constexpr double length = 2;
-  constexpr std::size_t fewest_in_cell = 64;  // as dear one by one
-  std::map<double, std::vector<std::size_t>> cells;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    cells[length * std::floor(folded(places[i]).first.alpha / length)].push_back(i);
   std::vector<SheetStresses> result(places.size());
+  std::map<double, Columns> cells;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double alpha = folded(places[i]).first.alpha;
+    cells[cell_length * std::floor(alpha / cell_length)][alpha].push_back(i);
+  }
   const auto set = [&](std::size_t i, const SheetStresses& stresses) {
     result[i] = stresses;
     if (folded(places[i]).second) result[i].shear = -stresses.shear;
   };
-  for (const auto& [left, members] : cells) {
-    if (members.size() < fewest_in_cell) {
-      for (const std::size_t i : members) set(i, at(folded(places[i]).first));
+  for (const auto& [left, columns] : cells) {
+    if (is_crowded(columns)) {
+      const double right = left + cell_length;
+      const ContactBlocks::Range near = blocks_.near(left, right);
+      const SheetPartBetween part(sheet_part_, near, left, right);
+      for (const auto& [alpha, members] : columns) {
+        for (const std::size_t i : members) {
+          const InnerPlace place{alpha, places[i].depth};
+          set(i, half_planes(near, place) + part.at(alpha, place.depth));
+        }
+      }
       continue;
     }
-    const Cell cell(*this, left, left + length);
-    const Interpolant interpolant(cell, left, length);
-    for (const std::size_t i : members) {
-      const InnerPlace place = folded(places[i]).first;
-      set(i, half_planes(cell.near(), place) + interpolant.at(place));
+    for (const auto& [alpha, members] : columns) {
+      if (members.size() < SheetPartAcross::count) {
+        for (const std::size_t i : members) set(i, at(InnerPlace{alpha, places[i].depth}));
+        continue;
+      }
+      const ContactBlocks::Range near = blocks_.near(alpha, alpha);
+      const SheetPartAcross part(sheet_part_, near, alpha);
+      for (const std::size_t i : members) {
+        const InnerPlace place{alpha, places[i].depth};
+        set(i, half_planes(near, place) + part.at(place.depth));
+      }
     }
   }
   return result;

@@ -1,20 +1,14 @@
 #pragma once
 #include <complex>
-#include <functional>
-#include <map>
+#include <cstddef>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include <nipref/fast/nip/internal/sheet_part.hpp>
 #include <nipref/fast/sheet/field.hpp>
-#include <nipref/fast/sheet/internal/half_planes.hpp>
 
 namespace nipref::fast {
-
-/// Pressure, and shear along the sheet, dimensionless.
-struct FaceTraction {
-  double pressure, shear;
-};
 
 /// A place inside the sheet, in half-thicknesses: along it from the middle of the contact, and -1 <= depth <= 1.
 struct InnerPlace {
@@ -27,21 +21,21 @@ struct InnerPlace {
 /// The half-planes' fields of both faces are Cauchy integrals of the tractions and their derivatives. For these the
 /// tractions are Legendre series on panels that halve towards both ends, down to 2^-72 of a half-thickness or of the
 /// contact, whatever their exponents there: panels beside a place by Legendre functions of the second kind, also on the
-/// faces, others by Gauss's rule, what crowds at the ends and is far by moments. What the sheet adds is analytic up to a
-/// distance of 2 and comes from some ten nodes a half-thickness. Loads far off come as a whole, half-planes included, from those of all together; where places crowd, that and what the sheet adds are
-/// interpolated in cells. Good to about 1e-14 of the largest traction.
+/// faces, others by Gauss's rule, what crowds at the ends and is far by moments. What the sheet adds, and what is far as a
+/// whole, is SheetPart's; where places crowd, it is interpolated.
 class TractionField {
  public:
-  /// The traction at the distance e >= 0 from the right or the left end; continuous, 0 at the ends, analytic between
-  /// but for the ends.
-  using Traction = std::function<FaceTraction(bool right, double e)>;
-
   /// `symmetric`: the pressure is even about the middle and the shear odd.
-  TractionField(double half_length, bool symmetric, const Traction& traction);
+  TractionField(double half_length, bool symmetric, const FaceTractions& traction);
 
   [[nodiscard]] SheetStresses at(const InnerPlace& place) const;
   /// The same at many places.
   [[nodiscard]] std::vector<SheetStresses> at(std::span<const InnerPlace> places) const;
+  /// Of one place or of many, over the largest stress: an estimate, larger than what was found at random places of
+  /// contacts of all lengths; series of what the sheet adds, which are sums of values of both signs, round most.
+  [[nodiscard]] double rounding(bool of_many) const {
+    return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded();
+  }
 
  private:
   static constexpr int order = 20, moment_count = 24;
@@ -61,31 +55,18 @@ class TractionField {
     std::vector<Panel> panels;
     std::vector<Moments> moments;
   };
-  struct SmoothNode {
-    double alpha, pressure, shear;
-  };
   /// int p/(Z - y) dy, int p/(Z - y)^2 dy and the same of the shear.
   struct Cauchy {
     Complex pressure, pressure_slope, shear, shear_slope;
   };
-  /// Parts of both sides that a place sees as half-planes' loads: the graded one at the end, then the panels of one
-  /// length.
-  struct Blocks {
-    std::vector<bool> of_side[2];
-  };
-  class Cell;
-  class Interpolant;
-
-  [[nodiscard]] Side make_side(bool right, const Traction& traction) const;
+  [[nodiscard]] Side make_side(bool right, const FaceTractions& traction) const;
   void mirror();  ///< the right side to the left
-  void add_smooth_nodes(bool right, const Traction& traction);
-  void add_side(bool right, const std::vector<bool>& blocks, double alpha, double distance,
+  void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
                 Cauchy& sum) const;
-  [[nodiscard]] Blocks all_blocks() const;
-  /// Those that are near to what is between two alphas.
-  [[nodiscard]] Blocks blocks_near(double left, double right) const;
-  [[nodiscard]] SheetStresses half_planes(const Blocks& blocks, const InnerPlace& place) const;
-  [[nodiscard]] std::span<const SmoothNode> nodes_of(bool right, std::size_t block) const;
+  /// Of one side, counted from its end: begin and end.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> panels_of(bool right,
+                                                              const ContactBlocks::Range& blocks) const;
+  [[nodiscard]] SheetStresses half_planes(const ContactBlocks::Range& near, const InnerPlace& place) const;
 
   /// The same stresses, at alpha >= 0 if the tractions are symmetric; whether shear changes its sign.
   [[nodiscard]] std::pair<InnerPlace, bool> folded(const InnerPlace& place) const {
@@ -93,10 +74,10 @@ class TractionField {
     return {{-place.alpha, place.depth}, true};
   }
 
-  double half_length_;
+  ContactBlocks blocks_;
   bool symmetric_;
+  SheetPart sheet_part_;
   Side sides_[2];  ///< left, right
-  std::vector<SmoothNode> smooth_[2];
 };
 
 }  // namespace nipref::fast
