@@ -74,8 +74,10 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
 double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
 /// Psi_R: between the speeds of Rayleigh waves and of shear waves the paper's tractions pull for directions nearer than
-/// this angle to the motion; radians. The speed is over v_S, the Rayleigh speed at least and 1 at most, else BadInput; -1 < poisson < 1/2. A few units in the last
-/// place of it or of 1e-7, whichever is larger: at the first doubles beyond the Rayleigh speed it is smaller.
+/// this angle to the motion; radians. It tells where no contact is, and is no result of one: a rolling sphere is solved
+/// below the Rayleigh speed only, where no direction is separated. The speed is over v_S, the Rayleigh speed at least and
+/// 1 at most, else BadInput; -1 < poisson < 1/2. A few units in the last place of it or of 1e-7, whichever is larger: at
+/// the first doubles beyond the Rayleigh speed it is smaller.
 /// (brock2012 55)
 double separation_angle(double poisson, double speed);
 
