@@ -62,9 +62,9 @@ struct ConvergedViscoelasticNip::Implementation {
   [[nodiscard]] Estimate with_neglected(const Estimate& solved, double scale) const {
     return {solved.value, solved.error + neglected() * std::max(scale, std::fabs(solved.value))};
   }
-  [[nodiscard]] Estimate estimate(const ViscoelasticNipLadder::Functional& functional,
-                                  double scale = 0) const {
-    return with_neglected(ladder.estimate(functional, scale), scale);
+  [[nodiscard]] Estimate estimate(const ViscoelasticNipLadder::Functional& functional, double scale = 0,
+                                  Rate rate = Rate::of_expansions) const {
+    return with_neglected(ladder.estimate(functional, scale, rate), scale);
   }
   [[nodiscard]] Estimate estimate_of_integral(const ViscoelasticNipLadder::Functional& functional,
                                               double scale) const {
@@ -294,7 +294,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   const auto estimated = [&](double y) {
     return implementation_->estimate(
         [&](const ViscoelasticPressure& contact) { return slope_of(contact, y); },
-        largest / slope_reach(last, y));
+        largest / slope_reach(last, y), Rate::own);
   };
   // Levels that agree at a place by chance do not beside it.
   const PlaceFunction slope{
@@ -303,6 +303,11 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
         Estimate solved = estimated(y);
         for (const double beside : {-0.5, 0.5})
           solved.error = std::max(solved.error, estimated(y + beside * slope_reach(last, y)).error);
+        // What is left out swings as the first polynomial that is: by its slope where it is 0 and by itself where its slope
+        // is 0.
+        const double swing =
+            ladder.left_out([&](const ViscoelasticPressure& contact) { return at(contact, y); });
+        solved.error = std::hypot(solved.error, last.layout().terms() * swing / slope_reach(last, y));
         solved.error += largest * sheet.neglected_near_end(half_length, from_end(y)) / from_end(y);
         return solved;
       }};

@@ -100,6 +100,11 @@ class Ladder {
     return {relative.value, std::max(relative.error, rounding * half_length(last()))};
   }
 
+  /// What the expansions leave out of a functional alone.
+  [[nodiscard]] double left_out(const Functional& functional) const {
+    return expansion_error(functional, 0, Rate::of_expansions);
+  }
+
   [[nodiscard]] const Contact& last() const { return *solutions_.back(); }
   /// For what is computed from the solutions.
   [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }

@@ -42,6 +42,7 @@ std::string decimal_text(const Real& value, int digits) {
 
 std::string error_text(const Real& value, const Real& error, int digits) {
   if (mpfr_zero_p(error.get()) && is_exact(decimal_text(value, digits), value)) return "0";
+  if (mpfr_zero_p(value.get())) return print("%.*RUe", 1, error);  // its text is exact
   Real sum(error);
   Real last_place(error_precision);
   mpfr_set_si(last_place.get(), decimal_exponent(value) + 2 - printed_digits(value, digits), MPFR_RNDU);

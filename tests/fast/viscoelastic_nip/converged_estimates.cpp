@@ -167,3 +167,17 @@ TEST_CASE("next to the middle the tangential displacement is as unsure as the st
                        other = fast::converged_for_load(nip, load, 1e-13).tangential_displacement(place);
   CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
+
+TEST_CASE("levels that see the same slope by chance do not make the place of the largest pressure sure") {
+  const data::ViscoelasticNip nip{9599.183506965637, 7.716756391339004,
+                                  data::operator_solid({.p = {11.00524025876075, 1},
+                                                        .q = {1.0876204347005114, 0.24229669729538728},
+                                                        .p_dilatation = {1},
+                                                        .q_dilatation = {10.052897952497005}}),
+                                  23.594791866838932};
+  const double length = 82.08602374792099;
+  const fast::Estimate found = fast::converged_for_length(nip, length, 1.623710285002744e-3)
+                                   .peak_pressure_position(),
+                       other = fast::converged_for_length(nip, length, 1e-13).peak_pressure_position();
+  CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+}

@@ -219,3 +219,12 @@ TEST_CASE("a number known exactly has no error, but its text may") {
   CHECK(Float160(known(0.1).bound_text()) >= Float160("4.8e-20"));
   CHECK(Float160(known(0.1).bound_text()) < Float160("1e-18"));
 }
+
+TEST_CASE("0 has no last place: beside it stands the error alone") {
+  Real zero(64), error(64);
+  mpfr_set_zero(zero.get(), 1);
+  mpfr_set_d(error.get(), 0x1p-100, MPFR_RNDN);
+  const Estimated nothing(zero, error, 16);
+  CHECK(nothing.value_text() == "0");
+  CHECK(std::stod(nothing.error_text()) == doctest::Approx(0x1p-100).scale(0).epsilon(0.1));
+}
