@@ -54,7 +54,12 @@ struct ConvergedViscoelasticNip::Implementation {
   double roller_radius;
   EffectiveSheet sheet;
   ViscoelasticNipLadder ladder;
-  mutable std::map<const ViscoelasticPressure*, double> creeps;  ///< of solutions of which it was asked for
+  /// What the surface's strains in the halves of the contact contribute to their mean, dimensionless.
+  struct HalfStrains {
+    double leading, trailing;
+  };
+  /// Of solutions of which they were asked for.
+  mutable std::map<const ViscoelasticPressure*, HalfStrains> strains;
 
   [[nodiscard]] double half_length() const { return ladder.last().half_length(); }
   [[nodiscard]] double neglected() const { return sheet.neglected(half_length()); }
@@ -71,15 +76,28 @@ struct ConvergedViscoelasticNip::Implementation {
     return with_neglected(ladder.estimate_of_integral(functional, scale), scale);
   }
   [[nodiscard]] ContactField<ViscoelasticNipLadder> field() const;
-  /// Mean strain of the surface in the contact, dimensionless.
-  [[nodiscard]] double creep(const ViscoelasticPressure& contact, CountedKernels& kernels) const {
-    const auto [known, is_new] = creeps.try_emplace(&contact);
+  [[nodiscard]] const HalfStrains& half_strains(const ViscoelasticPressure& contact,
+                                                CountedKernels& kernels) const {
+    const auto [known, is_new] = strains.try_emplace(&contact);
     if (is_new) {
-      known->second = contact.tangential_displacement({Half::leading, 0}, {Half::trailing, 0},
-                                                      ladder.tolerance(), kernels) /
-                      (2 * contact.half_length());
+      const auto strain = [&](const ContactPlace& place, const ContactPlace& reference) {
+        return contact.tangential_displacement(place, reference, ladder.tolerance(), kernels) /
+               (2 * contact.half_length());
+      };
+      const ContactPlace middle{Half::leading, contact.half_length()};
+      known->second = {strain({Half::leading, 0}, middle), strain(middle, {Half::trailing, 0})};
     }
     return known->second;
+  }
+  /// Mean strain of the surface in the contact, dimensionless.
+  [[nodiscard]] double creep(const ViscoelasticPressure& contact, CountedKernels& kernels) const {
+    const HalfStrains& of = half_strains(contact, kernels);
+    return of.leading + of.trailing;
+  }
+  /// What the creep is relative to, dimensionless: the halves may nearly cancel in the mean.
+  [[nodiscard]] double creep_size(CountedKernels& kernels) const {
+    const auto [leading, trailing] = half_strains(ladder.last(), kernels);
+    return std::fabs(leading) + std::fabs(trailing);
   }
   [[nodiscard]] double creep_rounding(CountedKernels& kernels) const {
     return difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels) / half_length();
@@ -202,47 +220,47 @@ ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) n
 ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
 Estimate ConvergedViscoelasticNip::contact_length() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(2 * units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::half_length)));
 }
 
 Estimate ConvergedViscoelasticNip::leading_length() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::leading_length),
                                                        implementation_->half_length()));
 }
 
 Estimate ConvergedViscoelasticNip::trailing_length() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.length, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::trailing_length),
                                                        implementation_->half_length()));
 }
 
 Estimate ConvergedViscoelasticNip::load() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.load, implementation_->estimate(std::mem_fn(&ViscoelasticPressure::load)));
 }
 
 Estimate ConvergedViscoelasticNip::indentation() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.displacement, implementation_->estimate(fast::indentation));
 }
 
 Estimate ConvergedViscoelasticNip::leading_displacement() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.displacement,
                implementation_->estimate(std::mem_fn(&ViscoelasticPressure::edge_displacement),
                                          std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedViscoelasticNip::trailing_displacement() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   return times(units.displacement, implementation_->estimate(fast::trailing_displacement,
                                                              std::pow(implementation_->half_length(), 2)));
 }
 
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const double position = implementation_->position(y);
   // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
   // it. Then it matters how well the end is known.
@@ -269,7 +287,7 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   Estimate peak = implementation_->estimate(fast::peak_pressure);
   peak.error *= 2;  // levels are alike by chance more often where the place of the maximum moves
   // At an end the pressure could be larger still.
@@ -279,7 +297,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const ViscoelasticPressure& last = ladder.last();
   const double half_length = last.half_length(), largest = fast::peak_pressure(last);
   const auto at = [](const ViscoelasticPressure& contact, double y) {
@@ -329,7 +347,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
 }
 
 Estimate ConvergedViscoelasticNip::rolling_resistance() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const double lever = units.length / radius, half_length = implementation_->half_length();
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
@@ -342,13 +360,17 @@ Estimate ConvergedViscoelasticNip::creep_ratio() const {
   CountedKernels kernels = solved.ladder.kernels();
   Estimate creep = solved.estimate_of_integral(
       [&](const ViscoelasticPressure& contact) { return solved.creep(contact, kernels); },
-      solved.half_length());
+      std::max(solved.half_length(), solved.creep_size(kernels)));
+  // Levels that agree on the mean by chance do not on one half's.
+  creep.error = std::max(creep.error, solved.ladder.left_out([&](const ViscoelasticPressure& contact) {
+    return solved.half_strains(contact, kernels).leading;
+  }));
   creep.error += solved.creep_rounding(kernels);
   return times(solved.units.creep, creep);
 }
 
 Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const double position = implementation_->position(y);
   CountedKernels kernels = ladder.kernels();
   const auto displacement = [&](const ViscoelasticPressure& contact) {
@@ -361,13 +383,13 @@ Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
 }
 
 Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const double position = implementation_->position(y);
   if (position == 0) return {0, 0};
   CountedKernels kernels = ladder.kernels();
   // Next to the middle it may be much less than the strains around let it change with the contact's length.
   const double half_length = implementation_->half_length();
-  const double strain = std::max(half_length, 2 * std::fabs(implementation_->creep(ladder.last(), kernels)));
+  const double strain = std::max(half_length, 2 * implementation_->creep_size(kernels));
   const double scale = strain * std::min(std::fabs(position), half_length);
   const auto at = [&](double place) {
     return implementation_->estimate_of_integral(
@@ -394,14 +416,14 @@ Estimate ConvergedViscoelasticNip::slip(double y) const {
   CountedKernels kernels = solved.ladder.kernels();
   Estimate slip = solved.strain_beyond(
       [&](const ViscoelasticPressure& contact) { return solved.creep(contact, kernels); },
-      solved.half_length(), y);
+      std::max(solved.half_length(), solved.creep_size(kernels)), y);
   slip.error += solved.creep_rounding(kernels);
   return times(solved.units.creep, slip);
 }
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
     std::span<const InnerPoint> points) const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   std::vector<InnerPlace> places;
   for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
   auto stresses = implementation_->field().at(places);
@@ -410,7 +432,7 @@ std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
 }
 
 GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
-  const auto& [units, radius, sheet, ladder, creeps] = *implementation_;
+  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const auto [value, y, depth] = implementation_->field().greatest(false);
   return {times(units.pressure, value), times(units.length, y), depth};
 }

@@ -181,3 +181,18 @@ TEST_CASE("levels that see the same slope by chance do not make the place of the
                        other = fast::converged_for_length(nip, length, 1e-13).peak_pressure_position();
   CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
+
+TEST_CASE("creep is as unsure as the load lets its halves be, which cancel") {
+  const data::ViscoelasticNip nip{2189.387916443203, 1.0178127604592446,
+                                  data::standard_linear_solid({.shear_1 = 145.8783256345553,
+                                                               .shear_2 = 707.2095165670619,
+                                                               .bulk_1 = 285.13017109060263,
+                                                               .bulk_2 = 4.108329742918907,
+                                                               .shear_viscosity = 0.341199535302999,
+                                                               .bulk_viscosity = 3399.7498580496463}),
+                                  6.481100846475254};
+  const double load = 1166536.856889787;
+  const fast::Estimate found = fast::converged_for_load(nip, load, 1e-3).creep_ratio(),
+                       other = fast::converged_for_load(nip, load, 1e-13).creep_ratio();
+  CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+}
