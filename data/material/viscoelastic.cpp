@@ -62,18 +62,29 @@ std::string gains_energy(double frequency) {
                      frequency);
 }
 
+/// A transform and what rounding may have made of it, relative: its terms may nearly cancel.
+struct Transformed {
+  Complex value;
+  double rounding;
+
+  Transformed(const MaterialFunction& function, Complex p) : value(function.transform(p)) {
+    double size = function.instantaneous;
+    for (const RelaxationTerm& term : function.terms) size += std::abs(term.amplitude / (p + term.rate));
+    rounding = 1e-12 + 0x1p-50 * size / std::abs(value);
+  }
+};
+
 /// Energy is lost, not gained, in a cycle of this frequency: -Im 1/(2G) >= 0 and Im 6K >= 0 with 6K =
 /// 3/theta2 - 1/theta1. Both to rounding: where a modulus does not relax its loss is 0.
 void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, double frequency) {
   const Complex p(0, frequency);
-  const Complex shear = theta1.transform(p);
-  const Complex plane = theta2.transform(p);
-  constexpr double rounding = 1e-12;
-  if (shear.imag() > rounding * std::abs(shear)) {
-    throw BadInput("material shear loss", -shear.imag(), gains_energy(frequency));
+  const Transformed shear(theta1, p), plane(theta2, p);
+  if (shear.value.imag() > shear.rounding * std::abs(shear.value)) {
+    throw BadInput("material shear loss", -shear.value.imag(), gains_energy(frequency));
   }
-  const Complex dilatation = 3.0 / plane - 1.0 / shear;
-  if (dilatation.imag() < -rounding * (std::abs(3.0 / plane) + std::abs(1.0 / shear))) {
+  const Complex dilatation = 3.0 / plane.value - 1.0 / shear.value;
+  if (dilatation.imag() <
+      -(plane.rounding * std::abs(3.0 / plane.value) + shear.rounding * std::abs(1.0 / shear.value))) {
     throw BadInput("material dilatation loss", dilatation.imag(), gains_energy(frequency));
   }
 }

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/magnitude.hpp>
@@ -46,28 +47,29 @@ MaterialFunction prony_function(const PronyList& list, const std::string& name) 
 }
 
 /// Without the zeros at its end.
-Polynomial polynomial(Polynomial coefficients, const char* name) {
+Polynomial polynomial(const std::vector<double>& coefficients, const char* name) {
   for (const double c : coefficients) {
     if (!std::isfinite(c)) throw BadInput(name, c, "must have finite coefficients");
   }
-  while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
-  if (coefficients.empty()) throw BadInput(name, "0", "must have a coefficient that is not 0");
-  return coefficients;
+  Polynomial trimmed(coefficients.begin(), coefficients.end());
+  while (!trimmed.empty() && trimmed.back() == 0) trimmed.pop_back();
+  if (trimmed.empty()) throw BadInput(name, "0", "must have a coefficient that is not 0");
+  return trimmed;
 }
 
-ViscoelasticMaterial from_operators(const DifferentialOperators& operators,
-                                    const MaterialConstants& constants) {
-  const Polynomial p = polynomial(operators.p, "P");
-  const Polynomial q = polynomial(operators.q, "Q");
-  const Polynomial p_dilatation = polynomial(operators.p_dilatation, "P_dilatation");
-  const Polynomial q_dilatation = polynomial(operators.q_dilatation, "Q_dilatation");
-  const Polynomial six = product({6.0}, q_dilatation), two = product({2.0}, q);
+struct Operators {
+  Polynomial p, q, p_dilatation, q_dilatation;
+};
+
+ViscoelasticMaterial from_operators(const Operators& operators, const MaterialConstants& constants) {
+  const auto& [p, q, p_dilatation, q_dilatation] = operators;
+  const Polynomial six = product({6}, q_dilatation), two = product({2}, q);
   const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
   // A factor P that both have is left out at once: rounding would part its double root.
   if (p == p_dilatation)
-    return {theta1, partial_fractions({{3.0}, p}, sum(six, two), "Q_dilatation"), constants};
+    return {theta1, partial_fractions({{3}, p}, sum(six, two), "Q_dilatation"), constants};
   const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
-  return {theta1, partial_fractions({{3.0}, p, p_dilatation}, denominator, "Q_dilatation"), constants};
+  return {theta1, partial_fractions({{3}, p, p_dilatation}, denominator, "Q_dilatation"), constants};
 }
 
 }  // namespace
@@ -85,10 +87,11 @@ ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
   check_magnitude("bulk_2", s.bulk_2);
   check_magnitude("shear_viscosity", s.shear_viscosity);
   check_magnitude("bulk_viscosity", s.bulk_viscosity);
-  const Polynomial p{s.shear_1 + s.shear_2, s.shear_viscosity};
-  const Polynomial q{s.shear_1 * s.shear_2, s.shear_1 * s.shear_viscosity};
-  const Polynomial p_dilatation{s.bulk_1 + s.bulk_2, s.bulk_viscosity};
-  const Polynomial q_dilatation{s.bulk_1 * s.bulk_2, s.bulk_1 * s.bulk_viscosity};
+  const auto ratio = [](const Wide& first, const Wide& second, const Wide& viscosity) {
+    return std::pair(Polynomial{first + second, viscosity}, Polynomial{first * second, first * viscosity});
+  };
+  const auto [p, q] = ratio(s.shear_1, s.shear_2, s.shear_viscosity);
+  const auto [p_dilatation, q_dilatation] = ratio(s.bulk_1, s.bulk_2, s.bulk_viscosity);
   return from_operators({p, q, p_dilatation, q_dilatation}, s);
 }
 
@@ -115,7 +118,10 @@ ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta
 }
 
 ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
-  return from_operators(operators, operators);
+  return from_operators({polynomial(operators.p, "P"), polynomial(operators.q, "Q"),
+                         polynomial(operators.p_dilatation, "P_dilatation"),
+                         polynomial(operators.q_dilatation, "Q_dilatation")},
+                        operators);
 }
 
 }  // namespace nipref::data

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <boost/multiprecision/cpp_complex.hpp>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <string>
 
@@ -10,15 +10,15 @@
 namespace nipref::data {
 namespace {
 
-using Complex = std::complex<double>;
-using Roots = std::vector<Complex>;
+using WideComplex = boost::multiprecision::cpp_complex_quad;
+using Roots = std::vector<WideComplex>;
 
 struct ValueAndSlope {
-  Complex value, slope;
+  WideComplex value, slope;
 };
 
-ValueAndSlope evaluate(const Polynomial& polynomial, Complex p) {
-  ValueAndSlope at{0, 0};
+ValueAndSlope evaluate(const Polynomial& polynomial, const WideComplex& p) {
+  ValueAndSlope at;
   for (auto c = polynomial.rbegin(); c != polynomial.rend(); ++c) {
     at.slope = at.slope * p + at.value;
     at.value = at.value * p + *c;
@@ -27,10 +27,10 @@ ValueAndSlope evaluate(const Polynomial& polynomial, Complex p) {
 }
 
 /// c + b p + a p^2 without the cancellation of -b + sqrt(b^2 - 4 a c).
-Roots quadratic_roots(double a, double b, double c) {
-  const Complex root = std::sqrt(Complex(b * b - 4 * a * c));
-  const Complex q = -0.5 * (b + std::copysign(1.0, b) * root);
-  if (q == 0.0) return {0.0, 0.0};
+Roots quadratic_roots(const Wide& a, const Wide& b, const Wide& c) {
+  const WideComplex root = sqrt(WideComplex(b * b - 4 * a * c));
+  const WideComplex q = -(b + (b < 0 ? -root : root)) / 2;
+  if (q == WideComplex(0)) return {WideComplex(0), WideComplex(0)};
   return {q / a, c / q};
 }
 
@@ -40,42 +40,44 @@ Roots aberth_roots(const Polynomial& polynomial) {
   const std::size_t degree = polynomial.size() - 1;
   double radius = 0;
   for (std::size_t k = 0; k < degree; ++k)
-    radius = std::max(radius, 2 * std::pow(std::fabs(polynomial[k] / polynomial.back()),
+    radius = std::max(radius, 2 * std::pow(std::fabs(static_cast<double>(polynomial[k] / polynomial.back())),
                                            1.0 / static_cast<double>(degree - k)));
   Roots roots;
-  for (std::size_t k = 0; k < degree;
-       ++k)  // turned a little, so that no two start as each other's conjugates
-    roots.push_back(std::polar(
-        radius, 2 * std::numbers::pi * (static_cast<double>(k) + 0.2) / static_cast<double>(degree)));
+  // Turned a little, so that no two start as each other's conjugates.
+  for (std::size_t k = 0; k < degree; ++k) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.2) / static_cast<double>(degree);
+    roots.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
   constexpr int most_rounds = 500;
   for (int round = 0; round < most_rounds; ++round) {
     double change = 0;
-    for (Complex& root : roots) {
+    for (WideComplex& root : roots) {
       const auto [value, slope] = evaluate(polynomial, root);
-      if (value == 0.0) continue;
-      Complex push = 0;
-      for (const Complex& other : roots) {
-        if (other != root) push += 1.0 / (root - other);
+      if (value == WideComplex(0)) continue;
+      WideComplex push = 0;
+      for (const WideComplex& other : roots) {
+        if (other != root) push += WideComplex(1) / (root - other);
       }
-      const Complex step = 1.0 / (slope / value - push);
+      const WideComplex step = WideComplex(1) / (slope / value - push);
       root -= step;
-      change = std::max(change, std::abs(step) / std::abs(root));
+      change = std::max(change, static_cast<double>(abs(step) / abs(root)));
     }
-    if (change < 1e-16) break;
+    if (change < 1e-33) break;
   }
   return roots;
 }
 
-/// Real roots exactly real, the others in exact pairs: the coefficients are real.
+/// Real roots exactly real, the others in exact pairs: the coefficients are real. Of a double root, which rounding parts by
+/// less than this, one may be cancelled; otherwise it is refused.
 Roots in_pairs(const Roots& roots) {
   constexpr double real_to = 1e-13;
   Roots paired;
-  for (const Complex& root : roots) {
-    if (std::fabs(root.imag()) <= real_to * std::abs(root)) {
+  for (const WideComplex& root : roots) {
+    if (abs(root.imag()) <= real_to * abs(root)) {
       paired.emplace_back(root.real());
     } else if (root.imag() > 0) {
       paired.push_back(root);
-      paired.push_back(std::conj(root));
+      paired.push_back(conj(root));
     }
   }
   return paired;
@@ -88,17 +90,18 @@ Roots roots_of(const Polynomial& p) {
     roots.emplace_back(0);
     return roots;
   }
-  if (p.size() == 2) return {-p[0] / p[1]};
+  if (p.size() == 2) return {WideComplex(-p[0] / p[1])};
   return in_pairs(p.size() == 3 ? quadratic_roots(p[2], p[1], p[0]) : aberth_roots(p));
 }
 
-bool near(Complex a, Complex b, double tolerance) {
-  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+bool near(const WideComplex& a, const WideComplex& b, double tolerance) {
+  return abs(a - b) <= tolerance * std::max<Wide>(abs(a), abs(b));
 }
 
 void cancel(Roots& zeros, Roots& poles) {
-  std::erase_if(poles, [&](Complex pole) {
-    const auto zero = std::ranges::find_if(zeros, [&](Complex z) { return near(z, pole, 1e-12); });
+  std::erase_if(poles, [&](const WideComplex& pole) {
+    const auto zero =
+        std::ranges::find_if(zeros, [&](const WideComplex& z) { return near(z, pole, 0x1p-51); });
     if (zero == zeros.end()) return false;
     zeros.erase(zero);
     return true;
@@ -109,16 +112,22 @@ void check_simple(const Roots& poles, std::string_view name) {
   for (std::size_t i = 0; i < poles.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (near(poles[i], poles[j], 1e-6))
-        throw BadInput(name, poles[i].real(),
+        throw BadInput(name, static_cast<double>(poles[i].real()),
                        "must not be a repeated root of the operators: t e^(-rate t) is not among the terms");
     }
   }
 }
 
+std::complex<double> rounded(const WideComplex& z) {
+  return {static_cast<double>(z.real()), static_cast<double>(z.imag())};
+}
+
 /// gain prod (pole - z)/prod (pole - other pole)
-Complex residue(double gain, const Roots& zeros, const Roots& poles, std::size_t k) {
-  const auto from_zero = [&](std::size_t j) { return j < zeros.size() ? poles[k] - zeros[j] : 1.0; };
-  Complex value = gain * from_zero(k);
+WideComplex residue(const Wide& gain, const Roots& zeros, const Roots& poles, std::size_t k) {
+  const auto from_zero = [&](std::size_t j) {
+    return j < zeros.size() ? WideComplex(poles[k] - zeros[j]) : WideComplex(1);
+  };
+  WideComplex value = gain * from_zero(k);
   for (std::size_t j = 0; j < poles.size(); ++j) {
     if (j != k) value *= from_zero(j) / (poles[k] - poles[j]);
   }
@@ -128,7 +137,7 @@ Complex residue(double gain, const Roots& zeros, const Roots& poles, std::size_t
 }  // namespace
 
 Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(a.size() + b.size() - 1, 0.0);
+  Polynomial c(a.size() + b.size() - 1);
   for (std::size_t i = 0; i < a.size(); ++i) {
     for (std::size_t j = 0; j < b.size(); ++j) c[i + j] += a[i] * b[j];
   }
@@ -136,7 +145,7 @@ Polynomial product(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial sum(const Polynomial& a, const Polynomial& b) {
-  Polynomial c(std::max(a.size(), b.size()), 0.0);
+  Polynomial c(std::max(a.size(), b.size()));
   for (std::size_t i = 0; i < a.size(); ++i) c[i] += a[i];
   for (std::size_t i = 0; i < b.size(); ++i) c[i] += b[i];
   return c;
@@ -144,7 +153,7 @@ Polynomial sum(const Polynomial& a, const Polynomial& b) {
 
 MaterialFunction partial_fractions(const std::vector<Polynomial>& factors, const Polynomial& denominator,
                                    std::string_view name) {
-  double gain = 1 / denominator.back();
+  Wide gain = 1 / denominator.back();
   Roots zeros;
   std::size_t degree = 0;
   for (const Polynomial& factor : factors) {
@@ -165,11 +174,11 @@ MaterialFunction partial_fractions(const std::vector<Polynomial>& factors, const
     throw BadInput(name, "(its roots)", "must come in conjugate pairs: some are repeated or nearly so");
   cancel(zeros, poles);
   check_simple(poles, name);
-  MaterialFunction function{degree < most ? 0 : gain, {}};
+  MaterialFunction function{degree < most ? 0 : static_cast<double>(gain), {}};
   for (std::size_t k = 0; k < poles.size(); ++k) {
-    Complex amplitude = residue(gain, zeros, poles, k);
+    std::complex<double> amplitude = rounded(residue(gain, zeros, poles, k));
     if (poles[k].imag() == 0) amplitude = amplitude.real();
-    function.terms.push_back({amplitude, 0.0 - poles[k]});  // no -0
+    function.terms.push_back({amplitude, 0.0 - rounded(poles[k])});  // no -0
   }
   // Rounding must not part the two of a pair.
   for (RelaxationTerm& term : function.terms) {

@@ -108,6 +108,35 @@ TEST_CASE("operators: three relaxation times, shared factors and a complex pair"
       [](Complex) { return Complex(10); }, 1e-13);
 }
 
+TEST_CASE("operators: of a double root that both sides have once, the other stays") {
+  // 1/(2G) = 1/(2 (1 + p)), theta2 = 3 (2 + p)/((1 + p) (10 + 2 p))
+  const auto material =
+      data::operator_solid({.p = {1, 1}, .q = {1, 2, 1}, .p_dilatation = {2, 1}, .q_dilatation = {1, 1}});
+  REQUIRE(material.theta2().terms.size() == 2);
+  for (const Complex p : places) {
+    check_equal(material.theta1().transform(p), 1.0 / (2.0 * (1.0 + p)), 1e-13);
+    check_equal(material.theta2().transform(p), 3.0 * (2.0 + p) / ((1.0 + p) * (10.0 + 2.0 * p)), 1e-13);
+  }
+}
+
+TEST_CASE("operators: rates and amplitudes of roots 1e-5 apart are good to a double's last places") {
+  // Q = (1 + p) (1 + 2^-17 + p), exactly.
+  const auto theta1 =
+      data::operator_solid(
+          {.p = {2, 1, 0.25}, .q = {1 + 0x1p-17, 2 + 0x1p-17, 1}, .p_dilatation = {1}, .q_dilatation = {8}})
+          .theta1();
+  REQUIRE(theta1.terms.size() == 2);
+  double slow = theta1.terms[0].rate.real(), fast = theta1.terms[1].rate.real();
+  if (slow > fast) std::swap(slow, fast);
+  CHECK(slow == 1);
+  CHECK(fast == 1 + 0x1p-17);
+  // -0.125 (p^2 + 4 p + 8)/(p + other rate) at each root, over 2^-17.
+  for (const auto& [amplitude, rate] : theta1.terms) {
+    const double r = rate.real(), above = 0.125 * (r * r - 4 * r + 8);
+    CHECK(amplitude.real() == doctest::Approx((r == 1 ? 1 : -1) * above * 0x1p17).epsilon(4e-16));
+  }
+}
+
 TEST_CASE("a gain of energy in a narrow band is found, whatever its place") {
   for (const double resonance : {0.31, 1.0137, 7.7}) {
     for (const double width : {1e-2, 1e-4, 1e-7}) {
