@@ -6,10 +6,12 @@
 #include <tuple>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
 #include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/internal/sign_memory.hpp>
+#include <nipref/ref/memory/internal/swinging.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -166,6 +168,66 @@ Interval history(Kernel kernel, const Place& place, const mpq_class& rate, doubl
              whole_history(kernel, *place.start, rate, nats_left(nats, faded.get_d()), residue_terms);
 }
 
+ComplexInterval scaled(const Interval& factor, const ComplexInterval& z) {
+  return {factor * z.real, factor * z.imag};
+}
+
+/// int_alpha^start e^{-rate (w - alpha)} sign(w) dw
+ComplexInterval swinging_sign(const Place& place, const ComplexInterval& rate) {
+  const mpfr_prec_t bits = rate.real.precision();
+  const auto faded = [&](const mpq_class& way) { return exp(scaled(-Interval(Exact(way), bits), rate)); };
+  const mpq_class& alpha = place.alpha.value();
+  mpq_class behind = std::max(mpq_class(-alpha), mpq_class(0));
+  const ComplexInterval one{Interval(1L, bits), Interval(bits)};
+  if (!place.start) return (faded(behind) + faded(behind) - one) * inverse(rate);
+  const mpq_class way = place.start->value() - alpha;
+  behind = std::min(behind, way);
+  return (faded(behind) + faded(behind) - one - faded(way)) * inverse(rate);
+}
+
+/// history() of a rate that may be complex.
+ComplexInterval swinging_history(Kernel kernel, const Place& place, const ComplexInterval& rate,
+                                 double nats) {
+  const mpfr_prec_t bits = rate.real.precision();
+  if (kernel == Kernel::I2) return scaled(Interval::pi(bits) / 2, swinging_sign(place, rate));
+  const ComplexInterval whole = swinging_memory(symbol_of(kernel), place.alpha, rate, nats);
+  if (!place.start) return whole;
+  const Interval way(Exact(mpq_class(place.start->value() - place.alpha.value())), bits);
+  const double faded = mpfr_get_d((rate.real * way).lower(), MPFR_RNDD);
+  return whole - exp(scaled(-way, rate)) *
+                     swinging_memory(symbol_of(kernel), *place.start, rate, nats_left(nats, faded));
+}
+
+double ln_size(const ComplexInterval& z) {
+  const Interval size = sqrt(square(z.real) + square(z.imag));
+  long exponent = 0;
+  const double fraction = mpfr_get_d_2exp(&exponent, size.upper(), MPFR_RNDU);
+  return fraction > 0 ? std::log(fraction) + static_cast<double>(exponent) * ln2 : 0;
+}
+
+/// What the fraction remembers: the sum over its terms, of which the two of a pair are conjugate.
+Interval remembered(const ExactRatio& fraction, Kernel kernel, const Place& place,
+                    const mpq_class& way_per_time, double nats) {
+  constexpr double spare_nats = 48;  // ways of 1000, and sums
+  const auto terms_to = [&](double good_to) {
+    return partial_fractions(fraction.numerator, fraction.denominator, working_precision(good_to, 1));
+  };
+  double large = spare_nats;
+  for (const auto& [amplitude, rate] : terms_to(spare_nats)) {
+    const double ln_rate = ln_size(rate) - ln_magnitude(way_per_time);
+    large = std::max(large, spare_nats + std::max(0.0, ln_size(amplitude) - ln_magnitude(way_per_time)) +
+                                std::fabs(ln_rate));
+  }
+  Interval sum(64);
+  for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
+    const Interval unit = 1 / Interval(Exact(way_per_time), rate.real.precision());
+    const ComplexInterval in_way = scaled(unit, amplitude);
+    const double needed = std::max(nats + ln_size(in_way) + 4, 40.0);
+    sum = sum + (in_way * swinging_history(kernel, place, scaled(unit, rate), needed)).real;
+  }
+  return sum;
+}
+
 /// theta * I(place), without the sheet's 1/pi.
 struct Part {
   ExactFunction theta;
@@ -192,6 +254,9 @@ struct Part {
       const double needed = nats + ln_magnitude(amplitude) + 3;
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
                       history(kernel, place, rate, needed, residue_terms);
+    }
+    for (const ExactRatio& fraction : theta.fractions) {
+      if (!no_history) sum = sum + remembered(fraction, kernel, place, way_per_time, nats + 3);
     }
     return negative ? -sum : sum;
   }
@@ -252,6 +317,8 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
   if (place.alpha.sign() > 0) return slowest;
   for (const ExactFunction::Term& term : normal.terms)
     slowest = std::min(slowest, mpq_class(term.rate / way_per_time).get_d());
+  for (const ExactRatio& fraction : normal.fractions)
+    slowest = std::min(slowest, slowest_rate(fraction.denominator) / way_per_time.get_d());
   return slowest;
 }
 
@@ -274,46 +341,7 @@ Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_t
                      way_per_time, size_nats(material), digits);
 }
 
-ExactFunction exact_function(const data::MaterialFunction& function, const char* name) {
-  ExactFunction result{mpq_class(function.instantaneous), {}};
-  for (const data::RelaxationTerm& term : function.terms) {
-    if (term.rate.imag() != 0)
-      throw data::BadInput(std::string(name) + " rate", term.rate.imag(),
-                           "must be real on the reference path");
-    result.terms.push_back({mpq_class(term.amplitude.real()), mpq_class(term.rate.real())});
-  }
-  return result;
-}
-
 }  // namespace
-
-ExactFunction ExactMaterial::normal() const {
-  ExactFunction sum{theta1.instantaneous + theta2.instantaneous, theta1.terms};
-  for (const ExactFunction::Term& term : theta2.terms) {
-    const auto same =
-        std::ranges::find_if(sum.terms, [&](const ExactFunction::Term& x) { return x.rate == term.rate; });
-    if (same == sum.terms.end()) {
-      sum.terms.push_back(term);
-    } else {
-      same->amplitude += term.amplitude;
-    }
-  }
-  return sum;
-}
-
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
-  return {exact_function(material.theta1(), "theta1"), exact_function(material.theta2(), "theta2")};
-}
-
-ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau) {
-  check_positive(bulk.value(), "bulk");
-  check_positive(tau.value(), "tau");
-  const mpq_class shear = data::thesis_shear_over_bulk * bulk.value();
-  const mpq_class theta1 = 1 / (2 * shear), theta2 = 3 / (6 * bulk.value() + 2 * shear);
-  const mpq_class rate = 1 / tau.value();
-  const mpq_class rate2 = solid == Solid::thesis ? mpq_class(data::misprinted_rate_factor * rate) : rate;
-  return {{theta1, {{theta1 * rate, rate}}}, {theta2, {{theta2 * rate, rate2}}}};
-}
 
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,

@@ -1,44 +1,9 @@
 #pragma once
-#include <vector>
-
-#include <nipref/data/material/viscoelastic.hpp>
+#include <nipref/ref/memory/exact_material.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
 
 namespace nipref::ref {
-
-/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t) with real constants known exactly, as
-/// data::MaterialFunction has them in double; rate >= 0.
-struct ExactFunction {
-  struct Term {
-    mpq_class amplitude;  ///< 1/(stress time)
-    mpq_class rate;       ///< 1/time
-  };
-  mpq_class instantaneous;  ///< 1/stress
-  std::vector<Term> terms;  ///< no rate twice
-};
-
-/// The sheet's material, known exactly.
-struct ExactMaterial {
-  ExactFunction theta1;
-  ExactFunction theta2;
-
-  /// N = theta1 + theta2, terms of equal rate joined.
-  [[nodiscard]] ExactFunction normal() const;
-};
-
-/// The doubles of a material, exactly. BadInput unless its rates are real.
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
-
-/// The thesis's standard linear solid, G = 3K/8, both moduli falling to one half.
-enum class Solid {
-  standard_linear_solid,  ///< as it was defined: theta2 fades like e^{-t/tau}
-  thesis                  ///< as it was printed and used: theta2 fades like e^{-2t/tau} (thesis AIII.15)
-};
-
-/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau], theta2 a third of it, up to what `solid` says. bulk > 0 is
-/// the modulus at once, unit of stress; tau > 0 the relaxation time. BadInput otherwise. (thesis AIII.14)
-ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 
 /// Displacements of the surface of a viscoelastic sheet under a pair of opposite unit line loads that move at
 /// `speed` > 0 over the sheet, which was at rest before.

@@ -10,35 +10,11 @@ namespace {
 
 using Points = std::vector<ComplexInterval>;
 
-/// The roots, and 0 as often as it is one, to about so many bits.
-std::vector<ComplexFloat> roots_near(Polynomial p, mpfr_prec_t bits) {
-  const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.302) + 10);
-  std::vector<ComplexFloat> roots;
-  while (p.size() > 1 && p.front() == 0) {
-    p.erase(p.begin());
-    roots.emplace_back();
-  }
-  const Float unit = ldexp(Float(1), -bits);
-  for (const ComplexFloat& root : approximate_zeros(FloatPolynomial(p), unit)) roots.push_back(root);
-  return roots;
-}
-
-Interval exactly(const Float& x, mpfr_prec_t bits) {
-  Interval result(std::max(bits, mpfr_get_prec(x.get())));
-  mpfi_set_fr(result.get(), x.get());
-  return result;
-}
-
 Interval rational_interval(const mpq_class& x, mpfr_prec_t bits) { return {Exact(x), bits}; }
 
 Interval magnitude_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
 
 Interval larger(const Interval& x, const Interval& y) { return mpfr_cmp(x.upper(), y.upper()) < 0 ? y : x; }
-
-ComplexInterval exp_of(const ComplexInterval& z) {
-  const Interval size = exp(z.real);
-  return {size * cos(z.imag), size * sin(z.imag)};
-}
 
 ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
 
@@ -66,12 +42,12 @@ ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   for (long k = 2; k < count; ++k) sum = divided(sum, k);
   Interval rest(1L, 64);
   mpfi_mul_2si(rest.get(), rest.get(), -bits);
-  return exp_of(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
+  return exp(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
 }
 
 /// e^x[x_0..x_m], by the two that are farthest from each other.
 ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
-  if (x.size() == 1) return exp_of(x.front());
+  if (x.size() == 1) return exp(x.front());
   std::size_t first = 0, second = 1;
   Interval farthest(-1L, 64);
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -142,11 +118,10 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
   const Interval time = rational_interval(t, bits);
   Points roots, faded;
   Interval mu(bits);
-  for (const ComplexFloat& root : roots_near(denominator, bits)) {
-    const ComplexInterval exact{exactly(root.re, bits), exactly(root.im, bits)};
-    mu = roots.empty() ? exact.real : larger(mu, exact.real);
-    roots.push_back(exact);
-    faded.push_back({exact.real * time, exact.imag * time});
+  for (const ComplexInterval& root : roots_near(denominator, bits)) {
+    mu = roots.empty() ? root.real : larger(mu, root.real);
+    roots.push_back(root);
+    faded.push_back({root.real * time, root.imag * time});
   }
   const Points differences = polynomial_differences(over_last(numerator, denominator.back(), bits), roots);
   ComplexInterval value{Interval(bits), Interval(bits)};
@@ -163,8 +138,8 @@ Interval inverse_transform(const Polynomial& numerator, const Polynomial& denomi
 
 double slowest_rate(const Polynomial& denominator) {
   double slowest = INFINITY;
-  for (const ComplexFloat& root : roots_near(denominator, 200))
-    slowest = std::min(slowest, -static_cast<double>(root.re));
+  for (const ComplexInterval& root : roots_near(denominator, 200))
+    slowest = std::min(slowest, -mpfr_get_d(root.real.lower(), MPFR_RNDD));
   return slowest;
 }
 

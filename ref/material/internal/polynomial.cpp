@@ -16,6 +16,12 @@ Polynomial common_factor(Polynomial a, Polynomial b) {
   return a;
 }
 
+Interval exactly(const Float& x, mpfr_prec_t bits) {
+  Interval result(std::max(bits, mpfr_get_prec(x.get())));
+  mpfi_set_fr(result.get(), x.get());
+  return result;
+}
+
 /// On a circle that holds all zeros (Fujiwara), turned a little, so that no two are each other's conjugates.
 std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
   const int n = p.degree();
@@ -115,6 +121,18 @@ std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Floa
     }
   }
   return zeros;
+}
+
+std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits) {
+  const WorkingDigits working(static_cast<int>(static_cast<double>(bits) * 0.302) + 10);
+  std::vector<ComplexInterval> roots;
+  while (p.size() > 1 && p.front() == 0) {
+    p.erase(p.begin());
+    roots.push_back({Interval(bits), Interval(bits)});
+  }
+  for (const ComplexFloat& root : approximate_zeros(FloatPolynomial(p), ldexp(Float(1), -bits)))
+    roots.push_back({exactly(root.re, bits), exactly(root.im, bits)});
+  return roots;
 }
 
 }  // namespace nipref::ref

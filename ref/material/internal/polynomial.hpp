@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nipref/ref/number/internal/complex_float.hpp>
+#include <nipref/ref/number/internal/complex_interval.hpp>
 
 namespace nipref::ref {
 
@@ -32,5 +33,8 @@ struct FloatPolynomial {
 /// Approximations of all zeros at once by the method of Ehrlich and Aberth: until none moves by more than `unit` of
 /// itself, or their polynomial is lost in its rounding. To be proven by whoever uses them.
 std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit);
+
+/// Points near the roots, 0 as often as it is one, to about so many bits; to be proven likewise.
+std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits);
 
 }  // namespace nipref::ref

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include <nipref/ref/memory/internal/contour_nodes.hpp>
@@ -21,18 +22,28 @@ struct PathPoint {
 class Path {
  public:
   Path(Contour contour, mpfr_prec_t precision)
-      : contour_(contour), half_(0.5, precision), cosine_(cos(half_)), sine_(sin(half_)) {}
+      : contour_(contour),
+        half_(0.5, precision),
+        angle_(angle(contour), precision),
+        cosine_(cos(angle_)),
+        sine_(sin(angle_)) {}
 
   [[nodiscard]] PathPoint at(double t) const {
     const Interval rising = exp(Interval(t, half_.precision())), falling = 1 / rising;
     const Interval large = half_ * (rising + falling), small = half_ * (rising - falling);
-    if (contour_ == Contour::up) return {{small * cosine_, large * sine_}, {large * cosine_, small * sine_}};
-    return {{small * cosine_, 3 * half_ - large * sine_}, {large * cosine_, -(small * sine_)}};
+    if (contour_ == Contour::down)
+      return {{small * cosine_, 3 * half_ - large * sine_}, {large * cosine_, -(small * sine_)}};
+    return {{small * cosine_, large * sine_}, {large * cosine_, small * sine_}};
   }
 
  private:
+  static double angle(Contour contour) {
+    if (contour == Contour::low) return 0.25;
+    return contour == Contour::high ? 0.75 : 0.5;
+  }
+
   Contour contour_;
-  Interval half_, cosine_, sine_;
+  Interval half_, angle_, cosine_, sine_;
 };
 
 /// [1 - 2^-k, 1 + 2^-k], and so the imaginary part about 0.
@@ -99,6 +110,12 @@ std::size_t size_in_bytes(const ContourNodes& nodes) {
 }
 
 }  // namespace
+
+double contour_step(double limit) {
+  int exponent = 0;
+  const double fraction = std::frexp(limit, &exponent);
+  return std::ldexp(std::floor(fraction * 16), exponent - 4);
+}
 
 std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key) {
   static Memo<ContourKey, ContourNodes> kept(make_contour_nodes, size_in_bytes);

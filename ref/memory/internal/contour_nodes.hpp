@@ -9,9 +9,14 @@ namespace nipref::ref {
 
 /// Which path in the plane of the symbols, see contour_memory(): t is real along it.
 enum class Contour {
-  up,   ///< z = sinh(t + i/2)
-  down  ///< z = 3i/2 + sinh(t - i/2)
+  up,    ///< z = sinh(t + i/2)
+  down,  ///< z = 3i/2 + sinh(t - i/2)
+  low,   ///< z = sinh(t + i/4), see swinging_memory()
+  high   ///< z = sinh(t + 3i/4)
 };
+
+/// Largest double of four significant bits that is at most `limit`, so that j h is exact.
+double contour_step(double limit);
 
 /// Which nodes t = j h; they are kept and shared by every load position and every rate that ask for the same.
 struct ContourKey {

@@ -18,13 +18,6 @@ constexpr mpfr_prec_t grain_bits = 32;
 
 bool is_odd(Symbol kernel) { return bounds(kernel).parity == Parity::odd; }
 
-/// Largest double of four significant bits that is at most `limit`, so that j h is exact.
-double round_step(double limit) {
-  int exponent = 0;
-  const double fraction = std::frexp(limit, &exponent);
-  return std::ldexp(std::floor(fraction * 16), exponent - 4);
-}
-
 /// A lower bound of q(t), see contour_memory(), from cosh t >= e^t/2, sinh t >= (e^t - 1)/2; ln_alpha may be
 /// -infinity, and exponentials may overflow.
 double nats_below_one(Symbol kernel, double ln_alpha, bool ahead, double t) {
@@ -43,7 +36,7 @@ struct Rule {
 Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
   const bool ahead = alpha.sign() >= 0;
   const double ln_alpha = alpha.log2_magnitude() * ln2;
-  const double step = round_step(2 * std::numbers::pi * half_strip / (nats + 5));
+  const double step = contour_step(2 * std::numbers::pi * half_strip / (nats + 5));
   // The last node is found by bisection. q(t) >= t - 3/2 for I1, and for the others the more so.
   long last = static_cast<long>((nats + 6) / step) + 1;
   for (long below = 0; last - below > 1;) {

@@ -16,5 +16,15 @@ ComplexInterval inverse(const ComplexInterval& x) {
   const Interval size = square(x.real) + square(x.imag);
   return {x.real / size, -(x.imag / size)};
 }
+ComplexInterval exp(const ComplexInterval& x) {
+  const Interval size = exp(x.real);
+  return {size * cos(x.imag), size * sin(x.imag)};
+}
+ComplexInterval sin(const ComplexInterval& x) {
+  return {sin(x.real) * cosh(x.imag), cos(x.real) * sinh(x.imag)};
+}
+ComplexInterval cos(const ComplexInterval& x) {
+  return {cos(x.real) * cosh(x.imag), -(sin(x.real) * sinh(x.imag))};
+}
 
 }  // namespace nipref::ref

@@ -14,5 +14,8 @@ ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval conj(const ComplexInterval& x);
 /// 1/x; parts are infinite where x contains 0.
 ComplexInterval inverse(const ComplexInterval& x);
+ComplexInterval exp(const ComplexInterval& x);
+ComplexInterval sin(const ComplexInterval& x);
+ComplexInterval cos(const ComplexInterval& x);
 
 }  // namespace nipref::ref

@@ -44,9 +44,19 @@ Float45 kernel_5(const Float45& w) { return number(I5(exact(w), 36)); }
 
 Float45 real(const mpq_class& x) { return Float45(x.get_num().get_str()) / Float45(x.get_den().get_str()); }
 
+/// The function of time of (c + b p)/(d + 2 rho p + p^2), c + b p being the numerator.
+Float45 swing(const ExactRatio& fraction, const Float45& since) {
+  const Float45 rho = real(fraction.denominator[1]) / 2, square = rho * rho - real(fraction.denominator[0]);
+  const Float45 b = real(fraction.numerator[1]), c = real(fraction.numerator[0]) - b * rho;
+  const Float45 width = sqrt(abs(square)), x = width * since;
+  return exp(-rho * since) *
+         (square < 0 ? b * cos(x) + c / width * sin(x) : b * cosh(x) + c / width * sinh(x));
+}
+
 /// What of theta comes after the beginning, at once for all rates: the kernels are what takes time.
 Float45 fading(const ExactFunction& theta, const Float45& since) {
   Float45 sum = 0;
+  for (const ExactRatio& fraction : theta.fractions) sum += swing(fraction, since);
   for (const ExactFunction::Term& term : theta.terms)
     sum += real(term.amplitude) * exp(-real(term.rate) * since);
   return sum;
@@ -93,27 +103,35 @@ void check_agrees(const Enclosure& reference, const Float45& other) {
 
 /// A solid with two relaxation times of its own in theta1, another one in theta2; speed and half thickness 1.
 ExactMaterial two_times() {
-  return {{mpq_class(1), {{mpq_class(3, 2), mpq_class(4)}, {mpq_class(1, 4), mpq_class(1, 2)}}},
-          {mpq_class(1, 3), {{mpq_class(1, 5), mpq_class(7)}}}};
+  return {{mpq_class(1), {{mpq_class(3, 2), mpq_class(4)}, {mpq_class(1, 4), mpq_class(1, 2)}}, {}},
+          {mpq_class(1, 3), {{mpq_class(1, 5), mpq_class(7)}}, {}}};
+}
+
+/// A solid whose memory swings four times as fast as it fades in theta1, has two real rates in theta2, and flows besides.
+ExactMaterial swinging() {
+  return {
+      {mpq_class(1),
+       {{mpq_class(1, 8), mpq_class(0)}},
+       {{{mpq_class(9), mpq_class(2)}, {mpq_class(17), mpq_class(2), mpq_class(1)}}}},
+      {mpq_class(1, 3), {}, {{{mpq_class(1), mpq_class(1)}, {mpq_class(2), mpq_class(4), mpq_class(1)}}}}};
 }
 
 const Exact one(1.0);
 
-void check_Un(const std::string& t, const std::string& T) {
+void check_Un(const std::string& t, const std::string& T, const ExactMaterial& solid = two_times()) {
   CAPTURE(t);
   CAPTURE(T);
-  const ExactMaterial solid = two_times();
   const Float45 from = Float45(T) - Float45(t);
   check_agrees(
       moving_load_normal_displacement(exact(t), exact(T), one, one, solid, digits),
       convolution(solid.normal(), kernel_1, from, Float45(T)) / boost::math::constants::pi<Float45>());
 }
 
-void check_Vn(const std::string& t, const std::string& T, const std::string& t0) {
+void check_Vn(const std::string& t, const std::string& T, const std::string& t0,
+              const ExactMaterial& solid = two_times()) {
   CAPTURE(t);
   CAPTURE(T);
   CAPTURE(t0);
-  const ExactMaterial solid = two_times();
   const Float45 alpha = Float45(T) - Float45(t);
   const Float45 eta = Float45(t0) - Float45(t);
   const Float45 sum = convolution(solid.normal(), kernel_3, alpha, Float45(T)) -
@@ -144,6 +162,46 @@ TEST_CASE("moving load: Vn is the memory integral over the elastic kernels, in a
   check_Vn("1.5", "0.5", "-0.5");
   check_Vn("1.5", "-0.75", "0.25");
   check_Vn("1.5", "-0.75", "-2");
+}
+
+TEST_CASE(
+    "moving load: a memory that swings is the memory integral too, and so is one of roots that are no numbers of ours") {
+  check_Un("1.5", "2.25", swinging());
+  check_Un("1.5", "0.5", swinging());
+  check_Un("6", "3", swinging());
+  check_Vn("1.5", "0.5", "-0.5", swinging());
+  check_Vn("0.125", "0.126", "4", swinging());
+}
+
+TEST_CASE("moving load: operators are the solids that their roots make") {
+  const auto list = [](const std::vector<std::string>& texts) {
+    std::vector<Exact> numbers;
+    for (const std::string& text : texts) numbers.push_back(exact(text));
+    return numbers;
+  };
+  // G = 3/8 (1 + p)/(2 + p), K = (1 + p)/(2 + p): the thesis's solid; and with a factor 3 + p on both sides of G.
+  const ExactMaterial solid = exact_solid(Solid::standard_linear_solid, one, one);
+  for (const ExactMaterial& other :
+       {exact_material(
+            exact_operators(list({"2", "1"}), list({"0.375", "0.375"}), list({"2", "1"}), list({"1", "1"}))),
+        exact_material(exact_operators(list({"6", "5", "1"}), list({"1.125", "1.5", "0.375"}),
+                                       list({"2", "1"}), list({"1", "1"})))}) {
+    CHECK(other.theta1.fractions.empty());
+    CHECK(other.theta1.terms[0].rate == solid.theta1.terms[0].rate);
+    CHECK(other.theta1.terms[0].amplitude == solid.theta1.terms[0].amplitude);
+    CHECK(other.theta2.instantaneous == solid.theta2.instantaneous);
+  }
+  // Kelvin and Voigt's G = 1 + p, Maxwell's K = p/(1 + p).
+  const ExactMaterial mixed =
+      exact_material(exact_operators(list({"1"}), list({"1", "1"}), list({"1", "1"}), list({"0", "1"})));
+  CHECK(mixed.theta1.instantaneous == 0);
+  CHECK(mixed.theta2.instantaneous == 0);
+  const auto refused = [&](const std::vector<std::string>& q) {
+    CHECK_THROWS_AS(exact_material(exact_operators(list({"2", "1"}), list(q), list({"1"}), list({"1"}))),
+                    BadInput);
+  };
+  refused({"1", "2", "1"});
+  refused({"0", "0", "1"});
 }
 
 TEST_CASE("moving load: steady Un is the memory integral of a load that came from far away") {

@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 7> models{
     "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis"};
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
-constexpr std::size_t prony_model = 4, operators_model = 5;
+constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
 
 std::size_t model_number(double argument) { return static_cast<std::size_t>(argument); }
 SpringModel model_of(double argument) { return of_springs[model_number(argument)]; }
@@ -72,6 +72,18 @@ void append_modulus(std::vector<Argument>& arguments, const std::string& name, c
   arguments.push_back({name + "_viscosity", ArgumentKind::positive, spring, {}});
 }
 
+/// Whether the argument number `i` is read, of a spring or a dashpot only if the model has it.
+bool is_read(std::size_t model, std::size_t i) {
+  if (i < shear_at) return true;
+  if (i == tau_at) return model == thesis_model;
+  if (i >= operators_at) return model == operators_model;
+  if (i >= prony_at) return model == prony_model;
+  if (model == prony_model || model == operators_model) return false;
+  const std::size_t part = (i - shear_at) % 3;
+  if (part == 1) return model == 0;
+  return part == 0 || (model < of_springs.size() && of_springs[model] != SpringModel::elastic);
+}
+
 /// Springs and times far apart or alike; `variable` is t, or 1/omega.
 Point draw_material(Random& random) {
   const double time = random.log_uniform(1e-8, 1e8);
@@ -97,9 +109,24 @@ Point draw_material(Random& random) {
   return x;
 }
 
+/// About the fastest rate there is.
+double fastest_rate(const Point& x) {
+  const std::size_t model = model_number(x[1]);
+  if (model == thesis_model) return 2 / x[tau_at];
+  if (model == prony_model)
+    return std::max({x[prony_at + 2], x[prony_at + 4], x[prony_at + 7], x[prony_at + 9]});
+  if (model < of_springs.size()) return (x[2] + x[3]) / x[4] + (x[5] + x[6]) / x[7];
+  double fastest = 0;
+  for (std::size_t k = operators_at; k + 1 < x.size(); ++k) {
+    const bool of_one_polynomial = (k - operators_at) % 3 != 2;
+    if (of_one_polynomial && x[k + 1] > 0) fastest += x[k] / x[k + 1];
+  }
+  return fastest;
+}
+
 /// Not so long after that what is left is no number of the reference's any more.
 void keep_remembered(Point& x) {
-  const double fastest = (x[2] + x[3]) / x[4] + (x[5] + x[6]) / x[7];
+  const double fastest = fastest_rate(x);
   if (x[0] * fastest > 1e8) x[0] = 1e8 / fastest;
 }
 
@@ -119,7 +146,11 @@ Quantity material_entry(std::string name, std::string definition, std::string so
   entry.arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
   append_prony_arguments(entry.arguments);
   append_operator_arguments(entry.arguments);
-  entry.draw = draw_material;
+  entry.draw = [arguments = entry.arguments](Random& random) {
+    Point x = draw_material(random);
+    default_unread(x, arguments, [model = model_number(x[1])](std::size_t i) { return is_read(model, i); });
+    return x;
+  };
   if (kind == ArgumentKind::time) entry.keep_off = keep_remembered;
   entry.audit_points = 1000;
   entry.timed_alone = false;
@@ -217,8 +248,8 @@ Quantity cyclic_entry(const char* name, const char* definition, OfOneModulus of,
   } else {
     set_evaluators(entry, NIPREF_CYCLIC(storage));
   }
-  entry.draw = [](Random& random) {
-    Point x = draw_material(random);
+  entry.draw = [draw = entry.draw](Random& random) {
+    Point x = draw(random);
     if (x[0] != 0) x[0] = 1 / x[0];
     return x;
   };

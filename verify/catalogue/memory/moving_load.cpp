@@ -27,11 +27,14 @@ using ref::Exact;
 
 constexpr double moving_load_promise = 8;
 constexpr auto remembered_size =
-    "sum of the magnitudes of its kernels: at the point, and in the integrals of its memory";
+    "sum of the magnitudes of its kernels: at the point, and in the integrals of its memory, a rate that is rounded "
+    "counting that rate times the time since";
 
-// The sheet's arguments: speed, half_thickness, material, bulk, tau, the series.
-constexpr std::size_t prony_in_sheet = 5;
-constexpr double standard_linear_solid = 0, prony_model_number = 2;
+// The sheet's arguments: speed, half_thickness, material, bulk, tau, the series, the operators.
+constexpr std::size_t bulk_in_sheet = 3, prony_in_sheet = 5,
+                      operators_in_sheet = prony_in_sheet + prony_arguments,
+                      sheet_arguments = operators_in_sheet + operator_arguments;
+constexpr double standard_linear_solid = 0, thesis_solid = 1, prony_solid = 2, solid_of_operators = 3;
 
 /// Terms of equal rate joined, those of amplitude 0 left out.
 data::MaterialFunction joined_series(const data::PronyList& list) {
@@ -50,19 +53,20 @@ data::MaterialFunction joined_series(const data::PronyList& list) {
 }
 
 /// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
-/// e^(-2t/tau). Or a series. x: the sheet's arguments.
+/// e^(-2t/tau). Or a series, or operators. x: the sheet's arguments.
 data::ViscoelasticMaterial material_of(Arguments x) {
-  if (x[2] == prony_model_number) {
+  if (x[2] == prony_solid) {
     const data::PronySeries series = prony_of(x.subspan(prony_in_sheet));
     return {joined_series(series.theta1), joined_series(series.theta2)};
   }
+  if (x[2] == solid_of_operators) return data::operator_solid(operators_of(x.subspan(operators_in_sheet)));
   const data::Compliances at_once{4 / (3 * x[3]), 4 / (9 * x[3])};
   return x[2] == standard_linear_solid ? data::single_relaxation_time_solid(at_once, x[4])
                                        : data::misprinted_thesis_solid(at_once, x[4]);
 }
 
 ref::ExactFunction exact_series_of(Exacts x) {
-  ref::ExactFunction function{x[0].value(), {}};
+  ref::ExactFunction function{x[0].value(), {}, {}};
   for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
     if (x[k].sign() != 0) function.terms.push_back({x[k].value(), x[k + 1].value()});
   }
@@ -71,7 +75,9 @@ ref::ExactFunction exact_series_of(Exacts x) {
 
 ref::ExactMaterial exact_material_of(Exacts x) {
   const double solid = x[2].approximate();
-  if (solid == prony_model_number)
+  if (solid == solid_of_operators)
+    return ref::exact_material(exact_operators_of(x.subspan(operators_in_sheet)));
+  if (solid == prony_solid)
     return {exact_series_of(x.subspan(prony_in_sheet)),
             exact_series_of(x.subspan(prony_in_sheet + prony_arguments / 2))};
   return ref::exact_solid(
@@ -80,10 +86,10 @@ ref::ExactMaterial exact_material_of(Exacts x) {
 
 double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::fabs(w))); }
 
-/// int magnitude(w) e^(-rate (w - from)) dw from `from` to `to`: the exponential's scale, the logarithm at 0
-/// and the kernels' own scale set the pieces.
+/// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`: the exponential's scale, the
+/// logarithm at 0 and the kernels' own scale set the pieces.
 template <class Magnitude>
-double remembered(Magnitude magnitude, double rate, double from, double to) {
+double remembered(Magnitude magnitude, double rate, double rounded, double from, double to) {
   // Towards the load the kernels grow faster than some memories fade.
   const double forgotten = rate > 0 ? 40 / rate : std::isinf(to) ? 20 : to;
   const double end = std::min(to, std::max(from, 0.0) + forgotten);
@@ -96,19 +102,26 @@ double remembered(Magnitude magnitude, double rate, double from, double to) {
   double sum = 0;
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     sum += boost::math::quadrature::gauss<double, 15>::integrate(
-        [&](double w) { return magnitude(w) * std::exp(-rate * (w - from)); }, cuts[i - 1], cuts[i]);
+        [&](double w) { return magnitude(w) * (1 + rounded * (w - from)) * std::exp(-rate * (w - from)); },
+        cuts[i - 1], cuts[i]);
   }
   return sum;
 }
 
+/// A material function, and whether its rates come out of a division or of roots.
+struct Rounded {
+  data::MaterialFunction theta;
+  bool rates_are_rounded;
+};
+
 /// Of theta * kernel at the distance `from`, the load having started at `to`.
 template <class Magnitude>
-double convolved(const data::MaterialFunction& theta, double way_per_time, Magnitude magnitude, double from,
-                 double to) {
-  double sum = theta.instantaneous * magnitude(from);
-  for (const data::RelaxationTerm& term : theta.terms) {
-    sum += term.amplitude.real() / way_per_time *
-           remembered(magnitude, term.rate.real() / way_per_time, from, to);
+double convolved(const Rounded& of, double way_per_time, Magnitude magnitude, double from, double to) {
+  double sum = of.theta.instantaneous * magnitude(from);
+  for (const data::RelaxationTerm& term : of.theta.terms) {
+    const double rounded = of.rates_are_rounded ? std::abs(term.rate) / way_per_time : 0;
+    sum += std::abs(term.amplitude) / way_per_time *
+           remembered(magnitude, term.rate.real() / way_per_time, rounded, from, to);
   }
   return sum;
 }
@@ -117,18 +130,32 @@ struct Journey {
   double from, to;
 };
 
-double size_Un(const data::ViscoelasticMaterial& material, double way_per_time, Journey point) {
-  return convolved(material.normal_compliance(), way_per_time, magnitude_I1, point.from, point.to) / pi;
-}
+/// x: the sheet's arguments.
+class Sizes {
+ public:
+  explicit Sizes(Arguments x)
+      : material_(material_of(x)), rounded_(x[2] != prony_solid), way_per_time_(x[0] / x[1]) {}
 
-double size_Vn(const data::ViscoelasticMaterial& material, double way_per_time, Journey point, Journey pin) {
-  const auto sign = [](double) { return pi / 2; };
-  return (convolved(material.normal_compliance(), way_per_time, magnitude_I3, point.from, point.to) +
-          convolved(material.theta2(), way_per_time, sign, point.from, point.to) +
-          convolved(material.theta2(), way_per_time, magnitude_I4, pin.from, pin.to) +
-          convolved(material.theta1(), way_per_time, magnitude_I5, pin.from, pin.to)) /
-         pi;
-}
+  [[nodiscard]] double Un(Journey point) const {
+    return of(material_.normal_compliance(), magnitude_I1, point) / pi;
+  }
+  [[nodiscard]] double Vn(Journey point, Journey pin) const {
+    const auto sign = [](double) { return pi / 2; };
+    return (of(material_.normal_compliance(), magnitude_I3, point) + of(material_.theta2(), sign, point) +
+            of(material_.theta2(), magnitude_I4, pin) + of(material_.theta1(), magnitude_I5, pin)) /
+           pi;
+  }
+
+ private:
+  template <class Magnitude>
+  [[nodiscard]] double of(const data::MaterialFunction& theta, Magnitude magnitude, Journey way) const {
+    return convolved({theta, rounded_}, way_per_time_, magnitude, way.from, way.to);
+  }
+
+  data::ViscoelasticMaterial material_;
+  bool rounded_;
+  double way_per_time_;
+};
 
 Journey started(double t, double T, double way_per_time) {
   return {way_per_time * (T - t), way_per_time * T};
@@ -142,10 +169,27 @@ void append_sheet(std::vector<Argument>& arguments) {
                        ArgumentKind::choice,
                        "standard-linear-solid",
                        {},
-                       {"standard-linear-solid", "thesis", "prony"}});
+                       {"standard-linear-solid", "thesis", "prony", "operators"}});
   arguments.push_back({"bulk", ArgumentKind::positive, "1", {}});
   arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
   append_prony_arguments(arguments);
+  append_operator_arguments(arguments);
+}
+
+const std::vector<Argument>& arguments_of_sheet() {
+  static const std::vector<Argument> arguments = [] {
+    std::vector<Argument> all;
+    append_sheet(all);
+    return all;
+  }();
+  return arguments;
+}
+
+/// Whether the sheet's argument number `i` is read.
+bool sheet_reads(double material, std::size_t i) {
+  if (i < bulk_in_sheet) return true;
+  if (i < prony_in_sheet) return material == standard_linear_solid || material == thesis_solid;
+  return material == (i < operators_in_sheet ? prony_solid : solid_of_operators);
 }
 
 /// Makes theta2 a part of theta1 that creeps at least as much: what has such functions gains no energy. x: the series.
@@ -160,15 +204,41 @@ void keep_passive(double* x) {
   plane[4] = x[4];
 }
 
+/// Whether there is such a material, whose memory does not swing so often while it fades that a second method takes
+/// minutes.
+bool is_soon_confirmed(Arguments sheet) {
+  constexpr double most_turns = 30;
+  try {
+    const data::ViscoelasticMaterial material = material_of(sheet);
+    return std::ranges::all_of(material.normal_compliance().terms, [](const data::RelaxationTerm& term) {
+      return std::fabs(term.rate.imag()) <= most_turns * term.rate.real();
+    });
+  } catch (const data::BadInput&) {
+    return false;
+  }
+}
+
 /// The sheet's arguments: relaxation rates from 1e-12 to 1e12 speed/half_thickness, or 0.
 std::vector<double> draw_sheet(Random& random) {
-  const double speed = random.log_uniform(1e-3, 1e3), half_thickness = random.log_uniform(1e-3, 1);
-  const double unit = half_thickness / speed;
-  std::vector<double> sheet{speed, half_thickness, static_cast<double>(random.index(3)),
-                            random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-12, 1e12)};
-  draw_prony(sheet, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
-  keep_passive(&sheet[prony_in_sheet]);
-  return sheet;
+  for (;;) {
+    const double speed = random.log_uniform(1e-3, 1e3), half_thickness = random.log_uniform(1e-3, 1);
+    const double unit = half_thickness / speed;
+    std::vector<double> sheet{speed, half_thickness, static_cast<double>(random.index(4)),
+                              random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-12, 1e12)};
+    draw_prony(sheet, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
+    keep_passive(&sheet[prony_in_sheet]);
+    draw_operators(sheet, random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-5, 1e5), random);
+    default_unread(sheet, arguments_of_sheet(), [&](std::size_t i) { return sheet_reads(sheet[2], i); });
+    if (sheet[2] != solid_of_operators || is_soon_confirmed(sheet)) return sheet;
+  }
+}
+
+/// A neighbour of a passive solid may gain energy: then it is a solid that does not.
+void keep_material(double* x) {
+  keep_passive(x + prony_in_sheet);
+  if (x[2] == solid_of_operators && !is_soon_confirmed({x, sheet_arguments}))
+    default_unread({x, sheet_arguments}, arguments_of_sheet(),
+                   [](std::size_t i) { return i < operators_in_sheet; });
 }
 
 Point joined(Point times, const std::vector<double>& sheet) {
@@ -191,12 +261,12 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.promise = moving_load_promise;
   entry.audit_points = 100;
   entry.timed_alone = false;
-  entry.keep_off = [](Point& point) { keep_passive(&point[point.size() - prony_arguments]); };
+  entry.keep_off = [](Point& point) { keep_material(&point[point.size() - sheet_arguments]); };
   return entry;
 }
 
-// In all entries `at` is where the sheet's arguments begin. 1/tau is rounded before fast gets it, and where
-// e^(-t/tau) has faded that is felt: the audit takes the material that fast was given.
+// In all entries `at` is where the sheet's arguments begin. Rates that come out of 1/tau or of roots are rounded before
+// fast gets them, and where e^(-rate t) has faded that is felt: the scale counts rate t times.
 
 data::ViscoelasticMaterial material_at(Arguments x, std::size_t at) { return material_of(x.subspan(at)); }
 /// The one that was asked for last is kept: a search along one argument asks for the same sheet again and again, and
@@ -213,9 +283,6 @@ const fast::MovingLoad& load_at(Arguments x, std::size_t at, Accuracy accuracy) 
     last.emplace(Last{std::move(sheet), {material_at(x, at), x[at], x[at + 1], accuracy}});
   return last->load;
 }
-ref::ExactMaterial exact_of_material_at(Arguments x, std::size_t at) {
-  return ref::exact_material(material_at(x, at));
-}
 ref::ExactMaterial exact_at(Exacts x, std::size_t at) { return exact_material_of(x.subspan(at)); }
 
 Quantity entry_Un() {
@@ -231,23 +298,19 @@ Quantity entry_Un() {
     const double unit = sheet[1] / sheet[0], t = random.log_uniform(1e-9, 50);
     return joined({unit * t, unit * draw_passing_time(t, random)}, sheet);
   };
-  entry.keep_off = [keep_passive = entry.keep_off](Point& point) {
-    keep_passive(point);
+  entry.keep_off = [keep_material = entry.keep_off](Point& point) {
+    keep_material(point);
     if (point[0] == point[1]) point[1] = std::nextafter(point[1], HUGE_VAL);
   };
   entry.by_ref = [](Exacts x, int digits) {
     return ref::moving_load_normal_displacement(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
-  };
-  entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::moving_load_normal_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
-                                                exact_of_material_at(x, 2), digits);
   };
   set_fast(entry, [](Arguments x, Accuracy accuracy) {
     return load_at(x, 2, accuracy).normal_displacement(x[0], x[1]);
   });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[2] / x[3];
-    return size_Un(material_at(x, 2), way_per_time, started(x[0], x[1], way_per_time));
+    return Sizes(x.subspan(2)).Un(started(x[0], x[1], way_per_time));
   };
   return entry;
 }
@@ -271,17 +334,12 @@ Quantity entry_Vn() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::moving_load_tangential_displacement(x[0], x[1], x[2], x[3], x[4], exact_at(x, 3), digits);
   };
-  entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::moving_load_tangential_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
-                                                    Exact(x[4]), exact_of_material_at(x, 3), digits);
-  };
   set_fast(entry, [](Arguments x, Accuracy accuracy) {
     return load_at(x, 3, accuracy).tangential_displacement(x[0], x[1], x[2]);
   });
   entry.envelope = [](Arguments x) {
     const double way_per_time = x[3] / x[4];
-    return size_Vn(material_at(x, 3), way_per_time, started(x[0], x[1], way_per_time),
-                   started(x[0], x[2], way_per_time));
+    return Sizes(x.subspan(3)).Vn(started(x[0], x[1], way_per_time), started(x[0], x[2], way_per_time));
   };
   return entry;
 }
@@ -296,14 +354,10 @@ Quantity entry_Un_steady() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::moving_load_steady_normal_displacement(x[0], x[1], x[2], exact_at(x, 1), digits);
   };
-  entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::moving_load_steady_normal_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]),
-                                                       exact_of_material_at(x, 1), digits);
-  };
   set_fast(entry, [](Arguments x, Accuracy accuracy) {
     return load_at(x, 1, accuracy).steady_normal_displacement(x[0]);
   });
-  entry.envelope = [](Arguments x) { return size_Un(material_at(x, 1), x[1] / x[2], steady(x[0])); };
+  entry.envelope = [](Arguments x) { return Sizes(x.subspan(1)).Un(steady(x[0])); };
   return entry;
 }
 
@@ -320,16 +374,10 @@ Quantity entry_Vn_steady() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::moving_load_steady_tangential_displacement(x[0], x[1], x[2], x[3], exact_at(x, 2), digits);
   };
-  entry.by_ref_of_doubles = [](Arguments x, int digits) {
-    return ref::moving_load_steady_tangential_displacement(Exact(x[0]), Exact(x[1]), Exact(x[2]), Exact(x[3]),
-                                                           exact_of_material_at(x, 2), digits);
-  };
   set_fast(entry, [](Arguments x, Accuracy accuracy) {
     return load_at(x, 2, accuracy).steady_tangential_displacement(x[0], x[1]);
   });
-  entry.envelope = [](Arguments x) {
-    return size_Vn(material_at(x, 2), x[2] / x[3], steady(x[0]), steady(x[1]));
-  };
+  entry.envelope = [](Arguments x) { return Sizes(x.subspan(2)).Vn(steady(x[0]), steady(x[1])); };
   return entry;
 }
 

@@ -84,106 +84,126 @@ Complex Pole::*residue_of(Remembered kernel) {
 struct Piece {
   Float near, distant;
   bool freshest_near;
-  Float rate;
+  Complex rate;
 
-  [[nodiscard]] Float age(const Float& x) const {
-    return rate * (freshest_near ? Float(x - near) : Float(distant - x));
+  /// What is left of what came at x.
+  [[nodiscard]] Complex left(const Float& x) const {
+    return exp(Complex(-rate * (freshest_near ? Float(x - near) : Float(distant - x))));
   }
 };
 
 /// Of what is smaller than this part of the freshest nothing is left.
 constexpr int forgotten = 200;
 
-Float by_gauss(const std::function<Float(const Float&)>& f, const Float& a, const Float& b, bool coarse) {
-  return coarse ? gauss<Float, 40>::integrate(f, a, b) : gauss<Float, 52>::integrate(f, a, b);
+/// int f left dx, f real.
+Complex by_gauss(const std::function<Float(const Float&)>& f, const Piece& piece, const Float& a,
+                 const Float& b, bool coarse) {
+  const bool swings = piece.rate.imag() != 0;
+  const auto part = [&](auto part_of) {
+    const auto integrand = [&](const Float& x) -> Float { return f(x) * part_of(piece.left(x)); };
+    return coarse ? gauss<Float, 40>::integrate(integrand, a, b)
+                  : gauss<Float, 52>::integrate(integrand, a, b);
+  };
+  const Float real = part([](const Complex& z) -> Float { return z.real(); });
+  return {real, swings ? part([](const Complex& z) -> Float { return z.imag(); }) : Float(0)};
 }
 
 /// Of -ln x from 0 on, where the panels would never end: x = end e^(-v), as far as 10^-70 of it.
-Float logarithm_at_zero(const Piece& piece, const Float& end, bool coarse) {
-  Float sum = 0;
+Complex logarithm_at_zero(const Piece& piece, const Float& end, bool coarse) {
+  Complex sum = 0;
+  const auto part = [&](int v, auto part_of) {
+    const auto integrand = [&](const Float& u) -> Float {
+      const Float x = end * exp(-u);
+      return -log(x) * x * part_of(piece.left(x));
+    };
+    return coarse ? gauss<Float, 40>::integrate(integrand, Float(v), Float(v + 4))
+                  : gauss<Float, 52>::integrate(integrand, Float(v), Float(v + 4));
+  };
   for (int v = 0; v < 176; v += 4) {
-    sum += by_gauss(
-        [&](const Float& u) -> Float {
-          const Float x = end * exp(-u);
-          return -log(x) * x * exp(-piece.age(x));
-        },
-        Float(v), Float(v + 4), coarse);
+    sum += Complex(part(v, [](const Complex& z) -> Float { return z.real(); }),
+                   part(v, [](const Complex& z) -> Float { return z.imag(); }));
   }
   return sum;
 }
 
 /// Within 3 of the load, 0 <= near < distant <= 3.
-Float close_piece(Remembered kernel, Piece piece, bool coarse) {
-  if (piece.rate * (piece.distant - piece.near) > forgotten) {
+Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
+  const Float fades = piece.rate.real(), turns = abs(piece.rate);
+  if (fades * (piece.distant - piece.near) > forgotten) {
     if (piece.freshest_near) {
-      piece.distant = piece.near + forgotten / piece.rate;
+      piece.distant = piece.near + forgotten / fades;
     } else {
       // The ages still count from the far end.
-      piece.near = piece.distant - forgotten / piece.rate;
+      piece.near = piece.distant - forgotten / fades;
     }
   }
   const bool has_logarithm = kernel == Remembered::I1;
   const Interpolant& smooth = smooth_part(kernel);
   const auto remembered = [&](const Float& x) -> Float {
-    const Float value =
-        has_logarithm ? Float(smooth.at(x) - log(x)) : Float(smooth.at(x) * x - pi<Float>() / 4);
-    return value * exp(-piece.age(x));
+    return has_logarithm ? Float(smooth.at(x) - log(x)) : Float(smooth.at(x) * x - pi<Float>() / 4);
   };
-  const auto without_logarithm = [&](const Float& x) -> Float { return smooth.at(x) * exp(-piece.age(x)); };
-  Float sum = 0, from = piece.near;
+  const auto without_logarithm = [&](const Float& x) -> Float { return smooth.at(x); };
+  Complex sum = 0;
+  Float from = piece.near;
   while (from < piece.distant) {
     Float to = std::min<Float>(piece.distant, from + Float(1) / 2);
-    if (piece.rate > 0) to = std::min<Float>(to, from + 8 / piece.rate);
+    if (turns > 0) to = std::min<Float>(to, from + 8 / turns);
     if (has_logarithm && from > 0) to = std::min<Float>(to, 2 * from);
     if (has_logarithm && from == 0) {
-      sum += by_gauss(without_logarithm, from, to, coarse) + logarithm_at_zero(piece, to, coarse);
+      sum += by_gauss(without_logarithm, piece, from, to, coarse) + logarithm_at_zero(piece, to, coarse);
     } else {
-      sum += by_gauss(remembered, from, to, coarse);
+      sum += by_gauss(remembered, piece, from, to, coarse);
     }
     from = to;
   }
   return sum;
 }
 
-/// int e^(i x z) e^(-age) dx over near <= x <= distant (none: infinity), as parts at the two ends.
+/// int e^(i x z) left dx over near <= x <= distant (none: infinity), as parts at the two ends.
 Complex of_wave(const Complex& z, const Piece& piece, bool endless) {
   const Complex slope =
-      Complex(-z.imag(), z.real()) + Complex(piece.freshest_near ? Float(-piece.rate) : piece.rate);
+      Complex(-z.imag(), z.real()) + (piece.freshest_near ? Complex(-piece.rate) : piece.rate);
   const auto at = [&](const Float& x) -> Complex {
-    return exp(Complex(-z.imag() * x - piece.age(x), z.real() * x)) / slope;
+    return exp(Complex(-z.imag() * x, z.real() * x)) * piece.left(x) / slope;
   };
   return endless ? Complex(-at(piece.near)) : Complex(at(piece.distant) - at(piece.near));
 }
 
-/// Beyond 3.
-Float far_piece(Remembered kernel, const Piece& piece, bool endless) {
+/// Beyond 3: of the two waves of a pole, z and the one at -conj z, which are conjugate but for the memory.
+Complex far_piece(Remembered kernel, const Piece& piece, bool endless) {
+  const bool is_odd = kernel != Remembered::I1;
+  const Complex i(Float(0), Float(1));
   Complex sum = 0;
-  for (std::size_t n = poles; n >= 1; --n)
-    sum += pole(n).*residue_of(kernel) * of_wave(pole(n).z, piece, endless);
-  return kernel == Remembered::I1 ? Float(-2 * pi<Float>() * sum.imag())
-                                  : Float(2 * pi<Float>() * sum.real());
+  for (std::size_t n = poles; n >= 1; --n) {
+    const Complex residue = pole(n).*residue_of(kernel), z = pole(n).z;
+    const Complex wave = residue * of_wave(z, piece, endless);
+    const Complex mirrored = conj(residue) * of_wave(Complex(-conj(z)), piece, endless);
+    sum += is_odd ? Complex(wave + mirrored) : Complex((wave - mirrored) * i);
+  }
+  return sum * pi<Float>();
 }
 
 /// One side of the load: distances from `near` to `distant` (none: infinity); freshest at the near end or at the other.
-Float one_side(Remembered kernel, const mpq_class& near, const std::optional<mpq_class>& distant,
-               bool freshest_near, const mpq_class& rate, bool coarse) {
-  const Float rho = to_number<Float>(rate);
+Complex one_side(Remembered kernel, const mpq_class& near, const std::optional<mpq_class>& distant,
+                 bool freshest_near, const Complex& rate, bool coarse) {
   const mpq_class border = far;
   const bool goes_far = !distant || *distant > border;
-  Float sum = 0;
+  Complex sum = 0;
   const auto freshest_at = [&] { return to_number<Float>(freshest_near ? near : *distant); };
   if (near < border) {
     const mpq_class end = goes_far ? border : *distant;
-    const Piece piece{to_number<Float>(near), to_number<Float>(end), freshest_near, rho};
+    const Piece piece{to_number<Float>(near), to_number<Float>(end), freshest_near, rate};
     // Counted from the piece's own end: what has faded until there is a factor.
-    const Float faded = freshest_near ? Float(1) : Float(exp(-rho * (freshest_at() - piece.distant)));
+    const Complex faded =
+        freshest_near ? Complex(1) : exp(Complex(-rate * Float(freshest_at() - piece.distant)));
     sum += faded * close_piece(kernel, piece, coarse);
   }
   if (goes_far) {
     const mpq_class begin = std::max(near, border);
     const Piece piece{to_number<Float>(begin), distant ? to_number<Float>(*distant) : Float(0), freshest_near,
-                      rho};
-    const Float faded = freshest_near ? Float(exp(-rho * (piece.near - freshest_at()))) : Float(1);
+                      rate};
+    const Complex faded =
+        freshest_near ? exp(Complex(-rate * Float(piece.near - freshest_at()))) : Complex(1);
     sum += faded * far_piece(kernel, piece, !distant);
   }
   return sum;
@@ -191,9 +211,9 @@ Float one_side(Remembered kernel, const mpq_class& near, const std::optional<mpq
 
 }  // namespace
 
-Float history(Remembered kernel, const mpq_class& from, const std::optional<mpq_class>& to,
-              const mpq_class& rate, bool coarse) {
-  Float sum = 0;
+Complex history(Remembered kernel, const mpq_class& from, const std::optional<mpq_class>& to,
+                const Complex& rate, bool coarse) {
+  Complex sum = 0;
   const int parity = kernel == Remembered::I1 ? 1 : -1;
   if (from < 0) {
     const mpq_class end = to && *to < 0 ? *to : mpq_class(0);
@@ -201,25 +221,28 @@ Float history(Remembered kernel, const mpq_class& from, const std::optional<mpq_
   }
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
-    const Float faded = exp(-to_number<Float>(mpq_class(rate * (begin - from))));
+    const Complex faded = exp(Complex(-rate * to_number<Float>(mpq_class(begin - from))));
     sum += faded * one_side(kernel, begin, to, true, rate, coarse);
   }
   return sum;
 }
 
-Long history_of_sign(const mpq_class& from, const std::optional<mpq_class>& to, const mpq_class& rate) {
-  const Long rho = to_number<Long>(rate);
-  Long sum = 0;
-  if (from < 0) {
-    const mpq_class length = (to && *to < 0 ? *to : mpq_class(0)) - from;
-    sum -= faded_length<Long>(rho, to_number<Long>(length));
-  }
+LongComplex history_of_sign(const mpq_class& from, const std::optional<mpq_class>& to,
+                            const LongComplex& rate) {
+  const auto over = [&](const mpq_class& length) -> LongComplex {
+    const Long way = to_number<Long>(length);
+    return rate == LongComplex(0) ? LongComplex(way)
+                                  : LongComplex((LongComplex(1) - exp(LongComplex(-rate * way))) / rate);
+  };
+  LongComplex sum = 0;
+  if (from < 0) sum -= over((to && *to < 0 ? *to : mpq_class(0)) - from);
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
     // At rate 0 beside an infinite length, which is the same wherever it begins.
-    const Long endless = rho > 0 ? Long(1 / rho) : to_number<Long>(mpq_class(from - begin));
-    const Long rest = to ? faded_length<Long>(rho, to_number<Long>(mpq_class(*to - begin))) : endless;
-    sum += exp(-to_number<Long>(mpq_class(rate * (begin - from)))) * rest;
+    const LongComplex endless = rate == LongComplex(0) ? LongComplex(to_number<Long>(mpq_class(from - begin)))
+                                                       : LongComplex(LongComplex(1) / rate);
+    const LongComplex rest = to ? over(mpq_class(*to - begin)) : endless;
+    sum += exp(LongComplex(-rate * to_number<Long>(mpq_class(begin - from)))) * rest;
   }
   return sum;
 }

@@ -3,9 +3,9 @@
 #include <map>
 #include <string>
 
-#include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/memory.hpp>
+#include <nipref/verify/golden/confirm/solid_terms.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
@@ -67,43 +67,45 @@ struct Way {
   std::optional<mpq_class> start;
 };
 
-/// theta * I for a material function of doubles.
+/// theta * I.
 class Convolution {
  public:
-  Convolution(data::MaterialFunction theta, double speed, double half_thickness)
-      : theta_(std::move(theta)), way_per_time_(mpq_class(speed) / mpq_class(half_thickness)) {}
+  Convolution(SolidFunction theta, double speed, double half_thickness) : theta_(std::move(theta)) {
+    const Long way_per_time = Long(speed) / Long(half_thickness);
+    for (auto& [amplitude, rate] : theta_.terms) {
+      amplitude /= way_per_time;
+      rate /= way_per_time;
+    }
+  }
 
   void add(Long& sum, Float& error, int sign, Remembered kernel, const Way& way) const {
-    const auto part = [&](const mpq_class& amplitude, const Float& fine, const Float& coarse) {
-      const Float by = to_number<Float>(amplitude);
-      sum += sign * Long(by * fine);
-      error += abs(by) * (abs(fine - coarse) + abs(fine) * Float("1e-65"));
+    const auto part = [&](const LongComplex& amplitude, const Complex& fine, const Complex& coarse) {
+      const LongComplex whole(Long(fine.real()), Long(fine.imag()));
+      sum += sign * LongComplex(amplitude * whole).real();
+      error += Float(abs(amplitude)) * Float(abs(Complex(fine - coarse)) + abs(fine) * Float("1e-65"));
     };
     const bool is_odd = kernel != Remembered::I1;
     if (!is_odd || sgn(way.alpha) != 0) {
       const Split now = at(kernel, way.alpha);
       const Float rest = is_odd ? Float(now.value() - sgn(way.alpha) * pi<Float>() / 4) : now.rest;
       const Float exact_rest = now.quarters != 0 ? now.rest : rest;
-      part(theta_.instantaneous, exact_rest, exact_rest);
+      part(LongComplex(theta_.instantaneous), exact_rest, exact_rest);
     }
-    for (const data::RelaxationTerm& term : theta_.terms) {
+    for (const auto& [amplitude, rate] : theta_.terms) {
       if (is_at_rest(way)) continue;
-      const mpq_class rate = mpq_class(term.rate.real()) / way_per_time_;
-      part(mpq_class(term.amplitude.real()) / way_per_time_,
-           history(kernel, way.alpha, way.start, rate, false),
-           history(kernel, way.alpha, way.start, rate, true));
+      const Complex short_rate(Float(rate.real()), Float(rate.imag()));
+      part(amplitude, history(kernel, way.alpha, way.start, short_rate, false),
+           history(kernel, way.alpha, way.start, short_rate, true));
     }
     if (is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
   }
 
   /// theta * (pi sign) times `share`.
   void add_sign(Long& sum, int sign, const mpq_class& share, const Way& way) const {
-    Long total = to_number<Long>(theta_.instantaneous) * sgn(way.alpha);
-    for (const data::RelaxationTerm& term : theta_.terms) {
-      if (is_at_rest(way)) continue;
-      const mpq_class amplitude = mpq_class(term.amplitude.real()) / way_per_time_;
-      total += to_number<Long>(amplitude) *
-               history_of_sign(way.alpha, way.start, mpq_class(mpq_class(term.rate.real()) / way_per_time_));
+    Long total = theta_.instantaneous * sgn(way.alpha);
+    for (const auto& [amplitude, rate] : theta_.terms) {
+      if (!is_at_rest(way))
+        total += LongComplex(amplitude * history_of_sign(way.alpha, way.start, rate)).real();
     }
     sum += sign * total * to_number<Long>(share) * pi<Long>();
   }
@@ -124,36 +126,18 @@ class Convolution {
     }
   }
 
-  data::MaterialFunction theta_;
-  mpq_class way_per_time_;
+  SolidFunction theta_;
 };
 
-/// The sheet's arguments: speed, half thickness, material, bulk, tau, a series; the material that fast was given, its constants
-/// rounded to doubles.
+/// The sheet's arguments: speed, half thickness, and what a solid is.
 struct Sheet {
   Convolution theta1, theta2;
 
-  explicit Sheet(Arguments x) : Sheet(material(x), x[0], x[1]) {}
+  explicit Sheet(Arguments x) : Sheet(solid_terms(x.subspan(2)), x[0], x[1]) {}
 
  private:
-  Sheet(const data::ViscoelasticMaterial& material, double speed, double half_thickness)
-      : theta1(material.theta1(), speed, half_thickness), theta2(material.theta2(), speed, half_thickness) {}
-
-  /// As fast has it: what fades at one rate is added in double.
-  static data::MaterialFunction series(Arguments x) {
-    if (x[1] != 0 && x[3] != 0 && x[2] == x[4]) return {x[0], {{x[1] + x[3], x[2]}}};
-    data::MaterialFunction function{x[0], {}};
-    if (x[1] != 0) function.terms.push_back({x[1], x[2]});
-    if (x[3] != 0) function.terms.push_back({x[3], x[4]});
-    return function;
-  }
-
-  static data::ViscoelasticMaterial material(Arguments x) {
-    if (x[2] == 2) return {series(x.subspan(5)), series(x.subspan(10))};
-    const data::Compliances at_once{4 / (3 * x[3]), 4 / (9 * x[3])};
-    return x[2] == 0 ? data::single_relaxation_time_solid(at_once, x[4])
-                     : data::misprinted_thesis_solid(at_once, x[4]);
-  }
+  Sheet(const SolidTerms& solid, double speed, double half_thickness)
+      : theta1(solid.theta1, speed, half_thickness), theta2(solid.theta2, speed, half_thickness) {}
 };
 
 Witness over_pi(const Long& sum, const Float& error) {

@@ -77,7 +77,7 @@ Numbers elastic_numbers(Arguments x) {
 /// I(x) + memory rate int_0^inf e^(-rate w) I(x - w) dw, x downstream.
 Solved remembered(Remembered kernel, const Solved& x, const mpq_class& rate, bool coarse) {
   // By v = w - x, where an odd kernel changes its sign.
-  const Float sum = history(kernel, -exactly(x), {}, rate, coarse);
+  const Float sum = history(kernel, -exactly(x), {}, Complex(to_number<Float>(rate)), coarse).real();
   return rounded(kernel == Remembered::I1 ? sum : Float(-sum));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 #include <span>
+#include <string>
 #include <vector>
 
 #include <nipref/fast/material/rational_solid.hpp>
@@ -22,6 +23,14 @@ data::PronySeries prony_of(std::span<const double> x);
 data::DifferentialOperators operators_of(std::span<const double> x);
 ref::ExactRationalSolid exact_prony_of(std::span<const ref::Exact> x);
 ref::ExactRationalSolid exact_operators_of(std::span<const ref::Exact> x);
+
+/// Sets to its default whatever has one and is not read, reads(i): what is drawn is what counts.
+template <class Reads>
+void default_unread(std::span<double> x, const std::vector<Argument>& arguments, Reads reads) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (arguments[i].default_text && !reads(i)) x[i] = std::stod(*arguments[i].default_text);
+  }
+}
 
 /// What loses energy and has times about `time`: rates equal, nearly so and far apart, in operators complex too, now and
 /// then nothing at once or a fluid. `soft`: 1/modulus.

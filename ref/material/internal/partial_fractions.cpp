@@ -1,0 +1,79 @@
+#include <optional>
+
+#include <nipref/ref/material/internal/partial_fractions.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using Points = std::vector<ComplexInterval>;
+
+ComplexInterval at(const Polynomial& p, const ComplexInterval& z) {
+  const mpfr_prec_t bits = z.real.precision();
+  ComplexInterval value{Interval(bits), Interval(bits)};
+  for (std::size_t k = p.size(); k-- > 0;) {
+    value = value * z;
+    value.real = value.real + Interval(Exact(p[k]), bits);
+  }
+  return value;
+}
+
+Interval magnitude_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
+
+/// prod (z_i - z_j)
+ComplexInterval apart(const Points& points, std::size_t i) {
+  const mpfr_prec_t bits = points[i].real.precision();
+  ComplexInterval product{Interval(1L, bits), Interval(bits)};
+  for (std::size_t j = 0; j < points.size(); ++j) {
+    if (j != i) product = product * (points[i] - points[j]);
+  }
+  return product;
+}
+
+/// Each with its root; none if the discs are not apart.
+std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bits) {
+  const Points near = roots_near(denominator, bits);
+  const Exact last(denominator.back());
+  std::vector<Interval> radii;
+  Points roots;
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Interval lead = magnitude_of(apart(near, i)) * Interval(Exact(mpq_class(abs(last.value()))), bits);
+    if (mpfi_has_zero(lead.get()) > 0) return {};
+    radii.push_back(static_cast<long>(near.size()) * (magnitude_of(at(denominator, near[i])) / lead));
+    roots.push_back({near[i].real.widened(radii[i]), near[i].imag.widened(radii[i])});
+  }
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Interval between = magnitude_of(near[i] - near[j]) - radii[i] - radii[j];
+      if (mpfi_is_strictly_pos(between.get()) <= 0) return {};
+    }
+  }
+  return roots;
+}
+
+}  // namespace
+
+std::vector<SwingingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
+                                            mpfr_prec_t bits) {
+  std::optional<Points> roots = proven_roots(denominator, bits);
+  while (!roots) roots = proven_roots(denominator, bits *= 2);
+  std::vector<SwingingTerm> terms;
+  for (std::size_t i = 0; i < roots->size(); ++i) {
+    const ComplexInterval& root = (*roots)[i];
+    ComplexInterval slope = apart(*roots, i);
+    const Interval last(Exact(denominator.back()), bits);
+    slope = {slope.real * last, slope.imag * last};
+    terms.push_back({at(numerator, root) * inverse(slope), {-root.real, -root.imag}});
+  }
+  return terms;
+}
+
+bool has_repeated_root(const Polynomial& denominator) {
+  Polynomial slope, factor = denominator;
+  for (std::size_t k = 1; k < denominator.size(); ++k)
+    slope.push_back(mpq_class(denominator[k] * static_cast<unsigned long>(k)));
+  if (slope.empty()) return false;
+  cancel(slope, factor);
+  return factor.size() < denominator.size();
+}
+
+}  // namespace nipref::ref

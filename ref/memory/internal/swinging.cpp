@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include <nipref/ref/memory/internal/contour_nodes.hpp>
+#include <nipref/ref/memory/internal/swinging.hpp>
+#include <nipref/ref/sheet/internal/intervals.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr double narrow_strip = 3.0 / 16;
+constexpr double low_angle = 0.25, high_angle = 0.75;
+/// Where Re z = 2 on the higher path, rounded up.
+constexpr double beyond_two = 1.75;
+
+/// A lower bound of q(t).
+double nats_of_integrand(Symbol kernel, double distance, double angle, double t) {
+  const bool odd = bounds(kernel).parity == Parity::odd;
+  const double symbol = odd ? bounds(kernel).decay * std::cos(angle) * std::sinh(t) : t;
+  return symbol + distance * std::sin(angle) * std::cosh(t);
+}
+
+long last_node(Symbol kernel, double distance, double angle, double step, double nats) {
+  // t itself for I1, and sinh t and more for the others, which cosh t and sinh t exceed by far.
+  long last = static_cast<long>(1.4 * (nats + 10) / step) + 1;
+  for (long below = static_cast<long>(beyond_two / step) + 1; last - below > 1;) {
+    const long middle = below + (last - below) / 2;
+    const double q = nats_of_integrand(kernel, distance, angle, static_cast<double>(middle) * step);
+    (q >= nats + 9 ? last : below) = middle;
+  }
+  return last;
+}
+
+/// Within 2^-bits of its modulus.
+ComplexInterval enclosed(const Complex& number, mpfr_prec_t bits) {
+  const mpfr_srcptr real = mpc_realref(number.get()), imag = mpc_imagref(number.get());
+  ComplexInterval result{Interval(bits), Interval(bits)};
+  mpfi_set_fr(result.real.get(), real);
+  mpfi_set_fr(result.imag.get(), imag);
+  Interval radius = sqrt(square(result.real) + square(result.imag));
+  mpfi_div_2ui(radius.get(), radius.get(), static_cast<unsigned long>(bits));
+  return {result.real.widened(radius), result.imag.widened(radius)};
+}
+
+ComplexInterval times_i(const ComplexInterval& z) { return {-z.imag, z.real}; }
+ComplexInterval over_i(const ComplexInterval& z) { return {z.imag, -z.real}; }
+ComplexInterval negative(const ComplexInterval& z) { return {-z.real, -z.imag}; }
+ComplexInterval scaled(const Interval& factor, const ComplexInterval& z) {
+  return {factor * z.real, factor * z.imag};
+}
+
+/// U(A, m)
+ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexInterval& m, Contour path,
+                           double nats) {
+  const double step = contour_step(2 * std::numbers::pi * narrow_strip / (nats + 10));
+  const double angle = path == Contour::low ? low_angle : high_angle;
+  const long last = last_node(kernel, distance.approximate(), angle, step, nats);
+  const mpfr_prec_t bits = std::max(working_precision(nats + 12, distance.approximate()), m.real.precision());
+  const Interval A(distance, bits), mean(0.5, bits);
+  const ComplexInterval conjugate_m = conj(m);
+  const bool odd = bounds(kernel).parity == Parity::odd;
+  ComplexInterval sum{Interval(bits), Interval(bits)};
+  ContourKey key{kernel, path, step, bits, 0};
+  for (; key.block * nodes_in_block <= last; ++key.block) {
+    const auto nodes = contour_nodes(key);
+    const long first = key.block * nodes_in_block;
+    for (long k = 0; k < std::min(nodes_in_block, last + 1 - first); ++k) {
+      const ContourNode& node = (*nodes)[static_cast<std::size_t>(k)];
+      const ComplexInterval z = enclosed(node.z, bits), turn = times_i(z);
+      const ComplexInterval wave = enclosed(node.weight, bits) * exp(scaled(A, turn));
+      const ComplexInterval right = wave * inverse(m - turn);
+      // Its mirror image at -t, where the weighted wave is the conjugate, of odd kernels with the other sign.
+      const ComplexInterval left = conj(wave * inverse(conjugate_m - turn));
+      if (first + k == 0) {
+        sum = sum + right;
+      } else {
+        sum = sum + right + (odd ? negative(left) : left);
+      }
+    }
+  }
+  const ComplexInterval integral = scaled(Interval(step, bits) * mean, sum);
+  const Interval left_out = exp(Interval(-nats, 64));
+  const ComplexInterval enclosure{integral.real.widened(left_out), integral.imag.widened(left_out)};
+  return odd ? over_i(enclosure) : enclosure;
+}
+
+/// P. S(i r) = i (sin 2r + 2r).
+ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
+  const mpfr_prec_t bits = rate.real.precision();
+  const ComplexInterval sine = sin(rate), cosine = cos(rate);
+  const ComplexInterval faded = exp(negative(scaled(Interval(distance, bits), rate)));
+  const ComplexInterval size = scaled(Interval::pi(bits), faded * inverse(sine * cosine + rate));
+  switch (kernel) {
+    case Symbol::I3:
+      return size;
+    case Symbol::I4:
+      return size * sine * inverse(rate);
+    case Symbol::I5:
+      return size * cosine;
+    default:
+      return size * sine * sine * inverse(rate);
+  }
+}
+
+/// psi of the pole at i rate, mirrored to the right.
+double angle_of_pole(const ComplexInterval& rate) {
+  const std::complex<double> pole(std::fabs(mpfr_get_d(rate.imag.lower(), MPFR_RNDN)),
+                                  mpfr_get_d(rate.real.lower(), MPFR_RNDN));
+  return std::asinh(pole).imag();
+}
+
+}  // namespace
+
+ComplexInterval swinging_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate, double nats) {
+  const bool odd = bounds(kernel).parity == Parity::odd;
+  const Exact distance = alpha.magnitude();
+  const Interval quarter = Interval::pi(rate.real.precision()) / 4;
+  const ComplexInterval at_origin = scaled(quarter, inverse(rate));
+  if (alpha.sign() >= 0) {
+    const ComplexInterval integral = along_path(kernel, distance, rate, Contour::high, nats);
+    return odd ? integral + at_origin : integral;
+  }
+  const bool above = angle_of_pole(rate) >= 0.5;
+  const ComplexInterval passed =
+      along_path(kernel, distance, negative(rate), above ? Contour::low : Contour::high, nats);
+  const ComplexInterval known = odd ? passed - at_origin : negative(passed);
+  return above ? known : known + whole_line(kernel, rate, distance);
+}
+
+}  // namespace nipref::ref
