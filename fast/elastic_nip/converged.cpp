@@ -157,6 +157,11 @@ struct ConvergedElasticNip::Implementation {
     const double shear = contact.traction(beyond ? std::max(0.0, 2 * contact.half_length - e) : e).shear;
     return beyond ? -shear : shear;
   }
+  /// An error that can be seen, dimensionless: the expansions know nothing of the sign's change in the middle. Where they
+  /// are as wrong as there, twice that.
+  [[nodiscard]] double shear_error_seen() const {
+    return 2 * std::fabs(shear_of(ladder.last(), half_length()));
+  }
   /// Y of a distance from the end, which is no surer than that end.
   [[nodiscard]] Estimate from_middle(const Estimate& from_end) const {
     const double unsure = given_length ? 0 : half_length_estimate().error;
@@ -219,7 +224,9 @@ Estimate ConvergedElasticNip::shear(double y) const {
     return {0, 0};
   }
   const double scale = fast::peak_shear(implementation_->ladder.last());
-  return implementation_->traction_at(y, &Traction::shear, scale);
+  Estimate shear = implementation_->traction_at(y, &Traction::shear, scale);
+  shear.error += implementation_->units.pressure * implementation_->shear_error_seen();
+  return shear;
 }
 
 Estimate ConvergedElasticNip::peak_pressure() const { return implementation_->peak(fast::peak_pressure); }
@@ -271,6 +278,7 @@ std::vector<Estimate> ConvergedElasticNip::shear_zeros() const {
                               Estimate here = at(e);
                               for (const double beside : {0.8 * e, 1.25 * e})
                                 here.error = std::max(here.error, at(beside).error);
+                              here.error += implementation_->shear_error_seen();
                               return here;
                             }};
   std::vector<Estimate> zeros;

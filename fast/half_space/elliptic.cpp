@@ -276,7 +276,9 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
 // In the frame of the ellipse its matrix is (a^2 (1 + E11), a b E12; ., b^2 (1 + E22)).
 void EllipticContact::set_errors(double e11, double e12, double e22) {
   const double a = major_length_, b = minor_length_, twist = a * b * e12;
-  const double turn = std::min(twist / ((a - b) * (a + b)), std::numbers::pi / 2);
+  // The axes differ by no less than their errors leave, or not at all: then they lie anyhow.
+  const double apart = (a - b) * (a + b) - a * a * (e11 + few_roundings) - b * b * (e22 + few_roundings);
+  const double turn = apart > 0 ? std::min(twist / apart, std::numbers::pi / 2) : std::numbers::pi / 2;
   const double of_turn = twist * std::min(1., turn);
   twist_error_ = e12;
   turn_ = turn;

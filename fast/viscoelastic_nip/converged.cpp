@@ -290,8 +290,10 @@ Estimate ConvergedViscoelasticNip::peak_pressure() const {
   const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   Estimate peak = implementation_->estimate(fast::peak_pressure);
   peak.error *= 2;  // levels are alike by chance more often where the place of the maximum moves
+  const double half_length = implementation_->half_length();
+  peak.error += peak.value * sheet.neglected_near_end(half_length, place_of_peak(ladder.last()).e);
   // At an end the pressure could be larger still.
-  const double at_end = sheet.neglected_near_end(implementation_->half_length(), 0);
+  const double at_end = sheet.neglected_near_end(half_length, 0);
   if (at_end > 1) peak.error += at_end * peak.value;
   return times(units.pressure, peak);
 }

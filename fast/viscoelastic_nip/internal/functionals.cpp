@@ -5,6 +5,11 @@
 #include <nipref/fast/viscoelastic_nip/internal/functionals.hpp>
 
 namespace nipref::fast {
+namespace {
+
+constexpr int samples = 12;  ///< of a panel
+
+}  // namespace
 
 double indentation(const ViscoelasticPressure& contact) {
   return contact.edge_displacement() + std::pow(contact.leading_length(), 2);
@@ -18,8 +23,22 @@ double eccentricity(const ViscoelasticPressure& contact) {
   return contact.offset() + contact.moment() / contact.load();
 }
 
+ContactPlace place_of_peak(const ViscoelasticPressure& contact) {
+  ContactPlace found{Half::leading, contact.half_length()};
+  double largest = 0;
+  for (const ViscoelasticPanel& panel : contact.layout().panels()) {
+    for (int i = 1; i <= samples; ++i) {
+      const ContactPlace place{panel.half, panel.left + panel.width * i / samples};
+      const double pressure = contact.pressure(place);
+      if (pressure <= largest) continue;
+      largest = pressure;
+      found = place;
+    }
+  }
+  return found;
+}
+
 double peak_pressure(const ViscoelasticPressure& contact) {
-  constexpr int samples = 12;
   double largest = 0;
   for (const ViscoelasticPanel& panel : contact.layout().panels()) {
     const auto at = [&](double i) {

@@ -16,5 +16,7 @@ double trailing_displacement(const ViscoelasticPressure& contact);
 double eccentricity(const ViscoelasticPressure& contact);
 
 double peak_pressure(const ViscoelasticPressure& contact);
+/// About where that is: to a twelfth of a panel.
+ContactPlace place_of_peak(const ViscoelasticPressure& contact);
 
 }  // namespace nipref::fast

@@ -35,3 +35,15 @@ TEST_CASE("outside the contact the displacement is as sure as it is small, but f
     CHECK(asked.normal_displacement(200).error > 0);
   }
 }
+
+TEST_CASE("what the shear next to the middle is not 0 by is an error that it knows") {
+  const data::ElasticNip nip{
+      7.111116296146065, 0.021914874581852928, {488122.3340148926, 0.06875329744070768}};
+  const double length = 0.4987917085236404;
+  const auto asked = fast::converged_for_length(nip, data::Friction::full, length, 1.4929664373219964e-05);
+  for (const double y : {1e-300, 1e-12, 1e-10, 3e-10}) {
+    const fast::Estimate found = asked.shear(y);
+    CHECK(std::fabs(found.value + 5119.8 * y) <= found.error);  // the slope of the converged shear
+  }
+  CHECK(asked.shear_zeros().size() == 2);
+}

@@ -196,3 +196,19 @@ TEST_CASE("creep is as unsure as the load lets its halves be, which cancel") {
                        other = fast::converged_for_load(nip, load, 1e-13).creep_ratio();
   CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
+
+TEST_CASE("a largest pressure as near to the leading end as a memory that is left out is long") {
+  const data::ViscoelasticNip nip{
+      3056.449308300982, 1.9807370367610184,
+      data::operator_solid({.p = {3052.345189366326, 1},
+                            .q = {31.0298951390384, 0.5892158942135465},
+                            .p_dilatation = {1214186123.753757, 1},
+                            .q_dilatation = {2706164003.5215282, 129.18040434186574}}),
+      1.4187996870353454};
+  const double load = 4.6492826835492585e-07;
+  const fast::Estimate other = fast::converged_for_load(nip, load, 1e-13).peak_pressure();
+  for (const double accuracy : {1e-3, 6.0711576006674536e-05}) {
+    const fast::Estimate found = fast::converged_for_load(nip, load, accuracy).peak_pressure();
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}

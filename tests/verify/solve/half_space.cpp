@@ -132,6 +132,18 @@ TEST_CASE("a die turns with its motion, the material does not") {
   CHECK(along["span_along"].value != doctest::Approx(across["span_along"].value).epsilon(1e-3).scale(0));
 }
 
+TEST_CASE("a contact that is round to rounding lies anyhow") {
+  const auto solution = solved(
+      "title = \"x\"\naccuracy = 9.5e-11\nwanted = [\"orientation\"]\n"
+      "[half_space]\ndensity = 4780.772706457931\nmodel = \"isotropic\"\n"
+      "poisson = 0.4990774117034143\nshear = 695484452485.0928\n"
+      "[sphere]\ndensity = 0.09221101686079425\npatch = \"moving\"\npoisson = -0.38103149804944925\n"
+      "radius = 0.34319790541153344\nshear = 622943232.6402984\n"
+      "[sliding]\nspeed = 0.0\ndirection = 90.0\n"
+      "[load]\nnormal_force = 59.19267883252701\n[method]\nkind = \"exact\"\n");
+  CHECK(solution["orientation"].error >= 90);
+}
+
 TEST_CASE("a patch that moves in its sphere softens it") {
   const std::string sphere = "[sphere]\nradius = 0.01\nshear = 77.2e9\npoisson = 0.3\ndensity = 7860.0\n";
   const std::string rest = sliding("1200.0") + load + exact;
