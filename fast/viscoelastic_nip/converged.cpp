@@ -403,7 +403,9 @@ Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   };
   // Levels that agree at a place by chance do not beside it.
   Estimate estimate = at(position);
-  estimate.error = std::max(estimate.error, at(0.8 * position).error);
+  const double further = std::copysign(std::min(2.5 * std::fabs(position), half_length), position);
+  for (const double beside : {0.8 * position, std::fabs(position) < half_length ? further : position})
+    estimate.error = std::max(estimate.error, at(beside).error);
   estimate.error += difference_rounding * ladder.last().tangential_size(ladder.tolerance(), kernels);
   return times(units.creep * units.length, estimate);
 }

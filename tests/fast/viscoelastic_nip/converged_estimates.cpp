@@ -212,3 +212,22 @@ TEST_CASE("a largest pressure as near to the leading end as a memory that is lef
     CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
   }
 }
+
+TEST_CASE("levels that see the same displacements next to the middle by chance do not further away") {
+  const data::ViscoelasticNip nip{4.300875562708825, 0.06267105788720073,
+                                  data::standard_linear_solid({.shear_1 = 0.4489543429808691,
+                                                               .shear_2 = 3.2303613699041307,
+                                                               .bulk_1 = 0.9393331479514018,
+                                                               .bulk_2 = 0.40541750722331926,
+                                                               .shear_viscosity = 0.9343524241703562,
+                                                               .bulk_viscosity = 3.287559708839427e-08}),
+                                  1.3571972145000473};
+  const double length = 0.42400682289735414;
+  const auto asked = fast::converged_for_length(nip, length, 1.5325098974017237e-4);
+  const auto truth = fast::converged_for_length(nip, length, 1e-13);
+  for (const double place : {-0.0013811861473413956, -0.002, -0.0027623722946827912, -0.004}) {
+    const fast::Estimate found = asked.tangential_displacement(place),
+                         other = truth.tangential_displacement(place);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}
