@@ -1,11 +1,23 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <nipref/data/bad_input.hpp>
 
 namespace nipref::data {
+namespace {
+
+/// Whatever was in the input.
+std::string in_one_line(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char letter) { return letter < ' '; }, ' ');
+  return text;
+}
+
+}  // namespace
 
 BadInput::BadInput(std::string_view argument, std::string_view value, std::string_view allowed)
-    : std::invalid_argument(fmt::format("{} = {}: {}", argument, value, allowed)),
+    : std::invalid_argument(in_one_line(fmt::format("{} = {}: {}", argument, value, allowed))),
       argument_(argument),
       value_(value),
       allowed_(allowed) {}

@@ -153,7 +153,7 @@ std::string closest_example(const std::string& name, const std::filesystem::path
 
 /// A scene with a sweep is one contact only with a value for each of its keys.
 void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const SceneOverrides& overrides) {
-  for (const auto& [key, values] : read_sweep(top).keys) {
+  for (const auto& [key, values] : read_sweep(top, origin).keys) {
     if (std::ranges::find(overrides, key, &SceneOverrides::value_type::first) == overrides.end())
       origin.refuse("sweep." + key, values,
                     "must be solved by nipref solve, or have one value given beside the file");
@@ -189,7 +189,8 @@ Scene parse_scene(const std::string& toml, const std::string& name) {
 std::filesystem::path example_scene(const std::string& name) {
   const auto folder = scenes_directory();
   const auto file = folder / (name + ".toml");
-  if (!std::filesystem::is_regular_file(file)) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none)) {
     throw BadInput("scene", name,
                    closest_example(name, folder) + "must be one of the files in " + folder.string());
   }

@@ -1,7 +1,10 @@
+#include <nipref/data/scene/internal/require.hpp>
 #include <nipref/data/scene/internal/sweep.hpp>
 
 namespace nipref::data {
 namespace {
+
+constexpr int most_sweep_points = 10'000'000;
 
 /// `above`: what stands before its keys, "load." or nothing.
 void read_keys(const TomlTable& table, const std::string& above, SceneSweep& sweep) {
@@ -18,15 +21,16 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
 
 }  // namespace
 
-SceneSweep read_sweep(const TomlTable& file) {
+SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
   SceneSweep sweep;
   if (file.has("sweep")) read_keys(file.table("sweep"), "", sweep);
+  if (sweep.points) require_whole(*sweep.points, 1, most_sweep_points, origin, "sweep.points");
   return sweep;
 }
 
 SceneSweep scene_sweep(const std::filesystem::path& file) {
   SceneOrigin origin(file.string());
-  return read_sweep(TomlTable::read(file, origin, {}));
+  return read_sweep(TomlTable::read(file, origin, {}), origin);
 }
 
 }  // namespace nipref::data

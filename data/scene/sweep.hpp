@@ -10,7 +10,7 @@ namespace nipref::data {
 /// What the table [sweep] of a scene's file says: which keys take which values, for a contact of each combination.
 ///
 ///     [sweep]  load.per_length = [50, 100, 200] or "1..1000:log", any other key of the scene likewise
-///              points: values of each range, optional
+///              points: values of each range, 1 to 1e7, optional
 struct SceneSweep {
   /// {"load.per_length", "50,100,200" or "1..1000:log"}, in the order of the alphabet.
   std::vector<std::pair<std::string, std::string>> keys;

@@ -12,7 +12,7 @@ namespace {
 bool is_digit(char character) { return character >= '0' && character <= '9'; }
 
 /// digits * 10^exponent as the nearest double.
-std::optional<double> scaled(const std::string& digits, int exponent) {
+std::optional<double> scaled(const std::string& digits, long exponent) {
   return read_exact_number(digits + "e" + std::to_string(exponent));
 }
 
@@ -50,7 +50,7 @@ std::optional<PrintedNumber> read_printed_number(std::string_view text, int scal
   if (!plain) return std::nullopt;
 
   // One guard digit makes the half unit a whole number of units.
-  const int exponent = -static_cast<int>(decimals.size()) - scale_exponent - 1;
+  const long exponent = -static_cast<long>(decimals.size()) - scale_exponent - 1;
   const auto value = scaled(digits + "0", exponent);
   const auto inner = scaled(half_unit_below(digits + "0"), exponent);
   const auto outer = scaled(digits + "5", exponent);

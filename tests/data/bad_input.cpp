@@ -14,6 +14,12 @@ TEST_CASE("the parts of a refusal come back as they were given, whatever separat
   CHECK(std::string(error.what()) == "a = b: c = x: y = z: must be = or: not");
 }
 
+TEST_CASE("a refusal is one line, whatever it is about") {
+  const BadInput error("a\n", "x\r\ny", "must be\tz");
+  CHECK(error.value() == "x\r\ny");
+  CHECK(std::string(error.what()) == "a  = x  y: must be z");
+}
+
 TEST_CASE("a number is refused in the shortest text that is it") {
   const BadInput error("alpha", 0.1, "must be a whole number");
   CHECK(error.value() == "0.1");

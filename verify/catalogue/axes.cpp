@@ -43,6 +43,9 @@ std::vector<AxisValue> values_of_list(const std::string& name, const std::string
 bool is_swept(const std::string& text) { return is_range(text) || text.find(',') != std::string::npos; }
 
 Axis axis_of(const std::string& name, const std::string& text, std::size_t points) {
+  if (is_range(text) && (points == 0 || points > most_combinations))
+    throw BadInput("points", fmt::format("{}", points),
+                   fmt::format("must be 1 to {} for {}", most_combinations, name));
   return {name,
           is_range(text) ? values_of_range(parse_range(name, text), points) : values_of_list(name, text)};
 }

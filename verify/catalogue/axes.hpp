@@ -23,7 +23,8 @@ struct Axis {
 bool is_swept(const std::string& text);
 
 /// The values of a list as they stand there; of a range about `points` doubles, its ends among them, each once and
-/// in order; of anything else itself. BadInput naming `name` for an empty item of a list, and as parse_range has it.
+/// in order; of anything else itself. BadInput naming `name` for an empty item of a list, and as parse_range has it;
+/// naming "points" for a range by none or by more than 1e7.
 Axis axis_of(const std::string& name, const std::string& text, std::size_t points);
 
 /// All combinations of the axes' values, the last axis going fastest.

@@ -83,7 +83,8 @@ int make(const CommandLine& line, std::ostream& out) {
 /// A word is a quantity, or a file.
 fs::path file_of(const std::string& word) {
   if (const Quantity* const quantity = known_quantity(word)) return golden_path(*quantity);
-  if (fs::is_regular_file(word)) return word;
+  std::error_code none;
+  if (fs::is_regular_file(word, none)) return word;
   if (word.find('/') != std::string::npos || word.ends_with(".csv"))
     throw BadInput("file", word, "must be a file that can be read");
   refuse_quantity(word);

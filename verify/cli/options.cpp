@@ -38,7 +38,8 @@ std::filesystem::path scene_file_of(const CommandLine& line, std::string_view ve
     throw BadInput("argument", line.words[1],
                    "unexpected: " + std::string(verb) + " takes one scene and key=value pairs");
   const std::filesystem::path word = line.words.front();
-  const bool is_file = std::filesystem::exists(word) || word.has_parent_path() || word.has_extension();
+  std::error_code none;  // as where a name is longer than a file's may be
+  const bool is_file = std::filesystem::exists(word, none) || word.has_parent_path() || word.has_extension();
   return is_file ? word : data::example_scene(word.string());
 }
 

@@ -131,7 +131,7 @@ std::optional<fs::path> output_folder(const CommandLine& line) {
   if (!name) return std::nullopt;
   std::error_code error;
   fs::create_directories(*name, error);
-  if (!fs::is_directory(*name))
+  if (!fs::is_directory(*name, error))
     throw data::BadInput("output", *name, "must be a folder, or one that can be made");
   return *name;
 }

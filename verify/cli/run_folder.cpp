@@ -156,7 +156,8 @@ std::string BlocksThere::gaps() const {
 
 std::string fingerprint_of(const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
-    if (!fs::exists(folder / fingerprint_name))
+    std::error_code none;
+    if (!fs::exists(folder / fingerprint_name, none))
       throw BadInput("run", folder.string(),
                      fmt::format("must be a folder with a {}, as --out makes it", fingerprint_name));
   }
@@ -212,7 +213,7 @@ ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Sha
       descriptor_(-1) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder))
+  if (!fs::is_directory(folder, error))
     throw BadInput("out", folder.string(), "must be a folder, or one that can be made");
   write_once(folder / fingerprint_name, fingerprint, fs::path(path_).stem().string());
   refuse_other_fingerprint(folder, text_of(folder / fingerprint_name), fingerprint);

@@ -85,7 +85,8 @@ std::string difference(const BaselineKey& before, const BaselineKey& now) {
 
 Baseline Baseline::read(const std::string& path) try {
   Baseline baseline;
-  if (!std::filesystem::exists(path)) return baseline;
+  std::error_code none;
+  if (!std::filesystem::exists(path, none)) return baseline;
   const toml::table file = toml::parse_file(path);
   for (const auto& [key, node] : file) {
     if (key.str() != list_name || !node.is_array_of_tables())

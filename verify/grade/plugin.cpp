@@ -49,6 +49,18 @@ void check(const Plugin& plugin) {
                    fmt::format("must be 1 to {}", protocol::most_arguments));
 }
 
+/// What `read` takes from an answer, or how its process ended. One that does not say all that it must was not the host's.
+template <class Read>
+auto taken(Child::Answer answer, const Read& read)
+    -> std::variant<std::invoke_result_t<Read, Message&>, Death> {
+  if (Death* const death = std::get_if<Death>(&answer)) return std::move(*death);
+  try {
+    return read(std::get<Message>(answer));
+  } catch (const std::length_error&) {
+    return Death{FaultKind::protocol, "wrote to a descriptor that is not its own"};
+  }
+}
+
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 std::string both_text(double first, double then) { return fmt::format("{} and then {}", first, then); }
@@ -80,12 +92,16 @@ class PluginKernel::Work {
   std::optional<double> seconds(std::span<const Point> points, std::size_t passes) {
     auto child = idle_child();
     if (!child) return std::nullopt;
-    Child::Answer answer =
-        child->ask(with_points(Message().put(Request::time).put(passes), points, info_.arity));
-    Message* const message = std::get_if<Message>(&answer);
-    if (message == nullptr || message->take<int>() != 0) return std::nullopt;
+    const auto answer =
+        taken(child->ask(with_points(Message().put(Request::time).put(passes), points, info_.arity)),
+              [](Message& message) {
+                return std::pair<int, double>{message.take<int>(), message.take<double>()};
+              });
+    if (std::holds_alternative<Death>(answer)) return std::nullopt;
+    const auto& [status, seconds] = std::get<0>(answer);
+    if (status != 0) return std::nullopt;
     keep(std::move(child));
-    return message->take<double>();
+    return seconds;
   }
 
   [[nodiscard]] std::vector<Fault> faults() const {
@@ -142,12 +158,13 @@ class PluginKernel::Work {
   }
 
   bool opened(Child& child) {
-    Child::Answer answer = child.ask(Message().put(Request::open).put(number_));
+    auto answer = taken(child.ask(Message().put(Request::open).put(number_)), [](Message& message) {
+      return std::pair<Noticed, int>{message.take<Noticed>(), message.take<int>()};
+    });
     if (Death* const death = std::get_if<Death>(&answer)) return open_failed(count(std::move(*death)));
-    Message& message = std::get<Message>(answer);
-    record(troubles_of(message.take<Noticed>()), {}, ", in open");
-    if (const int status = message.take<int>())
-      return open_failed({FaultKind::refused, fmt::format("returns {}", status)});
+    const auto& [noticed, status] = std::get<0>(answer);
+    record(troubles_of(noticed), {}, ", in open");
+    if (status != 0) return open_failed({FaultKind::refused, fmt::format("returns {}", status)});
     return true;
   }
 
@@ -161,12 +178,13 @@ class PluginKernel::Work {
   void try_closing() {
     IdleChild child = new_child();
     if (!child) return;
-    Child::Answer answer = child->ask(Message().put(Request::close));
+    auto answer = taken(child->ask(Message().put(Request::close)),
+                        [](Message& message) { return message.take<Noticed>(); });
     if (Death* const death = std::get_if<Death>(&answer)) {
       record({count(std::move(*death))}, {}, ", in close");
       return;
     }
-    record(troubles_of(std::get<Message>(answer).take<Noticed>()), {}, ", in close");
+    record(troubles_of(std::get<Noticed>(answer)), {}, ", in close");
     if (opened(*child)) keep(std::move(child));
   }
 
@@ -190,16 +208,12 @@ class PluginKernel::Work {
   Outcome call(std::span<const Point> points) {
     IdleChild child = idle_child();
     if (!child) return {};
-    Child::Answer answer = child->ask(with_points(Message().put(Request::evaluate), points, info_.arity));
+    auto answer = taken(child->ask(with_points(Message().put(Request::evaluate), points, info_.arity)),
+                        [&](Message& message) { return read_outcome(message, points.size()); });
     if (Death* const death = std::get_if<Death>(&answer)) return {.troubles = {count(std::move(*death))}};
-    try {
-      Outcome outcome = read_outcome(std::get<Message>(answer), points.size());
-      keep(std::move(child));
-      deaths_in_a_row_ = 0;
-      return outcome;
-    } catch (const std::length_error&) {
-      return {.troubles = {count({FaultKind::protocol, "wrote to a descriptor that is not its own"})}};
-    }
+    keep(std::move(child));
+    deaths_in_a_row_ = 0;
+    return std::get<Outcome>(std::move(answer));
   }
 
   void evaluate_batch(std::span<const Point> points, std::span<double> values) {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/scene/internal/toml_obstacle.hpp>
 
 namespace nipref::data {
 
@@ -53,6 +54,7 @@ std::string TomlTable::Item::shown() const {
 namespace {
 
 constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
+constexpr std::size_t longest_line_told = 200;
 
 std::string contents_of(const std::filesystem::path& file, const SceneOrigin& origin) {
   std::ifstream stream(file, std::ios::binary);
@@ -78,12 +80,22 @@ std::string line_of(const std::string& text, std::size_t number) {
   return line;
 }
 
+[[noreturn]] void refuse_syntax(const std::string& text, std::size_t line, std::string_view allowed,
+                                SceneOrigin& origin) {
+  origin.note("syntax", line);
+  origin.refuse("syntax", line_of(text, line).substr(0, longest_line_told), allowed);
+}
+
 using Override = std::pair<std::string, std::string>;
 
 /// What stands for `text` in a scene, held in a list of one. What is no TOML value is a text without its
 /// quotes: shells take them away.
 toml::array value_of(const std::string& text) {
   toml::array held;
+  if (toml_obstacle(text)) {
+    held.push_back(text);
+    return held;
+  }
   try {
     const toml::table parsed = toml::parse("value = " + text);
     if (parsed.size() == 1)
@@ -98,6 +110,8 @@ toml::array value_of(const std::string& text) {
 /// The table in which the key's last part is, made where the file has none, and that part.
 std::pair<toml::table*, std::string> place_of(toml::table& file, const Override& given) {
   const auto& [key, value] = given;
+  if (static_cast<std::size_t>(std::ranges::count(key, '.')) >= most_key_parts)
+    throw BadInput(key, value, fmt::format("must be a key of at most {} parts", most_key_parts));
   toml::table* table = &file;
   std::size_t start = 0;
   for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', start)) {
@@ -144,15 +158,16 @@ TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin
 
 TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
                            const std::vector<Override>& overrides) {
+  if (const auto obstacle = toml_obstacle(text))
+    refuse_syntax(text, obstacle->line, obstacle->allowed, origin);
   try {
     auto parsed = std::make_shared<toml::table>(toml::parse(text));
     override_all(*parsed, overrides, origin);
     auto contents = std::make_shared<const Contents>(Contents{parsed, parsed.get()});
     return {std::move(contents), "", origin};
   } catch (const toml::parse_error& error) {
-    const std::size_t line = error.source().begin.line;
-    origin.note("syntax", line);
-    origin.refuse("syntax", line_of(text, line), fmt::format("must be TOML: {}", error.description()));
+    refuse_syntax(text, error.source().begin.line, fmt::format("must be TOML: {}", error.description()),
+                  origin);
   }
 }
 

@@ -230,7 +230,7 @@ TEST_CASE("overrides stand for what the file has, or add to it, and the title sa
 TEST_CASE("bad overrides are refused as they were given, and what is wrong in the file at its line") {
   CHECK(said_of({{"load.per_length", "-5e0"}}) == "load.per_length = -5e0: must be finite and > 0");
   CHECK(said_of({{"load.per_length", "much"}}) == "load.per_length = much: must be a number");
-  CHECK(said_of({{"load.per_length", "1\nx=2"}}) == "load.per_length = 1\nx=2: must be a number");
+  CHECK(said_of({{"load.per_length", "1\nx=2"}}) == "load.per_length = 1 x=2: must be a number");
   CHECK(said_of({{"method.leading_elements", "3.5"}}) ==
         "method.leading_elements = 3.5: must be a whole number");
   CHECK(said_of({{"load.per_lenght", "0x10"}})
@@ -257,6 +257,27 @@ TEST_CASE("a scene of more than a mebibyte is refused unread, and one nested wit
                        doctest::Contains("must be a file of at most 1048576 bytes"), data::BadInput);
   const ScratchFile deep(good + "x = " + std::string(100'000, '['));
   CHECK_THROWS_AS((void)data::load_scene(deep.path()), data::BadInput);
+}
+
+TEST_CASE(
+    "a key of parts without end is refused wherever it stands; dots that are no key's are not counted") {
+  std::string parts = "a";
+  for (int i = 0; i < 100'000; ++i) parts += ".a";
+  for (const std::string& text : {parts + " = 1\n", "[" + parts + "]\n", "x = [{" + parts + " = 1}]\n"}) {
+    for (const std::string before : {"", "y = \"\\\"#\" # '", "y = \"\"\"\"=\"\"\"", "y = ''"})
+      CHECK(refusal_of(before + "\n" + text + good).ends_with("must have keys of at most 16 parts"));
+  }
+  CHECK(refusal_of("\n" + parts + " = 1\n").starts_with(":2: syntax = a.a."));
+  CHECK(said_of({{parts, "1"}}).ends_with("must be a key of at most 16 parts"));
+  CHECK(said_of({{"accuracy", "{" + parts + " = 1}"}}).ends_with("must be a number"));
+  const std::string dots(100, '.');
+  CHECK(refusal_of(replaced(good, "a nip", dots + "\\\"" + dots) + "# " + dots) == "(accepted)");
+}
+
+TEST_CASE("letters beyond ASCII are those of texts and comments") {
+  CHECK(refusal_of(replaced(good, "radius = 6", "r\u00e1dius = 6"))
+            .starts_with(":5: syntax = r\u00e1dius = 6: must be TOML"));
+  CHECK(refusal_of("\xef\xbb\xbf# \u00e1\n" + replaced(good, "a nip", "\u00e1")) == "(accepted)");
 }
 
 TEST_CASE("files that cannot be read") {

@@ -68,8 +68,9 @@ TEST_CASE("a scene with a sweep is one contact only with a value for each swept 
 }
 
 TEST_CASE("what is no list of numbers or texts is refused with its line") {
-  for (const char* wrong : {"a = 1", "a = []", "a = [[1]]", "a = [\"x,y\"]", "a = [\"\"]", "a = [true]",
-                            "a = [1, {}]", "points = 1.5", "points = \"3\""}) {
+  for (const char* wrong :
+       {"a = 1", "a = []", "a = [[1]]", "a = [\"x,y\"]", "a = [\"\"]", "a = [true]", "a = [1, {}]",
+        "points = 1.5", "points = \"3\"", "points = 0", "points = -1", "points = 10000001"}) {
     CAPTURE(wrong);
     CHECK(sweep_refusal_of(wrong).find(":2: sweep.") != std::string::npos);
   }

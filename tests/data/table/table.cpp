@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
@@ -104,7 +105,8 @@ TEST_CASE("what is not a plain number is not read as one") {
     CAPTURE(text);
     CHECK_FALSE(read_printed_number(text, 0));
   }
-  CHECK_FALSE(read_printed_number("1", 400));
+  for (const int scale : {400, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()})
+    CHECK_FALSE(read_printed_number("1.5", scale));
   CHECK_FALSE(read_exact_number("1e999"));
   CHECK_FALSE(read_exact_number("1 "));
   CHECK(read_exact_number("1e-3") == 1e-3);

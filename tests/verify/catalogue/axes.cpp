@@ -52,6 +52,8 @@ TEST_CASE("a product goes through all combinations, the last axis fastest") {
 TEST_CASE("axes that cannot be gone through are refused") {
   for (const char* text : {"1,,2", ",", "1,", "2..1", "0..1:log", "1..x"})
     CHECK_THROWS_AS((void)axis_of("alpha", text, 3), data::BadInput);
+  for (const std::size_t points : {std::size_t{0}, std::size_t{10'000'001}, ~std::size_t{0}})
+    CHECK_THROWS_AS((void)axis_of("alpha", "0..1:linear", points), data::BadInput);
   const verify::Axis long_one = axis_of("alpha", "0..1:linear", 4000);
   CHECK_THROWS_AS(verify::AxesProduct({long_one, long_one}), data::BadInput);
 }

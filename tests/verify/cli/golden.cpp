@@ -121,6 +121,7 @@ TEST_CASE("golden: bad input is refused before anything is written") {
   check_call_refused("golden check --points 3", "golden check has no such option");
   check_call_refused("golden check --every 0", "every = 0");
   check_call_refused("golden check nowhere.csv", "must be a file that can be read");
+  check_call_refused("golden check " + std::string(300, 'a') + ".csv", "must be a file that can be read");
   check_call_refused("golden list --all", "golden list has no such option");
   check_call_refused("golden update I1 --dirty", "must be a readable file");
   const json commit = json::parse(run("--version --json").out)["nipref"]["commit"];

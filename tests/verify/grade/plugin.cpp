@@ -300,6 +300,16 @@ TEST_CASE("a kernel that does not open has no values, one that does not close is
   CHECK(closes.result.kept());
 }
 
+TEST_CASE("a kernel that speaks in the place of its host is named for it") {
+  for (const auto& [name, place] :
+       {std::pair{"speaks", ", in open"}, std::pair{"speaks_last", ", in close"}}) {
+    const Graded found(name, {100, {}, {}});
+    REQUIRE_FALSE(found.faults.empty());
+    CHECK(found.faults[0].kind == FaultKind::protocol);
+    CHECK(found.faults[0].words == std::string("wrote to a descriptor that is not its own") + place);
+  }
+}
+
 TEST_CASE("a plugin that prints and flushes small numbers as it is loaded is named for it") {
   const Graded found("zero", {100, {}, {}}, {plugin_file("prints_and_flushes"), {}, 60});
   const auto groups = verify::grouped(found.faults);

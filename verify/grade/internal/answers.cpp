@@ -57,6 +57,10 @@ Greeting read_greeting(const Plugin& plugin, Message& message) {
     info.thread_safe = (message.take<std::uint32_t>() & nipref_kernel_thread_safe) != 0;
     greeting.kernels.push_back(std::move(info));
   }
+  const bool is_the_hosts = count > 0 && std::ranges::all_of(greeting.kernels, [](const KernelInfo& kernel) {
+                              return kernel.arity > 0 && kernel.arity <= protocol::most_arguments;
+                            });
+  if (!is_the_hosts) throw std::length_error("a greeting of no kernels, or of no kernel's arity");
   return greeting;
 }
 

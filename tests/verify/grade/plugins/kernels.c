@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 #include <nipref/fast/sheet/c.h>
 #include <nipref/kernel.h>
@@ -190,6 +191,15 @@ static void crash_at_the_end(void* state) {
   crash();
 }
 
+/* An answer that says nothing, where the host speaks. */
+static int speak(void** state) {
+  const size_t nothing = 0;
+  (void)state;
+  return write(3, &nothing, sizeof nothing) < 0;
+}
+
+static void speak_at_the_end(void* state) { speak(state); }
+
 double bare_I3(double alpha) { return sound(alpha); }
 
 double bare_I6(double alpha, double eta) {
@@ -241,6 +251,10 @@ static const nipref_kernel not_opened = {
     NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_opened", "I3", 1, 0, not_made, all_sound, 0};
 static const nipref_kernel not_closed = {
     NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "not_closed", "I3", 1, 0, 0, all_sound, crash_at_the_end};
+static const nipref_kernel speaks = {
+    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "speaks", "I3", 1, 0, speak, all_sound, 0};
+static const nipref_kernel speaks_last = {
+    NIPREF_KERNEL_ABI, sizeof(nipref_kernel), "speaks_last", "I3", 1, 0, 0, all_sound, speak_at_the_end};
 
 const nipref_kernel* const* nipref_kernels(void) {
   static const nipref_kernel* const all[] = {&k_all_sound,
@@ -276,6 +290,8 @@ const nipref_kernel* const* nipref_kernels(void) {
                                              &k_refuses,
                                              &not_opened,
                                              &not_closed,
+                                             &speaks,
+                                             &speaks_last,
                                              NULL};
   return all;
 }

@@ -1,0 +1,48 @@
+#include <algorithm>
+
+#include <nipref/data/scene/internal/toml_obstacle.hpp>
+
+namespace nipref::data {
+namespace {
+
+/// Where the text in quotes that begins the text ends: behind its closing quotes, or where all ends.
+std::size_t quoted_length(std::string_view text) {
+  const char quote = text.front();
+  const std::string_view triple = text.substr(0, 3);
+  const bool is_long = std::ranges::count(triple, quote) == 3;
+  const std::string_view ending = is_long ? triple : triple.substr(0, 1);
+  for (std::size_t at = ending.size(); at < text.size(); ++at) {
+    if (text.substr(at).starts_with(ending)) return at + ending.size();
+    if (text[at] == '\n' && !is_long) return at;
+    if (text[at] == '\\' && quote == '"') ++at;
+  }
+  return text.size();
+}
+
+/// Of a comment, a text in quotes or a letter, whichever begins the text.
+std::size_t token_length(std::string_view text) {
+  const char letter = text.front();
+  if (letter == '#') return std::min(text.find('\n'), text.size());
+  return letter == '"' || letter == '\'' ? quoted_length(text) : 1;
+}
+
+}  // namespace
+
+std::optional<TomlObstacle> toml_obstacle(std::string_view text) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf", no_part_of_a_key = "=,[]{}\n";
+  std::size_t parts = 1, line = 1;
+  for (std::size_t at = text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0; at < text.size();) {
+    const char letter = text[at];
+    if (letter == '.' && ++parts > most_key_parts)
+      return TomlObstacle{line, "must have keys of at most 16 parts"};
+    if (static_cast<unsigned char>(letter) >= 0x80)
+      return TomlObstacle{line, "must be TOML: letters beyond ASCII in quotes"};
+    if (no_part_of_a_key.find(letter) != std::string_view::npos) parts = 1;
+    const std::string_view token = text.substr(at, token_length(text.substr(at)));
+    line += static_cast<std::size_t>(std::ranges::count(token, '\n'));
+    at += token.size();
+  }
+  return std::nullopt;
+}
+
+}  // namespace nipref::data
