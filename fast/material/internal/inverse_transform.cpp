@@ -10,7 +10,6 @@ namespace {
 struct WideComplex {
   Wide re = 0, im = 0;
 
-  friend WideComplex operator-(const WideComplex& a) { return {-a.re, -a.im}; }
   friend WideComplex operator+(const WideComplex& a, const WideComplex& b) {
     return {a.re + b.re, a.im + b.im};
   }

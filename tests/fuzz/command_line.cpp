@@ -1,0 +1,69 @@
+#include <sstream>
+#include <vector>
+
+#include <nipref/data/scene/file.hpp>
+#include <nipref/data/table/index.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/solve_sweep.hpp>
+#include <nipref/verify/cli/sweep_rows.hpp>
+
+#include "reading.hpp"
+
+using namespace nipref;
+using verify::CommandLine;
+
+namespace {
+
+/// Taken apart at its blanks.
+CommandLine command_line_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  return verify::parse_command_line(static_cast<int>(arguments.size()), arguments.data());
+}
+
+void read_options(const CommandLine& line) {
+  take_or_refuse([&] { static_cast<void>(verify::accuracy_option(line)); });
+  take_or_refuse([&] { static_cast<void>(verify::points_option(line)); });
+  take_or_refuse([&] { static_cast<void>(verify::scenes_option(line)); });
+  take_or_refuse([&] { static_cast<void>(verify::max_slowdown_option(line)); });
+  take_or_refuse([&] { static_cast<void>(verify::every_option(line)); });
+  take_or_refuse([&] { static_cast<void>(verify::promise_option(line)); });
+}
+
+void read_scene(const CommandLine& line) {
+  const auto file = verify::scene_request(line, line.verb, 30).file;
+  const verify::AxesProduct scenes = verify::swept_scenes(file, line);
+  static_cast<void>(data::load_scene(file, scenes.assignments(0, &verify::AxisValue::shown)));
+}
+
+void read_arguments(const CommandLine& line) {
+  const verify::Quantity& quantity = verify::find_quantity(line.words.empty() ? "I6" : line.words.front());
+  take_or_refuse([&] { static_cast<void>(verify::parse_ranges(quantity, line.assignments)); });
+  std::vector<verify::Axis> axes;
+  for (const auto& [name, text] : line.assignments)
+    axes.push_back(verify::axis_of(name, text, verify::sweep_points_option(line)));
+  const verify::AxesProduct points(axes);
+  static_cast<void>(
+      verify::parse_arguments(quantity, points.assignments(0, &verify::AxisValue::exact)).nearest(quantity));
+}
+
+}  // namespace
+
+/// All that verbs read of a command line before they compute.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  take_or_refuse([&] {
+    const CommandLine line = command_line_of(std::string(reinterpret_cast<const char*>(data), size));
+    read_options(line);
+    take_or_refuse([&] { read_scene(line); });
+    take_or_refuse([&] { read_arguments(line); });
+    for (const std::string& word : line.words)
+      take_or_refuse([&] { static_cast<void>(data::find_table_id(word)); });
+  });
+  return 0;
+}

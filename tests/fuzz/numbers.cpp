@@ -1,0 +1,29 @@
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/axes.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/shard.hpp>
+
+#include "reading.hpp"
+
+using namespace nipref;
+
+/// What stands behind a name and '=' on a command line.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  constexpr double a_third = 1.0 / 3;
+  take_or_refuse([&] { static_cast<void>(verify::parse_range("alpha", text).at(a_third)); });
+  take_or_refuse([&] { static_cast<void>(verify::axis_of("alpha", text, 5)); });
+  take_or_refuse([&] { static_cast<void>(verify::parse_integer("digits", text)); });
+  take_or_refuse([&] { static_cast<void>(verify::parse_real("rtol", text)); });
+  take_or_refuse([&] { static_cast<void>(verify::parse_shard(text)); });
+  take_or_refuse([&] {
+    const verify::Quantity& quantity = verify::find_quantity("I6");
+    const verify::ParsedArguments arguments =
+        verify::parse_arguments(quantity, {{"alpha", text}, {"eta", text}});
+    static_cast<void>(arguments.exact.front().text());
+    static_cast<void>(arguments.exact.front().log2_magnitude());
+    static_cast<void>(arguments.nearest(quantity));
+  });
+  return 0;
+}
