@@ -17,6 +17,7 @@ install(FILES ${PROJECT_BINARY_DIR}/nipref-fast.pc DESTINATION ${CMAKE_INSTALL_L
 install(FILES ${PROJECT_BINARY_DIR}/nipref.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT ref)
 
 if(PROJECT_IS_TOP_LEVEL)
+  include(.cmake/debian.cmake)
   add_custom_target(uninstall VERBATIM
     COMMAND ${CMAKE_COMMAND} -D build=${PROJECT_BINARY_DIR} -P ${PROJECT_SOURCE_DIR}/.cmake/uninstall.cmake)
 endif()
