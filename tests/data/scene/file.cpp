@@ -259,8 +259,7 @@ TEST_CASE("a scene of more than a mebibyte is refused unread, and one nested wit
   CHECK_THROWS_AS((void)data::load_scene(deep.path()), data::BadInput);
 }
 
-TEST_CASE(
-    "a key of parts without end is refused wherever it stands; dots that are no key's are not counted") {
+TEST_CASE("a key of parts without end is refused wherever it stands, other dots are not counted") {
   std::string parts = "a";
   for (int i = 0; i < 100'000; ++i) parts += ".a";
   for (const std::string& text : {parts + " = 1\n", "[" + parts + "]\n", "x = [{" + parts + " = 1}]\n"}) {
