@@ -39,7 +39,7 @@ const std::map<std::string, std::map<std::string, Names>> subject_arrows{
      {{"number", {}},
       {"material", {"number"}},
       {"sheet", {"number"}},
-      {"memory", {"number", "sheet"}},
+      {"memory", {"number", "sheet", "material"}},
       {"nip", {"number"}},
       {"elastic_nip", {"number", "sheet", "nip"}},
       {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
