@@ -290,13 +290,38 @@ void check_function(const ExactFunction& function, const std::string& name) {
   for (const ExactFunction::Term& term : function.terms) check_not_below_0(term.rate, name + " rate");
 }
 
+/// An upper bound of a fraction's rates, after Fujiwara: log2.
+double log2_fastest_rate(const ExactRatio& fraction) {
+  const auto& c = fraction.denominator;
+  const double last = Exact(c.back()).log2_magnitude();
+  double fastest = -HUGE_VAL;
+  for (std::size_t k = 0; k + 1 < c.size(); ++k) {
+    const double ratio = Exact(c[k]).log2_magnitude() - last;
+    fastest = std::max(fastest, 1 + ratio / static_cast<double>(c.size() - 1 - k));
+  }
+  return fastest;
+}
+
+/// A value of a rate costs its logarithm squared.
+void check_rates(const ExactFunction& function, const mpq_class& way_per_time) {
+  constexpr double most = 1e100;
+  for (const ExactRatio& fraction : function.fractions) {
+    const double log2_rate = log2_fastest_rate(fraction) - Exact(way_per_time).log2_magnitude();
+    if (log2_rate > std::log2(most))
+      throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
+  }
+}
+
 mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,
                                const ExactMaterial& material) {
   check_positive(speed.value(), "speed");
   check_positive(half_thickness.value(), "half_thickness");
   check_function(material.theta1, "theta1");
   check_function(material.theta2, "theta2");
-  return speed.value() / half_thickness.value();
+  const mpq_class way_per_time = speed.value() / half_thickness.value();
+  check_rates(material.theta1, way_per_time);
+  check_rates(material.theta2, way_per_time);
+  return way_per_time;
 }
 
 Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_time, const char* name) {
@@ -309,6 +334,18 @@ Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_tim
     }
   }
   return {alpha, start};
+}
+
+/// Along the paths of fractions values cost the distance's square, or more.
+void check_distance(const ExactFunction& function, const Place& place) {
+  constexpr double farthest = 200;
+  if (function.fractions.empty()) return;
+  const double distance =
+      std::max(std::fabs(place.alpha.approximate()), place.start ? std::fabs(place.start->approximate()) : 0);
+  if (distance > farthest)
+    throw data::BadInput(
+        "distance from the load", distance,
+        "half thicknesses, must be at most 200 for operators whose roots are no rational numbers");
 }
 
 /// The slowest decay of Un with the distance of the load, 1/half thickness.
@@ -325,6 +362,7 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
 Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material, int digits,
                 int residue_terms = 0) {
   const ExactFunction normal = material.normal();
+  check_distance(normal, place);
   const double distance = std::abs(place.alpha.approximate());
   const double first_nats = size_nats(material) + distance * decay_of_normal(normal, place, way_per_time);
   return sum_over_pi({{normal, Kernel::I1, place, false, residue_terms}}, way_per_time, first_nats, digits);
@@ -332,6 +370,7 @@ Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMa
 
 Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
                 const ExactMaterial& material, int digits, int residue_terms = 0) {
+  for (const Place& place : {alpha, eta}) check_distance(material.normal(), place);
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
   return sum_over_pi({{material.normal(), Kernel::I3, alpha, false, residue_terms},

@@ -86,12 +86,10 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   return odd ? over_i(enclosure) : enclosure;
 }
 
-/// P. S(i r) = i (sin 2r + 2r).
-ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
-  const mpfr_prec_t bits = rate.real.precision();
+/// Over e^{-L A}, S(i r) being i (sin 2r + 2r).
+ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate) {
   const ComplexInterval sine = sin(rate), cosine = cos(rate);
-  const ComplexInterval faded = exp(negative(scaled(Interval(distance, bits), rate)));
-  const ComplexInterval size = scaled(Interval::pi(bits), faded * inverse(sine * cosine + rate));
+  const ComplexInterval size = scaled(Interval::pi(rate.real.precision()), inverse(sine * cosine + rate));
   switch (kernel) {
     case Symbol::I3:
       return size;
@@ -102,6 +100,37 @@ ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exa
     default:
       return size * sine * sine * inverse(rate);
   }
+}
+
+/// The same for Im L > 0 by r = e^{i L}, where sine and cosine are too large for any number:
+/// sin L = (r - 1/r)/(2i), cos L = (r + 1/r)/2, all times r or r^2.
+ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& rate) {
+  const mpfr_prec_t bits = rate.real.precision();
+  const ComplexInterval one{Interval(1L, bits), Interval(bits)}, r = exp(times_i(rate)), square = r * r;
+  const Interval half(0.5, bits);
+  const ComplexInterval sine = scaled(half, over_i(square - one)), cosine = scaled(half, square + one);
+  const ComplexInterval size = scaled(Interval::pi(bits), inverse(sine * cosine + rate * square));
+  switch (kernel) {
+    case Symbol::I3:
+      return size * square;
+    case Symbol::I4:
+      return size * sine * r * inverse(rate);
+    case Symbol::I5:
+      return size * cosine * r;
+    default:
+      return size * sine * sine * inverse(rate);
+  }
+}
+
+/// P
+ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
+  constexpr double fast_swing = 64;
+  const ComplexInterval faded = exp(negative(scaled(Interval(distance, rate.real.precision()), rate)));
+  const double swing = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
+  if (swing > fast_swing) return whole_line_of_fast_swing(kernel, rate) * faded;
+  // Real where the rate is.
+  if (swing < -fast_swing) return conj(whole_line_of_fast_swing(kernel, conj(rate))) * faded;
+  return whole_line_from_load(kernel, rate) * faded;
 }
 
 /// psi of the pole at i rate, mirrored to the right.

@@ -204,6 +204,15 @@ TEST_CASE("moving load: operators are the solids that their roots make") {
   refused({"0", "0", "1"});
 }
 
+TEST_CASE("moving load: with operators what would take long is refused") {
+  const ExactMaterial solid = swinging();
+  CHECK_NOTHROW(moving_load_steady_normal_displacement(exact("-150"), one, one, solid, 16));
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("201"), one, one, solid, 16), BadInput);
+  CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-100"), one, one, solid, 16),
+                  BadInput);
+  CHECK_THROWS_AS(moving_load_steady_normal_displacement(one, exact("1e-101"), one, solid, 16), BadInput);
+}
+
 TEST_CASE("moving load: steady Un is the memory integral of a load that came from far away") {
   const ExactMaterial solid = two_times();
   for (const std::string alpha : {"0.5", "-1.25", "1e-6"}) {

@@ -51,8 +51,13 @@ TEST_CASE("memory of complex rates: on the real axis it is that of real ones") {
 TEST_CASE("memory of complex rates: enclosures of any width, by other nodes, meet") {
   for (const Symbol kernel : {Symbol::normal, Symbol::I3, Symbol::I4, Symbol::I5}) {
     for (const std::string alpha : {"-30", "-0.02", "0", "4"}) {
-      for (const auto& [real, imaginary] :
-           {std::pair{"1e-4", "0.4"}, {"0.3", "-3"}, {"1.125", "2.106"}, {"0.02", "400"}, {"1e6", "1e7"}}) {
+      for (const auto& [real, imaginary] : {std::pair{"1e-4", "0.4"},
+                                            {"0.3", "-3"},
+                                            {"1.125", "2.106"},
+                                            {"0.02", "400"},
+                                            {"40", "-90"},
+                                            {"1e6", "1e7"},
+                                            {"3", "1e300"}}) {
         CAPTURE(static_cast<int>(kernel));
         CAPTURE(alpha);
         CAPTURE(imaginary);
