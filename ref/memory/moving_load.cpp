@@ -168,14 +168,10 @@ Interval history(Kernel kernel, const Place& place, const mpq_class& rate, doubl
              whole_history(kernel, *place.start, rate, nats_left(nats, faded.get_d()), residue_terms);
 }
 
-ComplexInterval scaled(const Interval& factor, const ComplexInterval& z) {
-  return {factor * z.real, factor * z.imag};
-}
-
 /// int_alpha^start e^{-rate (w - alpha)} sign(w) dw
 ComplexInterval swinging_sign(const Place& place, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.real.precision();
-  const auto faded = [&](const mpq_class& way) { return exp(scaled(-Interval(Exact(way), bits), rate)); };
+  const auto faded = [&](const mpq_class& way) { return exp(-Interval(Exact(way), bits) * rate); };
   const mpq_class& alpha = place.alpha.value();
   mpq_class behind = std::max(mpq_class(-alpha), mpq_class(0));
   const ComplexInterval one{Interval(1L, bits), Interval(bits)};
@@ -189,17 +185,17 @@ ComplexInterval swinging_sign(const Place& place, const ComplexInterval& rate) {
 ComplexInterval swinging_history(Kernel kernel, const Place& place, const ComplexInterval& rate,
                                  double nats) {
   const mpfr_prec_t bits = rate.real.precision();
-  if (kernel == Kernel::I2) return scaled(Interval::pi(bits) / 2, swinging_sign(place, rate));
+  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * swinging_sign(place, rate);
   const ComplexInterval whole = swinging_memory(symbol_of(kernel), place.alpha, rate, nats);
   if (!place.start) return whole;
   const Interval way(Exact(mpq_class(place.start->value() - place.alpha.value())), bits);
   const double faded = mpfr_get_d((rate.real * way).lower(), MPFR_RNDD);
-  return whole - exp(scaled(-way, rate)) *
-                     swinging_memory(symbol_of(kernel), *place.start, rate, nats_left(nats, faded));
+  return whole -
+         exp(-way * rate) * swinging_memory(symbol_of(kernel), *place.start, rate, nats_left(nats, faded));
 }
 
 double ln_size(const ComplexInterval& z) {
-  const Interval size = sqrt(square(z.real) + square(z.imag));
+  const Interval size = abs(z);
   long exponent = 0;
   const double fraction = mpfr_get_d_2exp(&exponent, size.upper(), MPFR_RNDU);
   return fraction > 0 ? std::log(fraction) + static_cast<double>(exponent) * ln2 : 0;
@@ -221,9 +217,9 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const Place& plac
   Interval sum(64);
   for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
     const Interval unit = 1 / Interval(Exact(way_per_time), rate.real.precision());
-    const ComplexInterval in_way = scaled(unit, amplitude);
+    const ComplexInterval in_way = unit * amplitude;
     const double needed = std::max(nats + ln_size(in_way) + 4, 40.0);
-    sum = sum + (in_way * swinging_history(kernel, place, scaled(unit, rate), needed)).real;
+    sum = sum + (in_way * swinging_history(kernel, place, unit * rate, needed)).real;
   }
   return sum;
 }

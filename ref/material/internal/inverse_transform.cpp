@@ -12,8 +12,6 @@ using Points = std::vector<ComplexInterval>;
 
 Interval rational_interval(const mpq_class& x, mpfr_prec_t bits) { return {Exact(x), bits}; }
 
-Interval magnitude_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
-
 Interval larger(const Interval& x, const Interval& y) { return mpfr_cmp(x.upper(), y.upper()) < 0 ? y : x; }
 
 ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
@@ -52,7 +50,7 @@ ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
   Interval farthest(-1L, 64);
   for (std::size_t i = 0; i < x.size(); ++i) {
     for (std::size_t j = i + 1; j < x.size(); ++j) {
-      const Interval apart = magnitude_of(x[i] - x[j]);
+      const Interval apart = abs(x[i] - x[j]);
       if (mpfr_cmp(apart.upper(), farthest.upper()) > 0) {
         farthest = apart;
         first = i;
@@ -84,7 +82,7 @@ Points polynomial_differences(Points rest, const Points& roots) {
 Interval bound_of(const Points& differences, std::size_t roots, const Interval& t) {
   Interval sum(t.precision());
   for (std::size_t k = 0; k < differences.size(); ++k) {
-    Interval term = magnitude_of(differences[k]);
+    Interval term = abs(differences[k]);
     for (std::size_t m = 1; m + k < roots; ++m) term = term * t / static_cast<long>(m);
     sum = sum + term;
   }

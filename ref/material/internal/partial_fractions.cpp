@@ -17,8 +17,6 @@ ComplexInterval at(const Polynomial& p, const ComplexInterval& z) {
   return value;
 }
 
-Interval magnitude_of(const ComplexInterval& z) { return sqrt(square(z.real) + square(z.imag)); }
-
 /// prod (z_i - z_j)
 ComplexInterval apart(const Points& points, std::size_t i) {
   const mpfr_prec_t bits = points[i].real.precision();
@@ -36,14 +34,14 @@ std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bi
   std::vector<Interval> radii;
   Points roots;
   for (std::size_t i = 0; i < near.size(); ++i) {
-    const Interval lead = magnitude_of(apart(near, i)) * Interval(Exact(mpq_class(abs(last.value()))), bits);
+    const Interval lead = abs(apart(near, i)) * Interval(Exact(mpq_class(abs(last.value()))), bits);
     if (mpfi_has_zero(lead.get()) > 0) return {};
-    radii.push_back(static_cast<long>(near.size()) * (magnitude_of(at(denominator, near[i])) / lead));
+    radii.push_back(static_cast<long>(near.size()) * (abs(at(denominator, near[i])) / lead));
     roots.push_back({near[i].real.widened(radii[i]), near[i].imag.widened(radii[i])});
   }
   for (std::size_t i = 0; i < near.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const Interval between = magnitude_of(near[i] - near[j]) - radii[i] - radii[j];
+      const Interval between = abs(near[i] - near[j]) - radii[i] - radii[j];
       if (mpfi_is_strictly_pos(between.get()) <= 0) return {};
     }
   }
@@ -59,10 +57,8 @@ std::vector<SwingingTerm> partial_fractions(const Polynomial& numerator, const P
   std::vector<SwingingTerm> terms;
   for (std::size_t i = 0; i < roots->size(); ++i) {
     const ComplexInterval& root = (*roots)[i];
-    ComplexInterval slope = apart(*roots, i);
-    const Interval last(Exact(denominator.back()), bits);
-    slope = {slope.real * last, slope.imag * last};
-    terms.push_back({at(numerator, root) * inverse(slope), {-root.real, -root.imag}});
+    const ComplexInterval slope = Interval(Exact(denominator.back()), bits) * apart(*roots, i);
+    terms.push_back({at(numerator, root) * inverse(slope), -root});
   }
   return terms;
 }

@@ -46,10 +46,6 @@ ComplexInterval enclosed(const Complex& number, mpfr_prec_t bits) {
 
 ComplexInterval times_i(const ComplexInterval& z) { return {-z.imag, z.real}; }
 ComplexInterval over_i(const ComplexInterval& z) { return {z.imag, -z.real}; }
-ComplexInterval negative(const ComplexInterval& z) { return {-z.real, -z.imag}; }
-ComplexInterval scaled(const Interval& factor, const ComplexInterval& z) {
-  return {factor * z.real, factor * z.imag};
-}
 
 /// U(A, m)
 ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexInterval& m, Contour path,
@@ -58,7 +54,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   const double angle = path == Contour::low ? low_angle : high_angle;
   const long last = last_node(kernel, distance.approximate(), angle, step, nats);
   const mpfr_prec_t bits = std::max(working_precision(nats + 12, distance.approximate()), m.real.precision());
-  const Interval A(distance, bits), mean(0.5, bits);
+  const Interval A(distance, bits), half(0.5, bits);
   const ComplexInterval conjugate_m = conj(m);
   const bool odd = bounds(kernel).parity == Parity::odd;
   ComplexInterval sum{Interval(bits), Interval(bits)};
@@ -69,18 +65,18 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
     for (long k = 0; k < std::min(nodes_in_block, last + 1 - first); ++k) {
       const ContourNode& node = (*nodes)[static_cast<std::size_t>(k)];
       const ComplexInterval z = enclosed(node.z, bits), turn = times_i(z);
-      const ComplexInterval wave = enclosed(node.weight, bits) * exp(scaled(A, turn));
+      const ComplexInterval wave = enclosed(node.weight, bits) * exp(A * turn);
       const ComplexInterval right = wave * inverse(m - turn);
       // Its mirror image at -t, where the weighted wave is the conjugate, of odd kernels with the other sign.
       const ComplexInterval left = conj(wave * inverse(conjugate_m - turn));
       if (first + k == 0) {
         sum = sum + right;
       } else {
-        sum = sum + right + (odd ? negative(left) : left);
+        sum = sum + right + (odd ? -left : left);
       }
     }
   }
-  const ComplexInterval integral = scaled(Interval(step, bits) * mean, sum);
+  const ComplexInterval integral = Interval(step, bits) * half * sum;
   const Interval left_out = exp(Interval(-nats, 64));
   const ComplexInterval enclosure{integral.real.widened(left_out), integral.imag.widened(left_out)};
   return odd ? over_i(enclosure) : enclosure;
@@ -89,7 +85,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
 /// Over e^{-L A}, S(i r) being i (sin 2r + 2r).
 ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate) {
   const ComplexInterval sine = sin(rate), cosine = cos(rate);
-  const ComplexInterval size = scaled(Interval::pi(rate.real.precision()), inverse(sine * cosine + rate));
+  const ComplexInterval size = Interval::pi(rate.real.precision()) * inverse(sine * cosine + rate);
   switch (kernel) {
     case Symbol::I3:
       return size;
@@ -108,8 +104,8 @@ ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& r
   const mpfr_prec_t bits = rate.real.precision();
   const ComplexInterval one{Interval(1L, bits), Interval(bits)}, r = exp(times_i(rate)), square = r * r;
   const Interval half(0.5, bits);
-  const ComplexInterval sine = scaled(half, over_i(square - one)), cosine = scaled(half, square + one);
-  const ComplexInterval size = scaled(Interval::pi(bits), inverse(sine * cosine + rate * square));
+  const ComplexInterval sine = half * over_i(square - one), cosine = half * (square + one);
+  const ComplexInterval size = Interval::pi(bits) * inverse(sine * cosine + rate * square);
   switch (kernel) {
     case Symbol::I3:
       return size * square;
@@ -125,7 +121,7 @@ ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& r
 /// P
 ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
   constexpr double fast_swing = 64;
-  const ComplexInterval faded = exp(negative(scaled(Interval(distance, rate.real.precision()), rate)));
+  const ComplexInterval faded = exp(-(Interval(distance, rate.real.precision()) * rate));
   const double swing = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
   if (swing > fast_swing) return whole_line_of_fast_swing(kernel, rate) * faded;
   // Real where the rate is.
@@ -146,15 +142,15 @@ ComplexInterval swinging_memory(Symbol kernel, const Exact& alpha, const Complex
   const bool odd = bounds(kernel).parity == Parity::odd;
   const Exact distance = alpha.magnitude();
   const Interval quarter = Interval::pi(rate.real.precision()) / 4;
-  const ComplexInterval at_origin = scaled(quarter, inverse(rate));
+  const ComplexInterval at_origin = quarter * inverse(rate);
   if (alpha.sign() >= 0) {
     const ComplexInterval integral = along_path(kernel, distance, rate, Contour::high, nats);
     return odd ? integral + at_origin : integral;
   }
   const bool above = angle_of_pole(rate) >= 0.5;
   const ComplexInterval passed =
-      along_path(kernel, distance, negative(rate), above ? Contour::low : Contour::high, nats);
-  const ComplexInterval known = odd ? passed - at_origin : negative(passed);
+      along_path(kernel, distance, -rate, above ? Contour::low : Contour::high, nats);
+  const ComplexInterval known = odd ? passed - at_origin : -passed;
   return above ? known : known + whole_line(kernel, rate, distance);
 }
 

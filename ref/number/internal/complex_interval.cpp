@@ -11,6 +11,9 @@ ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y) {
 ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y) {
   return {x.real * y.real - x.imag * y.imag, x.real * y.imag + x.imag * y.real};
 }
+ComplexInterval operator-(const ComplexInterval& x) { return {-x.real, -x.imag}; }
+ComplexInterval operator*(const Interval& x, const ComplexInterval& y) { return {x * y.real, x * y.imag}; }
+Interval abs(const ComplexInterval& x) { return sqrt(square(x.real) + square(x.imag)); }
 ComplexInterval conj(const ComplexInterval& x) { return {x.real, -x.imag}; }
 ComplexInterval inverse(const ComplexInterval& x) {
   const Interval size = square(x.real) + square(x.imag);

@@ -11,6 +11,9 @@ struct ComplexInterval {
 ComplexInterval operator+(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval operator-(const ComplexInterval& x, const ComplexInterval& y);
 ComplexInterval operator*(const ComplexInterval& x, const ComplexInterval& y);
+ComplexInterval operator-(const ComplexInterval& x);
+ComplexInterval operator*(const Interval& x, const ComplexInterval& y);
+Interval abs(const ComplexInterval& x);
 ComplexInterval conj(const ComplexInterval& x);
 /// 1/x; parts are infinite where x contains 0.
 ComplexInterval inverse(const ComplexInterval& x);
