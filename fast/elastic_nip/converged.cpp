@@ -85,6 +85,8 @@ struct ConvergedElasticNip::Implementation {
     Estimate estimate = at(e);
     for (const double beside : {0.8 * e, 0.9 * e, 1.25 * e})
       estimate.error = std::max(estimate.error, at(beside).error);
+    // Where an expansion converges more slowly than the others, the last one lacks more than levels tell.
+    if (e > 0) estimate.error = std::max(estimate.error, ladder.last().tail_at(e).*component);
     const double unsure = given_length ? 0 : half_length_estimate().error;
     double shifted = 0;
     for (const double moved : {e - unsure, e + unsure})

@@ -106,6 +106,11 @@ struct ConvergedViscoelasticNip::Implementation {
   /// dimensionless.
   [[nodiscard]] Estimate strain_beyond(const ViscoelasticNipLadder::Functional& zero, double zero_size,
                                        double y) const;
+  /// What the pressure's expansion at `place` is about to leave out: where it converges more slowly than elsewhere, the
+  /// last one lacks more than levels tell.
+  [[nodiscard]] double tail_at(const ContactPlace& place) const {
+    return place.e > 0 ? ladder.last().tail_at({place.half, std::min(place.e, half_length())}) : 0;
+  }
   /// How well the nearer end of the contact is known, half-thicknesses.
   [[nodiscard]] double unsure_end(Half half) const {
     return estimate(std::mem_fn(half == Half::leading ? &ViscoelasticPressure::leading_length
@@ -202,6 +207,7 @@ Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
   Estimate strain = at(place.e);
   for (const double beside : {0.8 * place.e, 1.25 * place.e})
     strain.error = std::max(strain.error, at(beside).error);
+  strain.error = std::max(strain.error, std::fabs(sheet.material.theta2_instantaneous) * tail_at(place));
   strain = with_neglected(strain, scale);
   if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length(), place.e);
   const double unsure = unsure_end(place.half);
@@ -277,6 +283,7 @@ Estimate ConvergedViscoelasticNip::pressure(double y) const {
   Estimate solved = at(place.e);
   for (const double beside : {0.8 * place.e, std::min(1.25 * place.e, half_length), 1.25 * place.e})
     solved.error = std::max(solved.error, at(beside).error);
+  solved.error = std::max(solved.error, implementation_->tail_at(place));
   if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
   const double unsure = implementation_->unsure_end(place.half);
   double shifted = 0;
@@ -353,8 +360,8 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   const double lever = units.length / radius, half_length = implementation_->half_length();
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
-  // Twice: its two parts, offset and moment, cancel.
-  return times(lever, {solved.value, 2 * solved.error + sheet.neglected(half_length) * half_length});
+  return times(lever, {solved.value,
+                       eccentricity_said_times * solved.error + sheet.neglected(half_length) * half_length});
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {

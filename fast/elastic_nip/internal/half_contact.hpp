@@ -30,6 +30,9 @@ struct HalfContact {
   virtual ~HalfContact() = default;
   /// At 0 <= e <= A.
   [[nodiscard]] virtual Traction traction(double e) const = 0;
+  /// What the expansion there is about to leave out, of several of which some converge more slowly; 0 where it is the
+  /// only one.
+  [[nodiscard]] virtual Traction tail_at(double) const { return {0, 0}; }
 };
 
 }  // namespace nipref::fast

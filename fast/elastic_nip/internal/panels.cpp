@@ -36,8 +36,7 @@ class PanelContact : public HalfContact {
   static double beta(double poisson) { return (1 - 2 * poisson) / (2 * (1 - poisson)); }
 
   [[nodiscard]] Traction traction(double e) const override {
-    int panel = 0;
-    while (panel + 1 < panels_ && e > breaks[static_cast<std::size_t>(panel) + 1]) ++panel;
+    const int panel = panel_of(e);
     std::vector<double> polynomials(static_cast<std::size_t>(terms_));
     const double x = fraction(panel, e);
     internal::shifted_chebyshev(x, polynomials);
@@ -45,6 +44,10 @@ class PanelContact : public HalfContact {
     for (int k = 0; k < terms_; ++k) sum += coefficient(panel, k) * polynomials[static_cast<std::size_t>(k)];
     sum *= end_factor(panel, x);
     return {sum.real(), sum.imag()};
+  }
+
+  [[nodiscard]] Traction tail_at(double e) const override {
+    return tails_[static_cast<std::size_t>(panel_of(e))];
   }
 
   [[nodiscard]] SolutionAndTwins solutions(const ElasticNipOperator& from, CountedKernels& kernels) const {
@@ -60,6 +63,15 @@ class PanelContact : public HalfContact {
     }
     kernels.count_system(size());
     return solution_and_twins(matrix, sizes(matrix, from.beta()), gap);
+  }
+  void take_tails(const SolutionAndTwins& found) {
+    const std::vector<double> all = expansion_tails(found, terms_, panels_ * components());
+    tail = std::ranges::max(all);
+    const std::size_t panels = breaks.size() - 1;
+    for (std::size_t panel = 0; panel < panels; ++panel)
+      tails_.push_back({all[panel], friction_ ? all[panels + panel] : 0});
+    // The end's factor turns one into the other.
+    tails_[0].pressure = tails_[0].shear = std::max(tails_[0].pressure, tails_[0].shear);
   }
   void take(const Eigen::VectorXd& unknowns, double tolerance) {
     unknowns_ = unknowns;
@@ -86,6 +98,11 @@ class PanelContact : public HalfContact {
     return size;
   }
 
+  [[nodiscard]] int panel_of(double e) const {
+    int panel = 0;
+    while (panel + 1 < panels_ && e > right(panel)) ++panel;
+    return panel;
+  }
   [[nodiscard]] double left(int panel) const { return breaks[static_cast<std::size_t>(panel)]; }
   [[nodiscard]] double right(int panel) const { return breaks[static_cast<std::size_t>(panel) + 1]; }
   [[nodiscard]] double fraction(int panel, double e) const {
@@ -177,6 +194,7 @@ class PanelContact : public HalfContact {
   int panels_;
   Complex exponent_ = 0.5;
   Eigen::VectorXd unknowns_;
+  std::vector<Traction> tails_;
 };
 
 }  // namespace
@@ -194,7 +212,7 @@ std::unique_ptr<HalfContact> panel_contact(double half_length, data::Friction fr
     return contact;
   };
   auto contact = solved(found.solution);
-  contact->tail = expansion_tail(found, layout.terms, layout.panels * (with_friction ? 2 : 1));
+  contact->take_tails(found);
   for (const auto& twin : found.twins.colwise()) contact->twins.push_back(solved(twin));
   return contact;
 }

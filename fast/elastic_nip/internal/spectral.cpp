@@ -134,7 +134,7 @@ SolutionAndTwins solve(double half_length, const Grid& grid, CountedKernels& ker
 std::unique_ptr<HalfContact> spectral_contact(double half_length, int terms, CountedKernels& kernels) {
   const SolutionAndTwins found = solve(half_length, Grid(terms), kernels);
   auto contact = std::make_unique<SpectralContact>(half_length, found.solution);
-  contact->tail = expansion_tail(found, terms, 1);
+  contact->tail = expansion_tails(found, terms, 1).front();
   for (const auto& twin : found.twins.colwise())
     contact->twins.push_back(std::make_unique<SpectralContact>(half_length, twin));
   return contact;

@@ -13,8 +13,9 @@ double last_coefficients(const Eigen::VectorXd& coefficients) {
 
 }  // namespace
 
-double expansion_tail(const SolutionAndTwins& found, Eigen::Index terms, Eigen::Index expansions) {
-  double largest = 0;
+std::vector<double> expansion_tails(const SolutionAndTwins& found, Eigen::Index terms,
+                                    Eigen::Index expansions) {
+  std::vector<double> tails;
   for (Eigen::Index i = 0; i < expansions; ++i) {
     const Eigen::VectorXd coefficients = found.solution.segment(i * terms, terms);
     const double tail = last_coefficients(coefficients);
@@ -22,9 +23,9 @@ double expansion_tail(const SolutionAndTwins& found, Eigen::Index terms, Eigen::
     for (const auto& twin : found.twins.colwise())
       squares += std::pow(last_coefficients(twin.segment(i * terms, terms) - coefficients), 2);
     const double lost = 12 * std::sqrt(squares / static_cast<double>(found.twins.cols()));
-    if (tail > lost) largest = std::max(largest, tail);
+    tails.push_back(tail > lost ? tail : 0);
   }
-  return largest;
+  return tails;
 }
 
 }  // namespace nipref::fast

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <nipref/fast/number/internal/linear_system.hpp>
 
@@ -19,10 +20,11 @@ inline double fastest_on_panels(double half_length) {
   return std::min(8.0, 1.2 * (beside + std::hypot(1, beside)));
 }
 
-/// What the solution's expansions are about to leave out: the largest of the last three coefficients, for one of
-/// them may be small by chance, each as it would be at the last place had it fallen by a usual factor a term; of
-/// those expansions in which it is not lost in what the twins differ by. The first terms * expansions unknowns are
-/// the coefficients, one expansion after the other.
-double expansion_tail(const SolutionAndTwins& found, Eigen::Index terms, Eigen::Index expansions);
+/// What each of the solution's expansions is about to leave out: the largest of the last three coefficients, for one of
+/// them may be small by chance, each as it would be at the last place had it fallen by a usual factor a term; 0 where it
+/// is lost in what the twins differ by. The first terms * expansions unknowns are the coefficients, one expansion after
+/// the other.
+std::vector<double> expansion_tails(const SolutionAndTwins& found, Eigen::Index terms,
+                                    Eigen::Index expansions);
 
 }  // namespace nipref::fast

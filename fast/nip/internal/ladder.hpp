@@ -25,6 +25,7 @@ struct Judged {
   double scale = 0;  ///< the least size that the accuracy is asked relative to
   double size = 0;   ///< the least size by which it tells what the whole solution lacks
   Rate rate = Rate::of_expansions;
+  double said_times = 1;  ///< what is said of its error, over the ladder's estimate
 };
 
 /// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
@@ -189,7 +190,7 @@ class Ladder {
   /// Each solution lacks about what it differs by from the next; of that the last one has kept a part. A difference is
   /// told by what it is larger than `rounded`, what rounding may make.
   [[nodiscard]] double expansion_error(const Functional& functional, double rounded, Rate rate) const {
-    constexpr double safety = 8;
+    constexpr double safety = 16;
     std::vector<double> values;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
     const std::size_t last = values.size() - 1;
@@ -200,7 +201,7 @@ class Ladder {
       if (rate == Rate::own) {
         // Two differences in succession may be far apart by chance: then the one before must do.
         of_one = std::pow(of_one, 0.9);
-        if (i > 1) of_one = std::max(of_one, kept_of_own(step(i), step(i - 1)));
+        if (i > 1) of_one = std::max(of_one, kept_of_own(step(i), step(i - 1), last == 2));
       }
       kept *= of_one;
       left = std::max(left, (step(i) - rounded) * kept);
@@ -215,9 +216,9 @@ class Ladder {
     return tail(i + 1) < tail(i) ? std::pow(tail(i + 1) / tail(i), 0.95) : 1;
   }
   /// The same by two differences in succession: they fall geometrically in the number of terms, of which half
-  /// as many again are added next time; this, too, tells it but roughly.
-  static double kept_of_own(double difference, double before) {
-    return difference < before ? std::pow(difference / before, 0.95 * 1.5) : 1;
+  /// as many again are added next time; this, too, tells it but roughly, and hardly where there are no more than two.
+  static double kept_of_own(double difference, double before, bool no_more) {
+    return difference < before ? std::pow(difference / before, (no_more ? 0.5 : 0.95) * 1.5) : 1;
   }
   [[nodiscard]] double rounding_error(const Functional& functional, double value) const {
     constexpr double safety = 12;
@@ -241,7 +242,7 @@ class Ladder {
       const double size = std::max(judged.scale, std::fabs(value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       // By three times, for what the expansion leaves out is the safer estimate.
-      settled_ &= own.sum() <= accuracy_ * size || own.of_expansion < 3 * own.of_rounding;
+      settled_ &= judged.said_times * own.sum() <= accuracy_ * size || own.of_expansion < 3 * own.of_rounding;
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));
     }

@@ -14,6 +14,8 @@ double trailing_displacement(const ViscoelasticPressure& contact);
 /// Distance of the pressure's resultant from the line through the centres, towards the leading side: R/b
 /// times the coefficient of rolling resistance.
 double eccentricity(const ViscoelasticPressure& contact);
+/// Of what a ladder estimates of its error: its two parts, offset and moment, cancel.
+inline constexpr double eccentricity_said_times = 2;
 
 double peak_pressure(const ViscoelasticPressure& contact);
 /// About where that is: to a twelfth of a panel.

@@ -27,7 +27,7 @@ ViscoelasticPressure::ViscoelasticPressure(const ViscoelasticLayout& layout,
   }
   const SolutionAndTwins found = solutions(memory, tolerance, kernels);
   take(material, memory, found.solution);
-  tail_ = expansion_tail(found, layout.terms(), static_cast<Eigen::Index>(layout.panels().size()));
+  tails_ = expansion_tails(found, layout.terms(), static_cast<Eigen::Index>(layout.panels().size()));
   for (const auto& twin : found.twins.colwise())
     twins.push_back(
         std::unique_ptr<ViscoelasticPressure>(new ViscoelasticPressure(layout, material, memory, twin)));

@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -43,7 +44,9 @@ class ViscoelasticPressure {
   /// Of the pressure about the middle of the contact, positive if more of it is on the leading side.
   [[nodiscard]] double moment() const { return moment_; }
   [[nodiscard]] double pressure(ContactPlace place) const;  ///< inside the contact
-  [[nodiscard]] double tail() const { return tail_; }       ///< of its expansions, see expansion_tail.hpp
+  /// Of its expansions, and of the one at `place`, inside the contact: see expansion_tail.hpp.
+  [[nodiscard]] double tail() const { return std::ranges::max(tails_); }
+  [[nodiscard]] double tail_at(ContactPlace place) const { return tails_[layout_.panel_of(place)]; }
 
   /// Normal displacement anywhere: of the roller inside the contact, by quadrature outside.
   [[nodiscard]] double normal_displacement(ContactPlace place, double tolerance,
@@ -89,7 +92,7 @@ class ViscoelasticPressure {
   double offset_ = 0;
   double load_ = 0;
   double moment_ = 0;
-  double tail_ = 0;
+  std::vector<double> tails_;
   Response normal_response_;
   Response theta2_response_;
 };

@@ -47,3 +47,15 @@ TEST_CASE("what the shear next to the middle is not 0 by is an error that it kno
   }
   CHECK(asked.shear_zeros().size() == 2);
 }
+
+TEST_CASE("without slip, some way from the end the shear lacks what its panel's slower expansion does") {
+  const data::ElasticNip nip{
+      83.6009410917759, 0.17480677862477023, {235288.22673034668, -0.1359571557986783}};
+  const double length = 7.598592755384743;
+  const auto asked = fast::converged_for_length(nip, data::Friction::full, length, 9.026356743713215e-07);
+  const auto truth = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
+  for (const double y : {2.057848, 2.2, 2.349350}) {
+    const fast::Estimate found = asked.shear(y), other = truth.shear(y);
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  }
+}

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -121,7 +122,7 @@ TEST_CASE("ladder: it ends where more terms twice do not help, and says what is 
   CHECK(solves.size() == 5);
   const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
   CHECK(std::fabs(load.value - 1) <= load.error);
-  CHECK(load.error < 2e-8);
+  CHECK(load.error < 4e-8);
 }
 
 TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
@@ -135,14 +136,19 @@ TEST_CASE("ladder: beyond three levels none that cannot be afforded is tried") {
 
 TEST_CASE(
     "ladder: a small number that converges more slowly than the expansions is told by its own differences") {
-  std::vector<int> solves;
-  const auto ladder = Ladder<ToyLevels>::at_half_length(
-      {.factor = 6, .solves = &solves, .fastest = 1e3, .tail_factor = 1e3}, 3, 1e-4);
-  const Estimate small =
-      ladder.estimate_down_to_rounding([](const ToyContact& contact) { return contact.load - 9; });
-  CHECK(std::fabs(small.value) <= small.error);
-  // They fell by the terms gained last, and the last solution has gained half as many again.
-  CHECK(small.error <= 30 * std::fabs(small.value));
+  // Two differences tell the rate but roughly; three do better.
+  for (const auto& [accuracy, levels, most] : {std::tuple{1e-4, 3, 300.0}, std::tuple{1e-14, 4, 90.0}}) {
+    CAPTURE(levels);
+    std::vector<int> solves;
+    const auto ladder = Ladder<ToyLevels>::at_half_length(
+        {.factor = 6, .solves = &solves, .fastest = 1e3, .tail_factor = 1e3}, 3, accuracy);
+    CHECK(static_cast<int>(solves.size()) == levels);
+    const Estimate small =
+        ladder.estimate_down_to_rounding([](const ToyContact& contact) { return contact.load - 9; });
+    CHECK(std::fabs(small.value) <= small.error);
+    // They fell by the terms gained last, and the last solution has gained half as many again.
+    CHECK(small.error <= most * std::fabs(small.value));
+  }
 }
 
 TEST_CASE(
@@ -157,8 +163,8 @@ TEST_CASE(
     const Estimate load = ladder.estimate([](const ToyContact& contact) { return contact.load; });
     CHECK(std::fabs(load.value - 1) <= load.error);
     CHECK(load.error <= 1e-6);
-    // Once more at the believed rate, its power and the safety factor: not 30 times that.
-    CHECK(load.error <= 30 * std::fabs(load.value - 1));
+    // Once more at the believed rate, its power and the safety factor: not 60 times that.
+    CHECK(load.error <= 60 * std::fabs(load.value - 1));
   }
 }
 

@@ -79,7 +79,7 @@ TEST_CASE(
                                 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,  1,  1};
   fast::Work work;
   fast::CountedKernels kernels(fast::Accuracy{}, work);
-  const fast::ViscoelasticPressure truth(fast::ViscoelasticLayout(1, pieces, 10), sheet.material, 1e-16,
+  const fast::ViscoelasticPressure truth(fast::ViscoelasticLayout(1, pieces, 20), sheet.material, 1e-16,
                                          kernels);
   const double unit = 1 / (2 * nip.roller_radius * sheet.compliance);
   for (const double behind : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3}) {
@@ -230,4 +230,37 @@ TEST_CASE("levels that see the same displacements next to the middle by chance d
                          other = truth.tangential_displacement(place);
     CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
   }
+}
+
+TEST_CASE("some way from the trailing end the pressure lacks what its panel's slower expansion does") {
+  const std::vector<double> rates{555342.0172289223, 5078.931223272354};
+  const data::ViscoelasticNip nip{
+      756.705507170328, 0.646036541863308,
+      data::prony_solid({1.6396828373268468e-06, {0.012546314647709968, 0.0048412093978487825}, rates},
+                        {3.13791161271593e-06, {0.026372518434243555, 0.008625841739456906}, rates}),
+      23.05782736980685};
+  const double length = 54.78194714314238;
+  const auto asked = fast::converged_for_length(nip, length, 3.8e-4);
+  const auto truth = fast::converged_for_length(nip, length, 1e-13);
+  const auto check = [](const fast::Estimate& found, const fast::Estimate& other) {
+    CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
+  };
+  for (const double y : {-25.0, -24.45, -24.39276353428942, -24.03}) {
+    check(asked.pressure(y), truth.pressure(y));
+    check(asked.surface_strain(y), truth.surface_strain(y));
+    check(asked.slip(y), truth.slip(y));
+  }
+}
+
+TEST_CASE("resistance: two levels that are near each other by chance do not make the next one as near") {
+  const data::ViscoelasticNip nip{41.51859581281904, 1.3145573926394332,
+                                  data::operator_solid({{14738.592906668251, 1.0},
+                                                        {23831145343.024704, 4172086.0867622006},
+                                                        {0.0005410061624170299, 1.0},
+                                                        {77999.17887442798, 372007921.51058155}}),
+                                  12.494314089911471};
+  const double length = 35.82601027439481;
+  const fast::Estimate found = fast::converged_for_length(nip, length, 6.8e-5).rolling_resistance();
+  const fast::Estimate other = fast::converged_for_length(nip, length, 1e-13).rolling_resistance();
+  CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
