@@ -115,7 +115,8 @@ struct Quantity {
   /// Where the audit looks, if the arguments depend on each other so much that it cannot draw each for
   /// itself.
   std::function<Point(Random&)> draw;
-  /// Moves a point off a place where the quantity is infinite and that depends on several arguments.
+  /// Moves a point off a place that depends on several arguments and where the quantity is infinite, or refused by the
+  /// reference alone.
   std::function<void(Point&)> keep_off;
   /// False where a value by itself costs the making of a material too: `bench viscoelastic-nip` times such
   /// quantities.

@@ -163,6 +163,21 @@ TEST_CASE("points of the ranges that have no such quantity are left out, unless 
   CHECK_THROWS_AS(static_cast<void>(verify::audit(quantity, options)), data::BadInput);
 }
 
+TEST_CASE("zeros are looked for where the reference has values") {
+  static constexpr double farthest = 60;
+  Quantity quantity = verify::find_quantity("I1");
+  quantity.arguments[0].hard_values = {};
+  quantity.draw = [](verify::Random& random) { return verify::Point{random.uniform(0.1, farthest)}; };
+  quantity.keep_off = [](verify::Point& point) { point[0] = std::clamp(point[0], -farthest, farthest); };
+  const auto sound = quantity.by_ref;
+  quantity.by_ref = [sound](std::span<const ref::Exact> x, int digits) {
+    if (std::fabs(x[0].approximate()) > farthest)
+      throw data::BadInput("alpha", x[0].approximate(), "too far");
+    return sound(x, digits);
+  };
+  CHECK(audit_few(quantity).kept());
+}
+
 TEST_CASE("a promise of one's own and points of one's own decide") {
   constexpr double only = 0.7296875;
   const Quantity wrong =

@@ -111,14 +111,6 @@ void into_ranges(const Ranges& ranges, Point& point, Random& random) {
   }
 }
 
-/// Moved to where the quantity is finite, unless that is not in the ranges.
-Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point) {
-  if (!quantity.keep_off) return point;
-  Point moved = point;
-  quantity.keep_off(moved);
-  return contains(ranges, moved) ? moved : point;
-}
-
 /// 0 to count - 1 in a random order.
 std::vector<std::size_t> shuffled(std::size_t count, Random& random) {
   std::vector<std::size_t> order(count);
@@ -246,6 +238,13 @@ std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, 
   }
   spread_over_ranges(ranges, points, random, count, part);
   return points;
+}
+
+Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point) {
+  if (!quantity.keep_off) return point;
+  Point moved = point;
+  quantity.keep_off(moved);
+  return contains(ranges, moved) ? moved : point;
 }
 
 std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,

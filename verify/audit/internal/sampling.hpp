@@ -30,6 +30,8 @@ double draw(ArgumentKind kind, Random& random);
 /// One random point. A second position is related to the first in a part of the draws: equal, opposite,
 /// close, 0, of another order of magnitude.
 Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random);
+/// Moved to where the quantity is finite and has a reference, unless that is not in the ranges.
+Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point);
 
 /// At most `limit` of the points, taken evenly.
 std::vector<Point> thinned(std::vector<Point> points, std::size_t limit);

@@ -76,6 +76,7 @@ std::vector<Point> zero_points(const Quantity& quantity, const Ranges& ranges, s
     for (int line = 0; line < lines; ++line)
       add_zeros(Line(quantity, draw_point(quantity, ranges, random), i), points);
   }
+  for (Point& point : points) point = kept_off(quantity, ranges, std::move(point));
   std::erase_if(points, [&](const Point& point) { return !contains(ranges, point); });
   return thinned(std::move(points), limit);
 }

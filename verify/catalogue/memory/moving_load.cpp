@@ -233,12 +233,23 @@ std::vector<double> draw_sheet(Random& random) {
   }
 }
 
-/// A neighbour of a passive solid may gain energy: then it is a solid that does not.
-void keep_material(double* x) {
+/// A neighbour of a passive solid may gain energy: then it is a solid that does not. Where a load is `farthest`
+/// half-thicknesses away, and the reference refuses operators there, it is the standard one.
+void keep_material(double* x, double farthest) {
+  constexpr double near = 199;
   keep_passive(x + prony_in_sheet);
-  if (x[2] == solid_of_operators && !is_soon_confirmed({x, sheet_arguments}))
-    default_unread({x, sheet_arguments}, arguments_of_sheet(),
-                   [](std::size_t i) { return i < operators_in_sheet; });
+  if (x[2] != solid_of_operators || (farthest <= near && is_soon_confirmed({x, sheet_arguments}))) return;
+  if (farthest > near) x[2] = standard_linear_solid;
+  default_unread({x, sheet_arguments}, arguments_of_sheet(),
+                 [](std::size_t i) { return i < operators_in_sheet; });
+}
+
+/// Of the load and of where it started, half-thicknesses, at most: t and passing times, or distances in units of `unit`.
+double farthest_load(std::span<const double> before_sheet, double unit) {
+  double farthest = 0;
+  for (const double x : before_sheet)
+    farthest = std::max({farthest, std::fabs(x) / unit, std::fabs(x - before_sheet[0]) / unit});
+  return farthest;
 }
 
 Point joined(Point times, const std::vector<double>& sheet) {
@@ -251,7 +262,9 @@ double draw_distance(Random& random) {
          (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
 }
 
-Quantity moving_load_entry(std::string name, std::string definition, std::string source) {
+enum class Load { started, steady };
+
+Quantity moving_load_entry(std::string name, std::string definition, std::string source, Load load) {
   Quantity entry;
   entry.name = std::move(name);
   entry.definition = std::move(definition);
@@ -261,7 +274,11 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.promise = moving_load_promise;
   entry.audit_points = 100;
   entry.timed_alone = false;
-  entry.keep_off = [](Point& point) { keep_material(&point[point.size() - sheet_arguments]); };
+  entry.keep_off = [load](Point& point) {
+    const std::span before_sheet = std::span(point).first(point.size() - sheet_arguments);
+    double* sheet = &point[before_sheet.size()];
+    keep_material(sheet, farthest_load(before_sheet, load == Load::steady ? 1 : sheet[1] / sheet[0]));
+  };
   return entry;
 }
 
@@ -290,7 +307,7 @@ Quantity entry_Un() {
       "Un",
       "normal displacement at t by a normal line load that started at 0 and passes the point at T: (theta1 + "
       "theta2) * I1/pi",
-      "thesis (6.23), (6.25)");
+      "thesis (6.23), (6.25)", Load::started);
   entry.arguments = {{"t", ArgumentKind::time, {}, {}}, {"T", ArgumentKind::passing_time, {}, {}}};
   append_sheet(entry.arguments);
   entry.draw = [](Random& random) {
@@ -320,7 +337,7 @@ Quantity entry_Vn() {
                                      "tangential displacement by that load against the pinned point, which "
                                      "it passes at t0: [(theta1 + theta2) * I3 - "
                                      "theta2 * I2](alpha)/pi + [theta2 * I4 - theta1 * I5](eta)/pi",
-                                     "thesis (6.24), (6.26)-(6.28)");
+                                     "thesis (6.24), (6.26)-(6.28)", Load::started);
   entry.arguments = {{"t", ArgumentKind::time, {}, {}},
                      {"T", ArgumentKind::passing_time, {}, {}},
                      {"t0", ArgumentKind::passing_time, {}, {}}};
@@ -347,7 +364,7 @@ Quantity entry_Vn() {
 Quantity entry_Un_steady() {
   Quantity entry = moving_load_entry(
       "Un_steady", "Un of a load that started infinitely long ago, at alpha half-thicknesses ahead of it",
-      "thesis (6.23) as t, T -> infinity");
+      "thesis (6.23) as t, T -> infinity", Load::steady);
   entry.arguments = {{"alpha", ArgumentKind::nonzero_position, {}, {}}};
   append_sheet(entry.arguments);
   entry.draw = [](Random& random) { return joined({draw_distance(random)}, draw_sheet(random)); };
@@ -365,7 +382,7 @@ Quantity entry_Vn_steady() {
   Quantity entry = moving_load_entry(
       "Vn_steady",
       "Vn of a load that started infinitely long ago, eta half-thicknesses behind the pinned point",
-      "thesis (6.24) as t, T, t0 -> infinity");
+      "thesis (6.24) as t, T, t0 -> infinity", Load::steady);
   entry.arguments = {{"alpha", ArgumentKind::position, {}, {}}, {"eta", ArgumentKind::position, {}, {}}};
   append_sheet(entry.arguments);
   entry.draw = [](Random& random) {
