@@ -167,42 +167,30 @@ SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, She
 
 }  // namespace
 
-internal::StressesAtDepths::StressesAtDepths(std::span<const double> depths)
-    : depths_(depths.begin(), depths.end()) {
-  for (const double depth : depths) waves_.emplace_back(std::fabs(depth), field_roots);
-}
+internal::StressesAtDepth::StressesAtDepth(double depth)
+    : depth_(depth), waves_(std::fabs(depth), field_roots) {}
 
-void internal::StressesAtDepths::operator()(double alpha, std::span<StressesBeside> value) const {
-  const double a = std::fabs(alpha);
+internal::StressesBeside internal::StressesAtDepth::beside(double alpha) const {
+  const double a = std::fabs(alpha), s = std::fabs(depth_);
   const bool near = is_near(a);
-  const AlongWaves along(near ? near_load_end : a);
-  for (std::size_t i = 0; i < value.size(); ++i) {
-    const double depth = depths_[i], s = std::fabs(depth);
-    const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(along, waves_[i]);
-    const auto beside = [&](SheetLoad load) {
-      const SheetStresses here =
-          near ? stresses_of(f, s, load) : without_planes(far_stresses(f, s, load), a, s, load);
-      return with_signs(here, alpha, depth, load);
-    };
-    value[i] = {beside(SheetLoad::normal), beside(SheetLoad::shear)};
-  }
+  const FieldFunctions f = near ? near_rest(a, s, FieldFunction::I5) : decaying(AlongWaves(a), waves_);
+  const auto under = [&](SheetLoad load) {
+    const SheetStresses here =
+        near ? stresses_of(f, s, load) : without_planes(far_stresses(f, s, load), a, s, load);
+    return with_signs(here, alpha, depth_, load);
+  };
+  return {under(SheetLoad::normal), under(SheetLoad::shear)};
 }
 
-void internal::StressesAtDepths::add_far(const FarLoads& loads, double side,
-                                         std::span<SheetStresses> sums) const {
-  const auto add = [](SheetStresses& sum, const SheetStresses& part) {
-    sum = {sum.across + part.across, sum.along + part.along, sum.shear + part.shear};
-  };
-  const bool shears = loads.shear_force != 0 || loads.shear.of[0] != 0.0;
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    const double depth = depths_[i], s = std::fabs(depth);
-    const SheetStresses normal = stresses_of(decaying(loads.pressure, waves_[i]), s, SheetLoad::normal);
-    add(sums[i], with_signs(normal, side, depth, SheetLoad::normal));
-    if (!shears) continue;
-    SheetStresses shear = stresses_of(decaying(loads.shear, waves_[i]), s, SheetLoad::shear);
-    shear.along -= 0.5 * loads.shear_force;
-    add(sums[i], with_signs(shear, side, depth, SheetLoad::shear));
-  }
+SheetStresses internal::StressesAtDepth::far(const FarLoads& loads, double side) const {
+  const double s = std::fabs(depth_);
+  const SheetStresses normal = with_signs(stresses_of(decaying(loads.pressure, waves_), s, SheetLoad::normal),
+                                          side, depth_, SheetLoad::normal);
+  if (loads.shear_force == 0 && loads.shear.of[0] == 0.0) return normal;
+  SheetStresses shear = stresses_of(decaying(loads.shear, waves_), s, SheetLoad::shear);
+  shear.along -= 0.5 * loads.shear_force;
+  shear = with_signs(shear, side, depth_, SheetLoad::shear);
+  return {normal.across + shear.across, normal.along + shear.along, normal.shear + shear.shear};
 }
 
 SheetStresses sheet_stresses(double alpha, double depth, SheetLoad load) {

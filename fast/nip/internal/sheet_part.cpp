@@ -12,10 +12,10 @@ namespace {
 
 using internal::AlongWaves;
 using internal::FarLoads;
+using internal::FieldSeries;
 
-/// Where a load counts as far: its residues need near_load_end, and a series over depths converges like 14^-n for loads
-/// so far off.
-constexpr double nearest_far = 1.5;
+/// Where a load counts as far: its residues need near_load_end, a cell's series 3 from the centre.
+constexpr double nearest_far = 1.5, nearest_far_of_cell = 2.5;
 static_assert(nearest_far >= internal::near_load_end);
 
 /// Nodes of a block and their distances from that end of it that is nearer to the contact's, as shares of its length:
@@ -66,43 +66,6 @@ struct WavesToEnds {
   }
 };
 
-double chebyshev_zero(std::size_t i, std::size_t count) {
-  return std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(count));
-}
-/// Of the value at zero i in coefficient n.
-double chebyshev_weight(std::size_t n, std::size_t i, std::size_t count) {
-  const double all = static_cast<double>(count);
-  return (n == 0 ? 1.0 : 2.0) / all *
-         std::cos(std::numbers::pi * static_cast<double>(n) * (static_cast<double>(i) + 0.5) / all);
-}
-template <std::size_t count>
-std::array<std::array<double, count>, count> chebyshev_weights() {
-  std::array<std::array<double, count>, count> weights;
-  for (std::size_t n = 0; n < count; ++n) {
-    for (std::size_t i = 0; i < count; ++i) weights[n][i] = chebyshev_weight(n, i, count);
-  }
-  return weights;
-}
-template <std::size_t count>
-std::array<double, count> chebyshev_polynomials(double x) {
-  std::array<double, count> polynomials;
-  polynomials[0] = 1;
-  polynomials[1] = x;
-  for (std::size_t n = 2; n < count; ++n) polynomials[n] = 2 * x * polynomials[n - 1] - polynomials[n - 2];
-  return polynomials;
-}
-
-using Depths = std::array<double, SheetPartAcross::count>;
-const Depths& depths_of_series() {
-  static const Depths depths = [] {
-    Depths result;
-    for (std::size_t j = 0; j < result.size(); ++j)
-      result[j] = std::sqrt((1 + chebyshev_zero(j, result.size())) / 2);
-    return result;
-  }();
-  return depths;
-}
-
 }  // namespace
 
 ContactBlocks::ContactBlocks(double half_length)
@@ -118,10 +81,10 @@ double ContactBlocks::left_end(std::size_t block) const {
   return inner_ * (static_cast<double>(block) - static_cast<double>(of_side_));
 }
 
-ContactBlocks::Range ContactBlocks::near(double left, double right) const {
+ContactBlocks::Range ContactBlocks::near(double left, double right, double reach) const {
   Range range{0, count()};
-  while (range.begin < range.end && left_end(range.begin + 1) <= left - nearest_far) ++range.begin;
-  while (range.end > range.begin && left_end(range.end - 1) >= right + nearest_far) --range.end;
+  while (range.begin < range.end && left_end(range.begin + 1) <= left - reach) ++range.begin;
+  while (range.end > range.begin && left_end(range.end - 1) >= right + reach) --range.end;
   return range;
 }
 
@@ -201,62 +164,73 @@ void SheetPart::sum_far() {
     to_the_right_[block - 1] = joined(to_the_right_[block], block - 1, false);
 }
 
-void SheetPart::add(double alpha, const ContactBlocks::Range& near, const internal::StressesAtDepths& depths,
-                    std::span<SheetStresses> sums) const {
-  std::vector<internal::StressesBeside> one(sums.size());
-  for (const Node& node : nodes_of(near)) {
-    depths(alpha - node.alpha, one);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-      sums[i] = sums[i] + node.pressure * one[i].normal + node.shear * one[i].shear;
-  }
-  if (near.begin > 0) {
-    const AlongWaves waves(alpha - blocks_.left_end(near.begin));
-    depths.add_far(seen_from(to_the_left_[near.begin], waves), 1, sums);
-  }
-  if (near.end < blocks_.count()) {
-    const AlongWaves waves(blocks_.left_end(near.end) - alpha);
-    depths.add_far(seen_from(to_the_right_[near.end], waves), -1, sums);
-  }
+ContactBlocks::Range SheetPart::near(double alpha) const { return blocks_.near(alpha, alpha, nearest_far); }
+
+std::optional<FarLoads> SheetPart::to_the_left(const ContactBlocks::Range& near, double alpha) const {
+  if (near.begin == 0) return std::nullopt;
+  return seen_from(to_the_left_[near.begin], AlongWaves(alpha - blocks_.left_end(near.begin)));
+}
+std::optional<FarLoads> SheetPart::to_the_right(const ContactBlocks::Range& near, double alpha) const {
+  if (near.end == blocks_.count()) return std::nullopt;
+  return seen_from(to_the_right_[near.end], AlongWaves(blocks_.left_end(near.end) - alpha));
 }
 
-SheetPartAcross::SheetPartAcross(const SheetPart& part, const ContactBlocks::Range& near, double alpha) {
-  static const auto weights = chebyshev_weights<count>();
-  static const internal::StressesAtDepths depths{depths_of_series()};
-  std::array<SheetStresses, count> values{};
-  part.add(alpha, near, depths, values);
-  for (std::size_t j = 0; j < count; ++j) {
-    values[j].shear /= depths_of_series()[j];
-    for (std::size_t n = 0; n < count; ++n) coefficient_[n] = coefficient_[n] + weights[n][j] * values[j];
-  }
-}
-
-void SheetPartAcross::add(double weight, const SheetPartAcross& other) {
-  for (std::size_t n = 0; n < count; ++n) coefficient_[n] = coefficient_[n] + weight * other.coefficient_[n];
-}
-
-SheetStresses SheetPartAcross::at(double depth) const {
-  const auto polynomials = chebyshev_polynomials<count>(2 * depth * depth - 1);
+SheetStresses SheetPart::at(double alpha, double depth) const {
+  const internal::StressesAtDepth there(depth);
+  const ContactBlocks::Range seen = near(alpha);
   SheetStresses sum{};
-  for (std::size_t n = 0; n < count; ++n) sum = sum + polynomials[n] * coefficient_[n];
-  sum.shear *= depth;
+  for (const Node& node : nodes_of(seen)) {
+    const internal::StressesBeside one = there.beside(alpha - node.alpha);
+    sum = sum + node.pressure * one.normal + node.shear * one.shear;
+  }
+  if (const auto loads = to_the_left(seen, alpha)) sum = sum + there.far(*loads, 1);
+  if (const auto loads = to_the_right(seen, alpha)) sum = sum + there.far(*loads, -1);
   return sum;
 }
 
-SheetPartBetween::SheetPartBetween(const SheetPart& part, const ContactBlocks::Range& near, double left,
-                                   double right)
-    : left_(left), length_(right - left) {
-  static const auto weights = chebyshev_weights<count>();
-  for (std::size_t i = 0; i < count; ++i) {
-    const SheetPartAcross here(part, near, left + length_ * (1 + chebyshev_zero(i, count)) / 2);
-    for (std::size_t m = 0; m < count; ++m) coefficient_[m].add(weights[m][i], here);
-  }
+/// Blocks between the ends are alike, whatever cell they are seen from: a cell has as many as fit.
+SheetPartInCells::SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks)
+    : part_(part), blocks_(blocks) {
+  if (blocks.inner() == 0) return;
+  blocks_of_cell_ = static_cast<long>(1 / blocks.inner());
+  length_ = blocks.inner() * static_cast<double>(blocks_of_cell_);
 }
 
-SheetStresses SheetPartBetween::at(double alpha, double depth) const {
-  const auto polynomials = chebyshev_polynomials<count>(2 * (alpha - left_) / length_ - 1);
-  SheetPartAcross across;
-  for (std::size_t m = 0; m < count; ++m) across.add(polynomials[m], coefficient_[m]);
-  return across.at(depth);
+std::optional<long> SheetPartInCells::cell_of(double alpha) const {
+  constexpr double faded = 50;
+  if (!(std::fabs(alpha) < blocks_.half_length() + faded)) return std::nullopt;
+  return static_cast<long>(std::floor(alpha / length_));
+}
+
+ContactBlocks::Range SheetPartInCells::near(long cell) const {
+  return blocks_.near(centre(cell) - length_ / 2, centre(cell) + length_ / 2, nearest_far_of_cell);
+}
+
+const std::vector<FieldSeries>& SheetPartInCells::by_nodes(std::size_t block, long cell) {
+  const bool is_end = block == 0 || block + 1 == blocks_.count(), right = block >= blocks_.of_side();
+  const long away = static_cast<long>(block) - static_cast<long>(blocks_.of_side()) - cell * blocks_of_cell_;
+  std::vector<FieldSeries>& known = known_[{is_end, right, away}];
+  if (known.empty()) {
+    for (const SheetPart::Node& node : part_.nodes_of({block, block + 1}))
+      known.push_back(internal::rest_series(centre(cell) - node.alpha));
+  }
+  return known;
+}
+
+internal::StressSeries SheetPartInCells::series(long cell) {
+  internal::StressSeries sum;
+  const ContactBlocks::Range seen = near(cell);
+  for (std::size_t block = seen.begin; block < seen.end; ++block) {
+    const std::vector<FieldSeries>& of_unit_loads = by_nodes(block, cell);
+    const std::span<const SheetPart::Node> nodes = part_.nodes_of({block, block + 1});
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      sum.pressure.add(nodes[j].pressure, of_unit_loads[j]);
+      if (nodes[j].shear != 0) sum.shear.add(nodes[j].shear, of_unit_loads[j]);
+    }
+  }
+  if (const auto loads = part_.to_the_left(seen, centre(cell))) sum.add_far(*loads, 1);
+  if (const auto loads = part_.to_the_right(seen, centre(cell))) sum.add_far(*loads, -1);
+  return sum;
 }
 
 }  // namespace nipref::fast

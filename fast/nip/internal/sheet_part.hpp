@@ -1,11 +1,14 @@
 #pragma once
-#include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include <nipref/fast/sheet/field.hpp>
+#include <nipref/fast/sheet/internal/field_series.hpp>
 #include <nipref/fast/sheet/internal/half_planes.hpp>
 
 namespace nipref::fast {
@@ -38,8 +41,8 @@ class ContactBlocks {
   [[nodiscard]] double length(std::size_t block) const {
     return block == 0 || block + 1 == count() ? graded_ : inner_;
   }
-  /// Those that are near to what is between two alphas.
-  [[nodiscard]] Range near(double left, double right) const;
+  /// Those that are nearer than `reach` to what is between two alphas.
+  [[nodiscard]] Range near(double left, double right, double reach) const;
 
  private:
   double half_length_, graded_, inner_;
@@ -54,19 +57,26 @@ class SheetPart {
   /// `symmetric`: the pressure is even about the middle and the shear odd.
   SheetPart(const ContactBlocks& blocks, bool symmetric, const FaceTractions& traction);
 
-  /// Adds it at one alpha, `near` as seen from there or from an interval about it.
-  void add(double alpha, const ContactBlocks::Range& near, const internal::StressesAtDepths& depths,
-           std::span<SheetStresses> sums) const;
-
- private:
+  /// A line load.
   struct Node {
     double alpha, pressure, shear;
   };
 
+  /// What it sees as near at one alpha.
+  [[nodiscard]] ContactBlocks::Range near(double alpha) const;
+  /// There at one depth.
+  [[nodiscard]] SheetStresses at(double alpha, double depth) const;
+  [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
+  /// What is beyond `near`, as seen from alpha.
+  [[nodiscard]] std::optional<internal::FarLoads> to_the_left(const ContactBlocks::Range& near,
+                                                              double alpha) const;
+  [[nodiscard]] std::optional<internal::FarLoads> to_the_right(const ContactBlocks::Range& near,
+                                                               double alpha) const;
+
+ private:
   void add_nodes(std::size_t block, const FaceTractions& traction);
   void mirror();  ///< the right half's nodes to the left
   void sum_far();
-  [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
 
   ContactBlocks blocks_;
   std::vector<Node> nodes_;
@@ -74,35 +84,30 @@ class SheetPart {
   std::vector<internal::FarLoads> to_the_left_, to_the_right_;
 };
 
-/// The sheet's part at one alpha as a series in the square of the depth: stresses across and along are even in it, the
-/// shear over the depth too.
-class SheetPartAcross {
+/// The same at many places: cells along the sheet, laid out as the blocks are, in each of which it is a power series.
+class SheetPartInCells {
  public:
-  static constexpr std::size_t count = 14;
+  /// `blocks` as for the part.
+  SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks);
 
-  SheetPartAcross(const SheetPart& part, const ContactBlocks::Range& near, double alpha);
-  SheetPartAcross() = default;  ///< 0
-  /// Adds that of another alpha.
-  void add(double weight, const SheetPartAcross& other);
-
-  [[nodiscard]] SheetStresses at(double depth) const;
+  /// None far beyond the contact.
+  [[nodiscard]] std::optional<long> cell_of(double alpha) const;
+  [[nodiscard]] double centre(long cell) const { return length_ * (static_cast<double>(cell) + 0.5); }
+  /// What counts as near, seen from there.
+  [[nodiscard]] ContactBlocks::Range near(long cell) const;
+  /// About its centre.
+  [[nodiscard]] internal::StressSeries series(long cell);
 
  private:
-  std::array<SheetStresses, count> coefficient_{};
-};
+  /// Which side's block, an end's or not, and how many blocks away: series of a load at each of its nodes.
+  using Key = std::tuple<bool, bool, long>;
+  [[nodiscard]] const std::vector<internal::FieldSeries>& by_nodes(std::size_t block, long cell);
 
-/// The same between two alphas, from some of them.
-class SheetPartBetween {
- public:
-  static constexpr std::size_t count = 24;
-
-  SheetPartBetween(const SheetPart& part, const ContactBlocks::Range& near, double left, double right);
-
-  [[nodiscard]] SheetStresses at(double alpha, double depth) const;
-
- private:
-  double left_, length_;
-  std::array<SheetPartAcross, count> coefficient_{};
+  const SheetPart& part_;
+  ContactBlocks blocks_;
+  double length_ = 1;
+  long blocks_of_cell_ = 1;
+  std::map<Key, std::vector<internal::FieldSeries>> known_;
 };
 
 inline SheetStresses operator+(const SheetStresses& a, const SheetStresses& b) {

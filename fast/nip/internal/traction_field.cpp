@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include <nipref/fast/nip/internal/traction_field.hpp>
@@ -66,16 +67,8 @@ std::array<std::complex<double>, order> second_kind(std::complex<double> z, std:
   return q;
 }
 
-/// Places of one alpha, by their numbers.
-using Columns = std::map<double, std::vector<std::size_t>>;
-constexpr double cell_length = 2;
-
-/// Whether the sheet's part between two alphas is had for less than that at each of them.
-bool is_crowded(const Columns& columns) {
-  std::size_t rows = 0;
-  for (const auto& [alpha, members] : columns) rows += std::min(members.size(), SheetPartAcross::count);
-  return rows > SheetPartBetween::count * SheetPartAcross::count;
-}
+/// From so many places on it pays to prepare for what cells have in common.
+constexpr std::size_t many_places = 600;
 
 }  // namespace
 
@@ -245,47 +238,25 @@ SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const
 }
 
 SheetStresses TractionField::at(const InnerPlace& place) const {
-  const ContactBlocks::Range near = blocks_.near(place.alpha, place.alpha);
-  SheetStresses sum = half_planes(near, place);
-  sheet_part_.add(place.alpha, near, internal::StressesAtDepths({&place.depth, 1}), {&sum, 1});
-  return sum;
+  return half_planes(sheet_part_.near(place.alpha), place) + sheet_part_.at(place.alpha, place.depth);
 }
 
 std::vector<SheetStresses> TractionField::at(std::span<const InnerPlace> places) const {
   std::vector<SheetStresses> result(places.size());
-  std::map<double, Columns> cells;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double alpha = folded(places[i]).first.alpha;
-    cells[cell_length * std::floor(alpha / cell_length)][alpha].push_back(i);
-  }
-  const auto set = [&](std::size_t i, const SheetStresses& stresses) {
-    result[i] = stresses;
-    if (folded(places[i]).second) result[i].shear = -stresses.shear;
-  };
-  for (const auto& [left, columns] : cells) {
-    if (is_crowded(columns)) {
-      const double right = left + cell_length;
-      const ContactBlocks::Range near = blocks_.near(left, right);
-      const SheetPartBetween part(sheet_part_, near, left, right);
-      for (const auto& [alpha, members] : columns) {
-        for (const std::size_t i : members) {
-          const InnerPlace place{alpha, places[i].depth};
-          set(i, half_planes(near, place) + part.at(alpha, place.depth));
-        }
-      }
-      continue;
-    }
-    for (const auto& [alpha, members] : columns) {
-      if (members.size() < SheetPartAcross::count) {
-        for (const std::size_t i : members) set(i, at(InnerPlace{alpha, places[i].depth}));
-        continue;
-      }
-      const ContactBlocks::Range near = blocks_.near(alpha, alpha);
-      const SheetPartAcross part(sheet_part_, near, alpha);
-      for (const std::size_t i : members) {
-        const InnerPlace place{alpha, places[i].depth};
-        set(i, half_planes(near, place) + part.at(place.depth));
-      }
+  const bool many = places.size() >= many_places;
+  SheetPartInCells cells(sheet_part_, blocks_);
+  std::map<std::optional<long>, std::vector<std::size_t>> by_cell;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    by_cell[many ? cells.cell_of(folded(places[i]).first.alpha) : std::nullopt].push_back(i);
+  for (const auto& [cell, members] : by_cell) {
+    std::optional<internal::StressSeries> series;
+    if (cell && members.size() > 1) series = cells.series(*cell);
+    for (const std::size_t i : members) {
+      const auto [place, turned] = folded(places[i]);
+      result[i] = series ? half_planes(cells.near(*cell), place) +
+                               series->at(place.alpha - cells.centre(*cell), place.depth)
+                         : at(place);
+      if (turned) result[i].shear = -result[i].shear;
     }
   }
   return result;

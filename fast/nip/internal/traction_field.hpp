@@ -22,7 +22,7 @@ struct InnerPlace {
 /// tractions are Legendre series on panels that halve towards both ends, down to 2^-72 of a half-thickness or of the
 /// contact, whatever their exponents there: panels beside a place by Legendre functions of the second kind, also on the
 /// faces, others by Gauss's rule, what crowds at the ends and is far by moments. What the sheet adds, and what is far as a
-/// whole, is SheetPart's; where places crowd, it is interpolated.
+/// whole, is SheetPart's; of many places, by cells.
 class TractionField {
  public:
   /// `symmetric`: the pressure is even about the middle and the shear odd.
@@ -31,10 +31,10 @@ class TractionField {
   [[nodiscard]] SheetStresses at(const InnerPlace& place) const;
   /// The same at many places.
   [[nodiscard]] std::vector<SheetStresses> at(std::span<const InnerPlace> places) const;
-  /// Of one place or of many, over the largest stress: an estimate, larger than what was found at random places of
-  /// contacts of all lengths; series of what the sheet adds, which are sums of values of both signs, round most.
+  /// Of one place or of many, over the largest traction: an estimate, larger than what was found at random places of
+  /// contacts of all lengths. Sums of values of both signs round most, and what shears pull in sum along the contact.
   [[nodiscard]] double rounding(bool of_many) const {
-    return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded();
+    return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded() + 5e-16 * blocks_.half_length();
   }
 
  private:

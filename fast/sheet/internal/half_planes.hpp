@@ -1,7 +1,4 @@
 #pragma once
-#include <span>
-#include <vector>
-
 #include <nipref/data/problem/sheet_load.hpp>
 #include <nipref/fast/sheet/field.hpp>
 #include <nipref/fast/sheet/internal/field_functions.hpp>
@@ -33,17 +30,18 @@ struct FarLoads {
   double shear_force;
 };
 
-/// At any finite alpha, for several depths from -1 to 1 at once: value[i] at depth[i].
-class StressesAtDepths {
+/// At one depth from -1 to 1.
+class StressesAtDepth {
  public:
-  explicit StressesAtDepths(std::span<const double> depths);
-  void operator()(double alpha, std::span<StressesBeside> value) const;
+  explicit StressesAtDepth(double depth);
+  /// At any finite alpha.
+  [[nodiscard]] StressesBeside beside(double alpha) const;
   /// The whole of the stresses under far loads, half-planes included; side: 1 if they are at smaller alpha, else -1.
-  void add_far(const FarLoads& loads, double side, std::span<SheetStresses> sums) const;
+  [[nodiscard]] SheetStresses far(const FarLoads& loads, double side) const;
 
  private:
-  std::vector<double> depths_;
-  std::vector<AcrossWaves> waves_;
+  double depth_;
+  AcrossWaves waves_;
 };
 
 /// What belongs to them of the parts of u and v, in the kernels' terms; see field_functions.hpp.

@@ -142,4 +142,23 @@ TEST_CASE("under a long smooth pressure the stress across is the pressure throug
   }
 }
 
+TEST_CASE("many places have the field of each, by series or not") {
+  for (const double half_length : {1e-3, 0.9, 1.0, 1 + 1e-9, 1.3, 5.0, 60.0}) {
+    for (const bool symmetric : {true, false}) {
+      CAPTURE(half_length);
+      const TractionField field(half_length, symmetric, ellipse(half_length, symmetric ? 0.5 : 0.3));
+      std::vector<InnerPlace> places{{1e300, 0.2}, {-half_length, 1}, {half_length, -1}};
+      for (int i = -30; i <= 30; ++i) {
+        for (int j = 0; j < 12; ++j)
+          places.push_back({(half_length + 3) * std::sin(0.05 * i + 0.01 * j), std::cos(0.27 * j)});
+      }
+      const std::vector<SheetStresses> all = field.at(places);
+      double worst = 0;
+      for (std::size_t i = 0; i < places.size(); ++i)
+        worst = std::max(worst, distance(all[i], field.at(places[i])));
+      CHECK(worst < field.rounding(true));
+    }
+  }
+}
+
 TEST_SUITE_END();
