@@ -126,6 +126,8 @@ struct ConvergedViscoelasticNip::Implementation {
     }
     return std::pow(half_length(), 2) * faded(-place.e, slowest);
   }
+  /// Dimensionless, at Y half-thicknesses.
+  [[nodiscard]] Estimate pressure_at(double position) const;
   /// Dimensionless Y.
   [[nodiscard]] double position(double y) const {
     check_position(y);
@@ -181,6 +183,32 @@ ContactField<ViscoelasticNipLadder> ConvergedViscoelasticNip::Implementation::fi
   return {ladder, field_of_pressure, fast::peak_pressure(ladder.last()), {unsure, neglected_there}};
 }
 
+Estimate ConvergedViscoelasticNip::Implementation::pressure_at(double position) const {
+  // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
+  // it. Then it matters how well the end is known.
+  const ContactPlace place = ladder.last().place(position);
+  const double to_middle = half_length();
+  const double middle = ladder.last().pressure({Half::leading, to_middle});
+  const auto at = [&](double e) {
+    const ContactPlace there =
+        e <= to_middle ? ContactPlace{place.half, e} : across(to_middle, place.half, e);
+    return ladder.estimate(
+        [&](const ViscoelasticPressure& contact) { return fast::pressure(contact, there); },
+        e > 0 ? middle : 0);
+  };
+  Estimate solved = at(place.e);
+  for (const double beside : {0.8 * place.e, std::min(1.25 * place.e, to_middle), 1.25 * place.e})
+    solved.error = std::max(solved.error, at(beside).error);
+  solved.error = std::max(solved.error, tail_at(place));
+  if (place.e > 0) solved.error += middle * sheet.neglected_near_end(to_middle, place.e);
+  const double unsure = unsure_end(place.half);
+  double shifted = 0;
+  for (const double moved : {place.e - unsure, place.e + unsure})
+    shifted = std::max(shifted, std::fabs(fast::pressure(ladder.last(), {place.half, moved}) - solved.value));
+  solved.error += shifted;
+  return solved;
+}
+
 Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
     const ViscoelasticNipLadder::Functional& zero, double zero_size, double y) const {
   const double middle = position(y);
@@ -207,7 +235,10 @@ Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
   Estimate strain = at(place.e);
   for (const double beside : {0.8 * place.e, 1.25 * place.e})
     strain.error = std::max(strain.error, at(beside).error);
-  strain.error = std::max(strain.error, std::fabs(sheet.material.theta2_instantaneous) * tail_at(place));
+  // What the pressure lacks there it makes at once; next to an end that may round more than all else.
+  if (place.e > 0)
+    strain.error =
+        std::max(strain.error, std::fabs(sheet.material.theta2_instantaneous) * pressure_at(middle).error);
   strain = with_neglected(strain, scale);
   if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length(), place.e);
   const double unsure = unsure_end(place.half);
@@ -266,31 +297,8 @@ Estimate ConvergedViscoelasticNip::trailing_displacement() const {
 }
 
 Estimate ConvergedViscoelasticNip::pressure(double y) const {
-  const auto& [units, radius, sheet, ladder, strains] = *implementation_;
   const double position = implementation_->position(y);
-  // At its distance from each level's own end the pressure is smooth; levels that agree there by chance do not beside
-  // it. Then it matters how well the end is known.
-  const ContactPlace place = ladder.last().place(position);
-  const double half_length = implementation_->half_length();
-  const double middle = ladder.last().pressure({Half::leading, half_length});
-  const auto at = [&](double e) {
-    const ContactPlace there =
-        e <= half_length ? ContactPlace{place.half, e} : across(half_length, place.half, e);
-    return ladder.estimate(
-        [&](const ViscoelasticPressure& contact) { return fast::pressure(contact, there); },
-        e > 0 ? middle : 0);
-  };
-  Estimate solved = at(place.e);
-  for (const double beside : {0.8 * place.e, std::min(1.25 * place.e, half_length), 1.25 * place.e})
-    solved.error = std::max(solved.error, at(beside).error);
-  solved.error = std::max(solved.error, implementation_->tail_at(place));
-  if (place.e > 0) solved.error += middle * sheet.neglected_near_end(half_length, place.e);
-  const double unsure = implementation_->unsure_end(place.half);
-  double shifted = 0;
-  for (const double moved : {place.e - unsure, place.e + unsure})
-    shifted = std::max(shifted, std::fabs(fast::pressure(ladder.last(), {place.half, moved}) - solved.value));
-  solved.error += shifted;
-  return times(units.pressure, solved);
+  return times(implementation_->units.pressure, implementation_->pressure_at(position));
 }
 
 Estimate ConvergedViscoelasticNip::peak_pressure() const {

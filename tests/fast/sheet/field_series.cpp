@@ -22,18 +22,18 @@ double largest_part(const SheetStresses& a, const SheetStresses& b) {
 /// Between the series about c and the field itself less `planes` of it, over half a half-thickness on either side.
 template <class Planes>
 double largest_distance(const internal::StressSeries& series, double c, data::SheetLoad load, Planes planes) {
-  double largest = 0;
+  double farthest = 0;
   for (const double along : {-0.5, -0.21, 0.0, 0.4, 0.5}) {
     for (const double depth : {-1.0, -0.7, 0.0, 0.3, 0.99, 1.0}) {
       const double alpha = c + along;
       if (alpha == 0) continue;
       const SheetStresses whole = sheet_stresses(alpha, depth, load), less = planes(alpha, depth, load);
-      largest = std::max(largest, largest_part(series.at(along, depth),
-                                               {whole.across - less.across, whole.along - less.along,
-                                                whole.shear - less.shear}));
+      farthest = std::max(farthest, largest_part(series.at(along, depth),
+                                                 {whole.across - less.across, whole.along - less.along,
+                                                  whole.shear - less.shear}));
     }
   }
-  return largest;
+  return farthest;
 }
 
 /// Of both half-planes, by the parities.
@@ -47,20 +47,20 @@ SheetStresses planes_at(double alpha, double depth, data::SheetLoad load) {
 }  // namespace
 
 TEST_CASE("near a load, what the sheet adds to the half-planes is a series about any place") {
-  double largest = 0;
+  double farthest = 0;
   for (const double c : {0.0, 0.3, -0.3, 1.2, -1.9, 2.6, -4.0}) {
     for (const data::SheetLoad load : both_loads) {
       internal::StressSeries series;
       (load == data::SheetLoad::normal ? series.pressure : series.shear) = internal::rest_series(c);
-      largest = std::max(largest, largest_distance(series, c, load, planes_at));
+      farthest = std::max(farthest, largest_distance(series, c, load, planes_at));
     }
   }
-  MESSAGE("largest distance from the field less the half-planes' ", largest);
-  CHECK(largest < 2e-14);  // next to the load both are as large as 60
+  MESSAGE("largest distance from the field less the half-planes' ", farthest);
+  CHECK(farthest < 2e-14);  // next to the load both are as large as 60
 }
 
 TEST_CASE("3 away from a load all that it makes is a series of the roots' waves") {
-  double largest = 0;
+  double farthest = 0;
   for (const double c : {3.0, -3.0, 4.7, -20.0}) {
     for (const data::SheetLoad load : both_loads) {
       const internal::AlongWaves waves(std::fabs(c));
@@ -69,10 +69,10 @@ TEST_CASE("3 away from a load all that it makes is a series of the roots' waves"
       internal::StressSeries series;
       const bool normal = load == data::SheetLoad::normal;
       series.add_far({normal ? waves : none, normal ? none : waves, normal ? 0.0 : 1.0}, c < 0 ? -1 : 1);
-      largest = std::max(largest, largest_distance(series, c, load, [](double, double, data::SheetLoad) {
-                           return SheetStresses{};
-                         }));
+      farthest = std::max(farthest, largest_distance(series, c, load, [](double, double, data::SheetLoad) {
+                            return SheetStresses{};
+                          }));
     }
   }
-  CHECK(largest < 1e-15);
+  CHECK(farthest < 1e-15);
 }

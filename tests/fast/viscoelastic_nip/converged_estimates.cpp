@@ -264,3 +264,17 @@ TEST_CASE("resistance: two levels that are near each other by chance do not make
   const fast::Estimate other = fast::converged_for_length(nip, length, 1e-13).rolling_resistance();
   CHECK(std::fabs(found.value - other.value) <= found.error + other.error);
 }
+
+TEST_CASE("next to the leading end the strain rounds as the pressure does that makes it at once") {
+  const data::ViscoelasticNip nip{15660.851572036743, 1.854786531534046,
+                                  data::operator_solid({{34480.27462387085, 1.0},
+                                                        {243385.40824890137, 329.2721646130085},
+                                                        {0.00040817430831907586, 1.0},
+                                                        {0.00536199903308443, 612.7908380031586}}),
+                                  0.012102478431188501};
+  const auto contact = fast::converged_for_length(nip, 0.008795065559752402, 2.7259528381578472e-11);
+  const double y = 0.004396866668230359;
+  const fast::Estimate strain = contact.surface_strain(y), pressure = contact.pressure(y);
+  // Nearly all of the strain is theta2 times the pressure there.
+  CHECK(strain.error / std::fabs(strain.value) > 0.3 * pressure.error / pressure.value);
+}
