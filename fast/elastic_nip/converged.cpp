@@ -111,8 +111,9 @@ struct ConvergedElasticNip::Implementation {
     if (is_new) known->second = fast::tangential_displacement(contact, end, surface, kernels) / end;
     return known->second;
   }
-  [[nodiscard]] double sliding_creep_rounding() const {
-    return difference_rounding * ladder.last().load * (0.25 + surface.beta / 2) / half_length();
+  /// What the pressure's stretching and its own share contribute to it at most.
+  [[nodiscard]] double sliding_creep_size() const {
+    return ladder.last().load * (0.25 + surface.beta / 2) / half_length();
   }
   /// Without friction, the surface's strain at y >= 0, unit of length, beyond `zero`, a strain of each solution that is
   /// at most about `zero_size`, dimensionless.
@@ -120,7 +121,8 @@ struct ConvergedElasticNip::Implementation {
                                                double y) const {
     CountedKernels kernels = ladder.kernels();
     const double alpha = y / units.length;
-    const double size = fast::peak_pressure(ladder.last()) * std::min(half_length(), 1.0);
+    // The integral of stretch_over_pi is 1/2, its largest value below 1/4.
+    const double size = fast::peak_pressure(ladder.last()) * std::min(half_length(), 1.0) / 2;
     const Estimate smooth = ladder.estimate_of_fading(
         [&](const HalfContact& contact) {
           return smooth_strain(contact, alpha, surface, kernels) - zero(contact);
@@ -213,7 +215,7 @@ Estimate ConvergedElasticNip::creep_ratio() const {
   CountedKernels kernels = ladder.kernels();
   Estimate creep = ladder.estimate_of_integral(
       [&](const HalfContact& contact) { return implementation_->sliding_creep(contact, kernels); }, size);
-  creep.error += implementation_->sliding_creep_rounding();
+  creep.error += difference_rounding * implementation_->sliding_creep_size();
   return times(units.creep, creep);
 }
 
@@ -254,9 +256,11 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
   };
   const PlaceFunction slope{[&](double e) { return slope_of(ladder.last(), e); },
                             [&](double e) {
-                              return ladder.estimate(
+                              Estimate here = ladder.estimate(
                                   [&](const HalfContact& contact) { return slope_of(contact, e); },
                                   largest / reach(e));
+                              here.error *= 1.5;  // it converges later than what it is the slope of
+                              return here;
                             }};
   const auto difference = [&](double e, double other) {
     return ladder.estimate(
@@ -354,8 +358,8 @@ Estimate ConvergedElasticNip::slip(double y) const {
   CountedKernels kernels = solved.ladder.kernels();
   Estimate slip = solved.sliding_strain_beyond(
       [&](const HalfContact& contact) { return solved.sliding_creep(contact, kernels); },
-      solved.half_length(), position);
-  slip.error += solved.sliding_creep_rounding();
+      solved.sliding_creep_size(), position);
+  slip.error += difference_rounding * solved.sliding_creep_size();
   return times(solved.units.creep, slip);
 }
 

@@ -235,10 +235,6 @@ Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
   Estimate strain = at(place.e);
   for (const double beside : {0.8 * place.e, 1.25 * place.e})
     strain.error = std::max(strain.error, at(beside).error);
-  // What the pressure lacks there it makes at once; next to an end that may round more than all else.
-  if (place.e > 0)
-    strain.error =
-        std::max(strain.error, std::fabs(sheet.material.theta2_instantaneous) * pressure_at(middle).error);
   strain = with_neglected(strain, scale);
   if (place.e > 0) strain.error += peak * sheet.neglected_near_end(half_length(), place.e);
   const double unsure = unsure_end(place.half);
@@ -248,6 +244,10 @@ Estimate ConvergedViscoelasticNip::Implementation::strain_beyond(
   for (const double moved : {place.e - unsure, place.e + unsure})
     shifted = std::max(shifted, std::fabs(strain_at(last, {place.half, moved}) - strain.value));
   strain.error += shifted;
+  // What the pressure lacks there it makes at once; next to an end that may round more than all else.
+  if (place.e > 0)
+    strain.error =
+        std::max(strain.error, std::fabs(sheet.material.theta2_instantaneous) * pressure_at(middle).error);
   return strain;
 }
 

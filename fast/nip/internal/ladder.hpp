@@ -190,7 +190,7 @@ class Ladder {
   /// Each solution lacks about what it differs by from the next; of that the last one has kept a part. A difference is
   /// told by what it is larger than `rounded`, what rounding may make.
   [[nodiscard]] double expansion_error(const Functional& functional, double rounded, Rate rate) const {
-    constexpr double safety = 8;
+    const double safety = rate == Rate::own ? 8 : 7;
     std::vector<double> values;
     for (const Solution& solution : solutions_) values.push_back(functional(*solution));
     const std::size_t last = values.size() - 1;
