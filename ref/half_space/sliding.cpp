@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -67,20 +68,37 @@ struct SlidingLine {
 struct LineMoment {
   Float front, back;
 };
-LineMoment line_moment(const SlidingLine& line, int power, int digits) {
-  const Float &ahead = line.ahead, &behind = line.behind;
-  const auto lever = [power](const Float& x) -> Float { return power == 1 ? x : Float(x * x); };
+/// The part ahead, x from 0 to `ahead`; that behind is the same with both shares in each other's place.
+Float moment_ahead(const Float& ahead, const Float& behind, int power, int digits) {
   // Logarithms of the rule's nodes are at hand.
-  const Float log_ahead = log(ahead), log_behind = log(behind);
-  const Float front = unit_integral(digits, [&](const UnitNode& node) -> Float {
+  const Float log_ahead = log(ahead);
+  return unit_integral(digits, [&](const UnitNode& node) -> Float {
     const Float x = ahead * node.left;
-    return ahead * lever(x) * exp(behind * (log_ahead + node.log_right) + ahead * log(x + behind));
+    return ahead * (power == 1 ? x : Float(x * x)) *
+           exp(behind * (log_ahead + node.log_right) + ahead * log(x + behind));
   });
-  const Float back = unit_integral(digits, [&](const UnitNode& node) -> Float {
-    const Float x = behind * node.left;
-    return behind * lever(x) * exp(behind * log(ahead + x) + ahead * (log_behind + node.log_right));
-  });
-  return {front, back};
+}
+
+/// The same with x = ahead (1 - w), (x + behind)^ahead = (1 - ahead w)^ahead as a power series, which converges like ahead^n.
+Float moment_ahead_by_series(const Float& ahead, const Float& behind, int power) {
+  Float sum = 0, coefficient = 1, term = 1;
+  for (long n = 0; abs(term) > std::numeric_limits<Float>::epsilon() * sum; ++n) {
+    // int (1 - w)^power w^(behind + n) dw
+    const Float from = behind + n;
+    term = coefficient * power / ((from + 1) * (from + 2));
+    if (power == 2) term /= from + 3;
+    sum += term;
+    coefficient *= ahead * (n - ahead) / (n + 1);
+  }
+  return sum * pow(ahead, power + 1 + behind);
+}
+
+LineMoment line_moment(const SlidingLine& line, int power, int digits) {
+  const auto of = [&](const Float& share, const Float& other) -> Float {
+    return share < 0.9 ? moment_ahead_by_series(share, other, power)
+                       : moment_ahead(share, other, power, digits);
+  };
+  return {of(line.ahead, line.behind), of(line.behind, line.ahead)};
 }
 
 /// Of the body along a line.
@@ -114,11 +132,14 @@ Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& d
                          const Exact& friction, const Indenter& body, SpanRule rule, int digits, int working,
                          int power, const LineWeight& weight) {
   const SlidingLine along(lines, friction, Exact(0.0));
+  // Without friction all lines have the same.
+  const LineMoment moment_along = line_moment(along, power, working);
   return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
     const SlidingLine line(lines, friction, degrees);
     const Float curvature = curvature_of(body, degrees);
     const Float span = span_ratio_of(rule, along, line, body, degrees);
-    return curvature * pow(span, power + 2) / line.h * weight(line_moment(line, power, working), degrees);
+    const LineMoment moment = line.ahead == along.ahead ? moment_along : line_moment(line, power, working);
+    return curvature * pow(span, power + 2) / line.h * weight(moment, degrees);
   });
 }
 

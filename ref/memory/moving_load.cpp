@@ -301,11 +301,13 @@ double log2_fastest_rate(const ExactRatio& fraction) {
 /// A value of a rate costs its logarithm squared.
 void check_rates(const ExactFunction& function, const mpq_class& way_per_time) {
   constexpr double most = 1e100;
-  for (const ExactRatio& fraction : function.fractions) {
-    const double log2_rate = log2_fastest_rate(fraction) - Exact(way_per_time).log2_magnitude();
-    if (log2_rate > std::log2(most))
-      throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
-  }
+  double fastest = -HUGE_VAL;  // log2
+  for (const ExactFunction::Term& term : function.terms)
+    fastest = std::max(fastest, Exact(term.rate).log2_magnitude());
+  for (const ExactRatio& fraction : function.fractions)
+    fastest = std::max(fastest, log2_fastest_rate(fraction));
+  if (fastest - Exact(way_per_time).log2_magnitude() > std::log2(most))
+    throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
 }
 
 mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,

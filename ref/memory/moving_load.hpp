@@ -11,9 +11,8 @@ namespace nipref::ref {
 /// t >= 0 is the time since the load started, T the time at which it passes the point looked at, t0 the one
 /// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units.
 /// The way of the load in T, t0, T - t and t0 - t is at most 1000 half thicknesses. Results in 1/stress for a
-/// unit load per length. With a material's fractions the ways are at most 200 and
-/// the rates at most 1e100 speed/half_thickness. A value takes
-/// milliseconds, of fractions tens of them.
+/// unit load per length. A material's rates are at most 1e100 speed/half_thickness; with its fractions the ways
+/// are at most 200. A value takes milliseconds, of fractions tens of them.
 ///
 /// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
 ///
