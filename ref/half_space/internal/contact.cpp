@@ -132,8 +132,14 @@ Levels half_turn_integral(int digits, const CrowdedDirections& directions,
     Float total = 0;
     for (const auto& [at, term] : values) total += at.weight * term;
     levels.coarse = levels.fine;
-    levels.fine = total / static_cast<long>(values.size());
-    return abs(levels.fine - levels.coarse) <= tolerance(digits) * abs(levels.fine) / 10;
+    const auto count = static_cast<long>(values.size());
+    levels.fine = total / count;
+    const Float change = abs(levels.fine - levels.coarse);
+    // Each doubling doubles the digits, once they come: where they will be too few, the rest is spared.
+    const double known = -std::log10(std::max(static_cast<double>(change / levels.fine), 1e-300));
+    if (count >= 256 && 1.25 * known * static_cast<double>(most_directions / count) < digits)
+      refuse_digits(digits);
+    return change <= tolerance(digits) * abs(levels.fine) / 10;
   });
   return levels;
 }
