@@ -20,7 +20,7 @@ class ViscoelasticNipLevels {
     double least;
   };
   static constexpr int most = 7;
-  static constexpr double whole_share = 0.1;
+  static constexpr double whole_share = 0.03;
 
   explicit ViscoelasticNipLevels(ViscoelasticCompliances material) : material_(std::move(material)) {}
 
