@@ -11,6 +11,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
 #include <nipref/ref/elastic_nip/thin.hpp>
+#include <nipref/ref/elastic_nip/thin_gripped.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
 
 namespace nipref::verify {
@@ -73,17 +74,28 @@ NipResults results_of(const Contact& contact, const Reference& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
+/// Digits that the contact itself is solved to in that time.
+double most_gripped_digits(double length) { return most_gripped_work / length - more_gripped_digits; }
+
+/// Whether a gripped contact comes from shorter ones.
+bool is_long_gripped(double length) {
+  return length >= ref::shortest_thin_gripped_nip && most_gripped_digits(length) < least_digits;
+}
+
 void check_gripped_work(double length, int digits) {
-  const double most = most_gripped_work / length - more_gripped_digits;
-  if (most < least_digits)
-    throw data::BadInput("L_over_B", length,
-                         fmt::format("must be at most {:.3g} on the reference path with full friction",
-                                     most_gripped_work / (least_digits + more_gripped_digits)));
+  const double most = most_gripped_digits(length);
   if (digits > most)
     throw data::BadInput(
         "digits", std::to_string(digits),
         fmt::format("must be at most {} for L_over_B = {:.6g} with full friction: more take too long",
                     static_cast<int>(most), length));
+}
+
+void check_peak_shear(double length) {
+  if (is_long_gripped(length))
+    throw data::BadInput("L_over_B", length,
+                         fmt::format("must be at most {:.3g} for the shear on the reference path",
+                                     most_gripped_work / (least_digits + more_gripped_digits)));
 }
 
 void check_thin_work(double length, int digits) {
@@ -94,6 +106,11 @@ void check_thin_work(double length, int digits) {
 }
 
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
+  if (gripped && is_long_gripped(length)) {
+    const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, digits);
+    // No shear: see check_peak_shear.
+    return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, ref::exact_zero(digits)};
+  }
   if (gripped) {
     check_gripped_work(length, digits);
     const auto contact = ref::gripped_for_length(nip, length, digits);
@@ -149,6 +166,12 @@ std::vector<Quantity> elastic_nip_entries() {
     entry.draw = draw_nip;
     entry.keep_off = keep_nip_in_domain;
     entry.envelope = [i](NipArguments x) { return nip_envelope(i, x); };
+    if (i == 4) {
+      entry.by_ref_of_doubles = [solve = entry.by_ref_of_doubles](NipArguments x, int digits) {
+        if (is_gripped(x)) check_peak_shear(x[0]);
+        return solve(x, digits);
+      };
+    }
     entries.push_back(std::move(entry));
   }
   return entries;

@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/internal/nip_units.hpp>
+#include <nipref/ref/elastic_nip/thin_gripped.hpp>
+#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/linear_algebra.hpp>
+
+namespace nipref::ref {
+namespace {
+
+using data::BadInput;
+
+constexpr int samples_of_a_fit = 5;
+/// Beyond, the wave hardly fades, and tells itself from the polynomials too late.
+constexpr double largest_poisson = 0.499;
+
+struct ContactNumbers {
+  Float load, indentation, creep, middle_pressure;
+};
+struct SolvedLength {
+  Float half_length;
+  ContactNumbers numbers;
+};
+
+/// zeta.
+Float slowest_fading(const Float& poisson) {
+  const Float k = 3 - 4 * poisson;
+  const auto zero = bracketed_root<Float>([&](const Float& x) -> Float { return k * sin(x) - x; },
+                                          Float(sqrt(6 * (1 - 1 / k)) * 99 / 100), pi(),
+                                          4 * std::numeric_limits<Float>::epsilon());
+  if (!zero) throw std::logic_error("a slowest wave that is not found");
+  return *zero / 2;
+}
+
+/// A strip whose faces are pressed by d0 - y^2 and stretched: a polynomial.
+struct Strip {
+  Float stiffness, against_curvature, by_stretch;
+
+  explicit Strip(const Float& poisson)
+      : stiffness(2 * (1 - poisson) * (1 - poisson) / (1 - 2 * poisson)),
+        against_curvature(4 * poisson / (3 * (1 - 2 * poisson))),
+        by_stretch(-2 * poisson * (1 - poisson) / (1 - 2 * poisson)) {}
+
+  [[nodiscard]] Float middle_pressure(const ContactNumbers& of) const {
+    return stiffness * (of.indentation - against_curvature) + by_stretch * of.creep;
+  }
+  [[nodiscard]] Float load(const Float& half_length, const ContactNumbers& of) const {
+    return 2 * half_length * (middle_pressure(of) - stiffness * half_length * half_length / 3);
+  }
+};
+
+/// What five contacts tell of longer ones.
+class LongContacts {
+ public:
+  LongContacts(const Float& poisson, std::span<const SolvedLength> known)
+      : zeta_(slowest_fading(poisson)), strip_(poisson), known_(known) {
+    // (1 - r z) creep = ..., linear in what is sought.
+    Matrix matrix(samples_of_a_fit, samples_of_a_fit);
+    Vector right(samples_of_a_fit);
+    for (long i = 0; i < samples_of_a_fit; ++i) {
+      const auto& [length, numbers] = known_[static_cast<std::size_t>(i)];
+      const Float z = both_ways(length);
+      const Float row[] = {1, length, z, z * length, z * numbers.creep};
+      for (long k = 0; k < samples_of_a_fit; ++k) matrix(i, k) = row[k];
+      right(i) = numbers.creep;
+    }
+    const Vector x = solve(matrix, right);
+    a0_ = x(0), a1_ = x(1), r_ = x(4);
+    q0_ = x(2) + r_ * a0_, q1_ = x(3) + r_ * a1_;
+  }
+
+  [[nodiscard]] ContactNumbers at(const Float& length) const {
+    ContactNumbers result;
+    result.creep = a0_ + a1_ * length + wave(length);
+    result.indentation = length * length + of_ends(length, [](const SolvedLength& known) -> Float {
+                           return known.numbers.indentation - known.half_length * known.half_length;
+                         });
+    result.load = strip_.load(length, result) + of_ends(length, [&](const SolvedLength& known) -> Float {
+                    return known.numbers.load - strip_.load(known.half_length, known.numbers);
+                  });
+    const auto& [longest, of_longest] = known_.back();
+    const Float share =
+        (of_longest.middle_pressure - strip_.middle_pressure(of_longest)) / wave_in_middle(longest);
+    result.middle_pressure = strip_.middle_pressure(result) + share * wave_in_middle(length);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Float both_ways(const Float& length) const { return exp(-2 * zeta_ * length); }
+  [[nodiscard]] Float wave(const Float& length) const {
+    const Float z = both_ways(length);
+    return (q0_ + q1_ * length) * z / (1 - r_ * z);
+  }
+  [[nodiscard]] Float wave_in_middle(const Float& length) const { return wave(length) * exp(zeta_ * length); }
+
+  /// What is linear in 1, A and the wave, by the last three contacts.
+  template <class Number>
+  [[nodiscard]] Float of_ends(const Float& length, const Number& number) const {
+    Matrix matrix(3, 3);
+    Vector right(3);
+    for (long i = 0; i < 3; ++i) {
+      const SolvedLength& known = known_[known_.size() - 3 + static_cast<std::size_t>(i)];
+      matrix(i, 0) = 1;
+      matrix(i, 1) = known.half_length;
+      matrix(i, 2) = wave(known.half_length);
+      right(i) = number(known);
+    }
+    const Vector x = solve(matrix, right);
+    return x(0) + x(1) * length + x(2) * wave(length);
+  }
+
+  Float zeta_;
+  Strip strip_;
+  std::span<const SolvedLength> known_;
+  Float a0_, a1_, q0_, q1_, r_;
+};
+
+/// R = 1024, B = 1, E = 1.
+SolvedLength solved_length(double half_length, double poisson, int digits) {
+  const data::ElasticNip nip{1024, 1, {1, poisson}};
+  const auto contact = gripped_for_length(nip, half_length, digits);
+  const NipUnits units(nip);
+  const auto in = [](const mpq_class& unit, const Estimated& number) -> Float {
+    return to_float(number.value) / to_float(Exact(unit));
+  };
+  return {half_length,
+          {in(units.pressure * units.length, contact.load()), in(units.displacement, contact.indentation()),
+           in(units.slope, contact.creep_ratio()), in(units.pressure, contact.pressure(0))}};
+}
+
+/// The second wave is felt less the longer they are; where the first hardly fades it takes digits to tell it.
+std::vector<SolvedLength> solved_lengths(double poisson, int digits, double zeta) {
+  const double first = std::max(5.0, 6 + 0.5 * (digits - 16));
+  const int enough = digits + 5 + static_cast<int>(std::ceil(5 * std::max(0.0, -std::log10(zeta))));
+  std::vector<SolvedLength> solved;
+  for (int i = 0; i <= samples_of_a_fit; ++i)
+    solved.push_back(solved_length(first + 0.5 * i, poisson, enough));
+  return solved;
+}
+
+}  // namespace
+
+ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits) {
+  nip.check();
+  if (digits < 12 || digits > 20)
+    throw BadInput("digits", std::to_string(digits),
+                   "must be from 12 to 20 for a thin sheet with full friction");
+  const double poisson = nip.material.poisson;
+  if (poisson > largest_poisson)
+    throw BadInput("poisson", poisson, "must be at most 0.499 for a thin sheet with full friction");
+  const double ratio = contact_length / nip.sheet_thickness;
+  if (!(ratio >= shortest_thin_gripped_nip && ratio <= 1e4 && contact_length <= nip.roller_radius)) {
+    throw BadInput("contact_length", contact_length,
+                   fmt::format("must be at most the roller's radius and from {} to 1e4 sheet thicknesses",
+                               shortest_thin_gripped_nip));
+  }
+  const WorkingDigits working(digits + 30);
+  const Float exact_poisson = to_float(Exact(poisson));
+  const std::vector<SolvedLength> known =
+      solved_lengths(poisson, digits, static_cast<double>(slowest_fading(exact_poisson)));
+  const Float half_length = to_float(Exact(exactly(contact_length) / exactly(nip.sheet_thickness)));
+  const std::span all(known);
+  const ContactNumbers rough = LongContacts(exact_poisson, all.first(samples_of_a_fit)).at(half_length);
+  const ContactNumbers fine = LongContacts(exact_poisson, all.last(samples_of_a_fit)).at(half_length);
+  const NipUnits units(nip);
+  const auto estimated = [&](const mpq_class& unit, Float ContactNumbers::*number) -> Estimated {
+    const Float factor = to_float(Exact(unit)), value = fine.*number;
+    const Float error = 2 * abs(value - rough.*number) + abs(value) * pow(Float(10), -digits - 1);
+    return {to_real(factor * value), to_real(factor * error), digits};
+  };
+  return {estimated(units.pressure * units.length, &ContactNumbers::load),
+          estimated(units.displacement, &ContactNumbers::indentation),
+          estimated(units.slope, &ContactNumbers::creep),
+          estimated(units.pressure, &ContactNumbers::middle_pressure)};
+}
+
+}  // namespace nipref::ref

@@ -1,0 +1,41 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/thin_gripped.hpp>
+
+using namespace nipref;
+
+TEST_CASE(
+    "a long contact with full friction is by the reference, from shorter ones, what fast's panels solve") {
+  const data::ElasticNip nip{500, 2, {3, 0.4}};
+  const double length = 120;  // shorter ones: L/B 5 to 7.5
+  const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, 12);
+  const auto fast = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
+  const auto check = [](const ref::Estimated& truth, const fast::Estimate& found) {
+    const double error = mpfr_get_d(truth.error.get(), MPFR_RNDU);
+    CHECK(std::fabs(truth.error_of(found.value)) <= found.error + error);
+    CHECK(error < 1e-12 * std::fabs(found.value));
+    CHECK(found.error < 1e-10 * std::fabs(found.value));
+  };
+  check(thin.load, fast.load());
+  check(thin.indentation, fast.indentation());
+  check(thin.creep_ratio, fast.creep_ratio());
+  check(thin.middle_pressure, fast.pressure(0));
+}
+
+TEST_CASE("long contacts with full friction: what is refused") {
+  const auto of = [](double poisson, double length, int digits) {
+    static_cast<void>(ref::thin_gripped_nip_of_length({500, 2, {3, poisson}}, length, digits));
+  };
+  CHECK_THROWS_WITH_AS(of(0.3, 23, 16), doctest::Contains("contact_length = 23: must be at most"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(of(0.3, 501, 16), doctest::Contains("contact_length = 501: must be at most"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(of(0.4999, 40, 16), doctest::Contains("poisson = 0.4999: must be at most 0.499"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS(of(0.3, 40, 30), doctest::Contains("digits = 30: must be from 12 to 20"),
+                       data::BadInput);
+}
