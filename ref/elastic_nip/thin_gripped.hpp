@@ -9,9 +9,10 @@ namespace nipref::ref {
 ///
 /// Lengths in half-thicknesses, A = L/B half the contact's length, displacements over b^2/(2R), tractions over b/(2RN). Away
 /// from the ends pressure and displacements are those of a strip whose faces move by d0 - y^2 and are stretched by the creep
-/// v', in closed form, and a wave c cosh(zeta y): 2 zeta is the zero of (3 - 4 poisson) sin x = x, 0.88 half-thicknesses fade it
-/// by e at poisson 0.3. All other waves fade at least like e^(-3.7 x). At an end the wave that comes, of size G = c e^(-zeta A)/2,
-/// makes one that goes, and with the end of the roller's parabola all numbers of the end are linear in 1, A and G; where both
+/// v', in closed form, and a wave c cosh(zeta y): 2 zeta is the zero of (3 - 4 poisson) sin x = x, so that zeta is 0.88 at
+/// poisson 0.3 and 0.24 at 0.49. All other waves fade at least like e^(-3.7 x). At an end the wave that comes, of size
+/// G = c e^(-zeta A)/2, makes one that goes, and with the end of the roller's parabola all numbers of the end are linear in
+/// 1, A and G; where both
 /// tractions vanish, too,
 ///
 ///     G = (q0 + q1 A) z/(1 - r z),    z = e^(-2 zeta A),    creep = a0 + a1 A + G,
