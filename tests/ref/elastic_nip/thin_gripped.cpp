@@ -13,17 +13,17 @@ TEST_CASE(
   const data::ElasticNip nip{500, 2, {3, 0.4}};
   const double length = 120;  // shorter ones: L/B 5 to 7.5
   const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, 12);
-  const auto fast = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
+  const auto panels = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
   const auto check = [](const ref::Estimated& truth, const fast::Estimate& found) {
     const double error = mpfr_get_d(truth.error.get(), MPFR_RNDU);
     CHECK(std::fabs(truth.error_of(found.value)) <= found.error + error);
     CHECK(error < 1e-12 * std::fabs(found.value));
     CHECK(found.error < 1e-10 * std::fabs(found.value));
   };
-  check(thin.load, fast.load());
-  check(thin.indentation, fast.indentation());
-  check(thin.creep_ratio, fast.creep_ratio());
-  check(thin.middle_pressure, fast.pressure(0));
+  check(thin.load, panels.load());
+  check(thin.indentation, panels.indentation());
+  check(thin.creep_ratio, panels.creep_ratio());
+  check(thin.middle_pressure, panels.pressure(0));
 }
 
 TEST_CASE("long contacts with full friction: what is refused") {
