@@ -15,6 +15,7 @@
 #include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/golden_section.hpp>
 #include <nipref/ref/number/internal/local_slope.hpp>
 
 namespace nipref::ref {
@@ -145,23 +146,9 @@ LargestBetween largest_between(const GripExpansion& contact, Float GripTraction:
 /// By golden section, which places it to half the digits.
 Float largest_traction(const GripExpansion& contact, Float GripTraction::*part) {
   const auto size = [&](const Float& angle) { return size_at_angle(contact, part, angle); };
-  auto [low, high] = largest_between(contact, part);
-  const Float golden = (sqrt(Float(5)) - 1) / 2;
+  const auto [low, high] = largest_between(contact, part);
   const Float enough = sqrt(std::numeric_limits<Float>::epsilon()) * (high - low);
-  Float left = high - golden * (high - low), right = low + golden * (high - low);
-  Float at_left = size(left), at_right = size(right);
-  while (high - low > enough) {
-    if (at_left > at_right) {
-      high = right;
-      right = left, at_right = at_left;
-      left = high - golden * (high - low), at_left = size(left);
-    } else {
-      low = left;
-      left = right, at_left = at_right;
-      right = low + golden * (high - low), at_right = size(right);
-    }
-  }
-  return std::max({at_left, at_right, size(low), size(high)});
+  return std::max({size(place_of_largest(size, low, high, enough)), size(low), size(high)});
 }
 
 /// Y > 0 of the largest shear, half-thicknesses, to all digits: the zero of its slope.

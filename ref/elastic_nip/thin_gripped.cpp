@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
-#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/internal/end_shear.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/thin_gripped.hpp>
-#include <nipref/ref/number/internal/bracketed_root.hpp>
+#include <nipref/ref/number/internal/golden_section.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
 namespace nipref::ref {
@@ -20,8 +21,6 @@ namespace {
 using data::BadInput;
 
 constexpr int samples_of_a_fit = 5;
-/// Beyond, the wave hardly fades, and tells itself from the polynomials too late.
-constexpr double largest_poisson = 0.499;
 
 struct ContactNumbers {
   Float load, indentation, creep, middle_pressure;
@@ -29,17 +28,8 @@ struct ContactNumbers {
 struct SolvedLength {
   Float half_length;
   ContactNumbers numbers;
+  EndShear shear;
 };
-
-/// zeta.
-Float slowest_fading(const Float& poisson) {
-  const Float k = 3 - 4 * poisson;
-  const auto zero = bracketed_root<Float>([&](const Float& x) -> Float { return k * sin(x) - x; },
-                                          Float(sqrt(6 * (1 - 1 / k)) * 99 / 100), pi(),
-                                          4 * std::numeric_limits<Float>::epsilon());
-  if (!zero) throw std::logic_error("a slowest wave that is not found");
-  return *zero / 2;
-}
 
 /// A strip whose faces are pressed by d0 - y^2 and stretched: a polynomial.
 struct Strip {
@@ -61,13 +51,13 @@ struct Strip {
 /// What five contacts tell of longer ones.
 class LongContacts {
  public:
-  LongContacts(const Float& poisson, std::span<const SolvedLength> known)
-      : zeta_(slowest_fading(poisson)), strip_(poisson), known_(known) {
+  LongContacts(const Float& poisson, const GripWaves& waves, std::span<const SolvedLength> known)
+      : zeta_(waves.slowest), strip_(poisson), known_(known) {
     // (1 - r z) creep = ..., linear in what is sought.
     Matrix matrix(samples_of_a_fit, samples_of_a_fit);
     Vector right(samples_of_a_fit);
     for (long i = 0; i < samples_of_a_fit; ++i) {
-      const auto& [length, numbers] = known_[static_cast<std::size_t>(i)];
+      const auto& [length, numbers, shear] = known_[static_cast<std::size_t>(i)];
       const Float z = both_ways(length);
       const Float row[] = {1, length, z, z * length, z * numbers.creep};
       for (long k = 0; k < samples_of_a_fit; ++k) matrix(i, k) = row[k];
@@ -87,11 +77,19 @@ class LongContacts {
     result.load = strip_.load(length, result) + of_ends(length, [&](const SolvedLength& known) -> Float {
                     return known.numbers.load - strip_.load(known.half_length, known.numbers);
                   });
-    const auto& [longest, of_longest] = known_.back();
+    const auto& [longest, of_longest, shear] = known_.back();
     const Float share =
         (of_longest.middle_pressure - strip_.middle_pressure(of_longest)) / wave_in_middle(longest);
     result.middle_pressure = strip_.middle_pressure(result) + share * wave_in_middle(length);
     return result;
+  }
+  /// |q| at about the distance s from the end.
+  [[nodiscard]] Float shear_at(const Float& length, double about) const {
+    const double s = std::ldexp(std::round(std::ldexp(about, 40)), -40);
+    const Float from_other = 2 * length - s;
+    return abs(
+        of_ends(length, [&](const SolvedLength& known) { return known.shear.at(s); }) -
+        of_ends(length, [&](const SolvedLength& known) { return known.shear.slow_wave_at(from_other); }));
   }
 
  private:
@@ -125,37 +123,59 @@ class LongContacts {
 };
 
 /// R = 1024, B = 1, E = 1.
-SolvedLength solved_length(double half_length, double poisson, int digits) {
+SolvedLength solved_length(double half_length, double poisson, const GripWaves& waves, int digits) {
   const data::ElasticNip nip{1024, 1, {1, poisson}};
-  const auto contact = gripped_for_length(nip, half_length, digits);
+  auto contact = gripped_for_length(nip, half_length, digits);
   const NipUnits units(nip);
   const auto in = [](const mpq_class& unit, const Estimated& number) -> Float {
     return to_float(number.value) / to_float(Exact(unit));
   };
-  return {half_length,
-          {in(units.pressure * units.length, contact.load()), in(units.displacement, contact.indentation()),
-           in(units.slope, contact.creep_ratio()), in(units.pressure, contact.pressure(0))}};
+  const ContactNumbers numbers{
+      in(units.pressure * units.length, contact.load()), in(units.displacement, contact.indentation()),
+      in(units.slope, contact.creep_ratio()), in(units.pressure, contact.pressure(0))};
+  return {half_length, numbers,
+          EndShear(std::move(contact), half_length, to_float(Exact(units.pressure)), to_float(Exact(poisson)),
+                   waves)};
 }
 
 /// The second wave is felt less the longer they are; where the first hardly fades it takes digits to tell it.
-std::vector<SolvedLength> solved_lengths(double poisson, int digits, double zeta) {
-  const double first = std::max(5.0, 6 + 0.5 * (digits - 16));
+std::vector<SolvedLength> solved_lengths(double poisson, const GripWaves& waves, int digits) {
+  const double first = std::max(5.0, 0.5 * std::round(0.62 * digits + 1)),
+               zeta = static_cast<double>(waves.slowest);
   const int enough = digits + 5 + static_cast<int>(std::ceil(5 * std::max(0.0, -std::log10(zeta))));
   std::vector<SolvedLength> solved;
   for (int i = 0; i <= samples_of_a_fit; ++i)
-    solved.push_back(solved_length(first + 0.5 * i, poisson, enough));
+    solved.push_back(solved_length(first + 0.5 * i, poisson, waves, enough));
   return solved;
+}
+
+/// Distance from the end of the largest shear; by samples as even in the logarithm.
+double place_of_largest_shear(const LongContacts& contacts, const Float& length) {
+  constexpr int samples = 200;
+  constexpr double nearest = 1e-3, place_to = 1e-11;
+  const double step = std::log(static_cast<double>(length) / nearest) / samples;
+  const auto shear = [&](const Float& at) {
+    return contacts.shear_at(length, nearest * std::exp(step * static_cast<double>(at)));
+  };
+  int best = 1;
+  Float largest = 0;
+  for (int i = 1; i < samples; ++i) {
+    const Float here = shear(i);
+    if (here > largest) largest = here, best = i;
+  }
+  return nearest *
+         std::exp(step * static_cast<double>(place_of_largest(shear, best - 1, best + 1, place_to)));
 }
 
 }  // namespace
 
 ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
-  if (digits < 12 || digits > 20)
+  if (digits < 12 || digits > 21)
     throw BadInput("digits", std::to_string(digits),
-                   "must be from 12 to 20 for a thin sheet with full friction");
+                   "must be from 12 to 21 for a thin sheet with full friction");
   const double poisson = nip.material.poisson;
-  if (poisson > largest_poisson)
+  if (poisson > largest_thin_gripped_poisson)
     throw BadInput("poisson", poisson, "must be at most 0.499 for a thin sheet with full friction");
   const double ratio = contact_length / nip.sheet_thickness;
   if (!(ratio >= shortest_thin_gripped_nip && ratio <= 1e4 && contact_length <= nip.roller_radius)) {
@@ -165,22 +185,29 @@ ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double co
   }
   const WorkingDigits working(digits + 30);
   const Float exact_poisson = to_float(Exact(poisson));
-  const std::vector<SolvedLength> known =
-      solved_lengths(poisson, digits, static_cast<double>(slowest_fading(exact_poisson)));
+  const GripWaves waves(exact_poisson);
+  const std::vector<SolvedLength> known = solved_lengths(poisson, waves, digits);
   const Float half_length = to_float(Exact(exactly(contact_length) / exactly(nip.sheet_thickness)));
   const std::span all(known);
-  const ContactNumbers rough = LongContacts(exact_poisson, all.first(samples_of_a_fit)).at(half_length);
-  const ContactNumbers fine = LongContacts(exact_poisson, all.last(samples_of_a_fit)).at(half_length);
+  const LongContacts rough(exact_poisson, waves, all.first(samples_of_a_fit));
+  const LongContacts fine(exact_poisson, waves, all.last(samples_of_a_fit));
+  const ContactNumbers rough_numbers = rough.at(half_length), numbers = fine.at(half_length);
+  const double place = place_of_largest_shear(fine, half_length);
   const NipUnits units(nip);
-  const auto estimated = [&](const mpq_class& unit, Float ContactNumbers::*number) -> Estimated {
-    const Float factor = to_float(Exact(unit)), value = fine.*number;
-    const Float error = 2 * abs(value - rough.*number) + abs(value) * pow(Float(10), -digits - 1);
+  const auto estimated = [&](const mpq_class& unit, const Float& rough_value,
+                             const Float& value) -> Estimated {
+    const Float factor = to_float(Exact(unit));
+    const Float error = 2 * abs(value - rough_value) + abs(value) * pow(Float(10), -digits - 1);
     return {to_real(factor * value), to_real(factor * error), digits};
   };
-  return {estimated(units.pressure * units.length, &ContactNumbers::load),
-          estimated(units.displacement, &ContactNumbers::indentation),
-          estimated(units.slope, &ContactNumbers::creep),
-          estimated(units.pressure, &ContactNumbers::middle_pressure)};
+  const auto number = [&](const mpq_class& unit, Float ContactNumbers::*which) {
+    return estimated(unit, rough_numbers.*which, numbers.*which);
+  };
+  return {number(units.pressure * units.length, &ContactNumbers::load),
+          number(units.displacement, &ContactNumbers::indentation),
+          number(units.slope, &ContactNumbers::creep),
+          number(units.pressure, &ContactNumbers::middle_pressure),
+          estimated(units.pressure, rough.shear_at(half_length, place), fine.shear_at(half_length, place))};
 }
 
 }  // namespace nipref::ref

@@ -12,26 +12,29 @@ namespace nipref::ref {
 /// v', in closed form, and a wave c cosh(zeta y): 2 zeta is the zero of (3 - 4 poisson) sin x = x, so that zeta is 0.88 at
 /// poisson 0.3 and 0.24 at 0.49. All other waves fade at least like e^(-3.7 x). At an end the wave that comes, of size
 /// G = c e^(-zeta A)/2, makes one that goes, and with the end of the roller's parabola all numbers of the end are linear in
-/// 1, A and G; where both
-/// tractions vanish, too,
+/// 1, A and G; where both tractions vanish, too,
 ///
 ///     G = (q0 + q1 A) z/(1 - r z),    z = e^(-2 zeta A),    creep = a0 + a1 A + G,
 ///
 /// G counted in units of its creep. What r, q and the other coefficients are is read from six shorter contacts, which
-/// GrippedElasticNip solves. Nothing is proven: each number comes from the first five of them and from the last five; it is the
-/// latter's, its error twice what they differ by and an allowance for rounding. (thesis 2.5, 5.5, thin sheets)
+/// GrippedElasticNip solves; so is the shear at each distance from the end, when what comes from the other end is taken off.
+/// Nothing is proven: each number comes from the first five of them and from the last five; it is the latter's, its error
+/// twice what they differ by and an allowance for rounding. (thesis 2.5, 5.5, thin sheets)
 struct ThinGrippedNip {
   Estimated load;             ///< W, force per unit width
   Estimated indentation;      ///< d0, unit of length
   Estimated creep_ratio;      ///< (2/L) v(L/2)
   Estimated middle_pressure;  ///< unit of stress
+  Estimated peak_shear;       ///< largest |q|, the same
 };
 
 /// L/B from which on contacts are so long.
 inline constexpr double shortest_thin_gripped_nip = 12;
+/// Beyond, the wave hardly fades, and tells itself from the polynomials too late.
+inline constexpr double largest_thin_gripped_poisson = 0.499;
 
-/// Contact of the given length, L/B from 12 to 1e4 and L <= R; poisson at most 0.499; digits 12 to 20. BadInput otherwise.
-/// Takes ten seconds or twenty.
+/// Contact of the given length, L/B from 12 to 1e4 and L <= R; poisson at most 0.499; digits 12 to 21. BadInput otherwise.
+/// Takes ten seconds, or forty where digits are many or poisson is near its limit.
 ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 }  // namespace nipref::ref

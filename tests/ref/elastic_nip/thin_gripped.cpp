@@ -24,6 +24,7 @@ TEST_CASE(
   check(thin.indentation, panels.indentation());
   check(thin.creep_ratio, panels.creep_ratio());
   check(thin.middle_pressure, panels.pressure(0));
+  check(thin.peak_shear, panels.peak_shear());
 }
 
 TEST_CASE("long contacts with full friction: what is refused") {
@@ -36,6 +37,6 @@ TEST_CASE("long contacts with full friction: what is refused") {
                        data::BadInput);
   CHECK_THROWS_WITH_AS(of(0.4999, 40, 16), doctest::Contains("poisson = 0.4999: must be at most 0.499"),
                        data::BadInput);
-  CHECK_THROWS_WITH_AS(of(0.3, 40, 30), doctest::Contains("digits = 30: must be from 12 to 20"),
+  CHECK_THROWS_WITH_AS(of(0.3, 40, 30), doctest::Contains("digits = 30: must be from 12 to 21"),
                        data::BadInput);
 }

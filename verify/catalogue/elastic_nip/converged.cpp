@@ -19,10 +19,9 @@ namespace {
 
 using NipArguments = std::span<const double>;
 
-// Longer ones take the reference longer than an audit has time for.
-// Where no shear acts, what is longer than longest_direct is a polynomial of its length.
-constexpr double longest_direct = 12;
-constexpr double longest_audited = 1e3, longest_gripped_audited = 2;
+// Longer ones take the reference longer than an audit has time for, until they are so long that they come from shorter ones.
+constexpr double longest_direct = 12, longest_gripped_audited = 2;
+constexpr double shortest_thin = 14, longest_audited = 1e3;
 
 // What the reference does in ten seconds: so many digits of a polynomial's samples; and with full friction, where a
 // value takes about 8 s ((L/B) (digits + 5.5)/300)^2.2.
@@ -91,13 +90,6 @@ void check_gripped_work(double length, int digits) {
                     static_cast<int>(most), length));
 }
 
-void check_peak_shear(double length) {
-  if (is_long_gripped(length))
-    throw data::BadInput("L_over_B", length,
-                         fmt::format("must be at most {:.3g} for the shear on the reference path",
-                                     most_gripped_work / (least_digits + more_gripped_digits)));
-}
-
 void check_thin_work(double length, int digits) {
   if (digits <= most_digits_of_thin) return;
   throw data::BadInput("digits", std::to_string(digits),
@@ -108,8 +100,7 @@ void check_thin_work(double length, int digits) {
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
   if (gripped && is_long_gripped(length)) {
     const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, digits);
-    // No shear: see check_peak_shear.
-    return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, ref::exact_zero(digits)};
+    return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, thin.peak_shear};
   }
   if (gripped) {
     check_gripped_work(length, digits);
@@ -138,17 +129,20 @@ double nip_envelope(std::size_t number, NipArguments x) {
   return number == 4 ? (1 + x[0]) / 2 : 0;
 }
 
+void keep_nip_in_domain(Point& x) {
+  const bool thin = x[0] >= shortest_thin;
+  x[0] = std::clamp(x[0], 1e-6, is_gripped(x) && !thin ? longest_gripped_audited : longest_audited);
+  x[1] = std::clamp(x[1], -0.9, is_gripped(x) && thin ? ref::largest_thin_gripped_poisson : 0.5);
+}
+
 Point draw_nip(Random& random) {
   const bool gripped = random.chance(0.3);
   const bool thin = !gripped && random.chance(0.2);
-  const double shortest = thin ? longest_direct : 1e-6;
-  const double longest = gripped ? longest_gripped_audited : thin ? longest_audited : longest_direct;
-  return {draw_nip_length(random, shortest, longest), draw_nip_poisson(random), gripped ? 1.0 : 0.0};
-}
-
-void keep_nip_in_domain(Point& x) {
-  x[0] = std::clamp(x[0], 1e-6, x[2] != 0 ? longest_gripped_audited : longest_audited);
-  x[1] = std::clamp(x[1], -0.9, 0.5);
+  const double length =
+      draw_nip_length(random, thin ? shortest_thin : 1e-6, thin ? longest_audited : longest_direct);
+  Point point{length, draw_nip_poisson(random), gripped ? 1.0 : 0.0};
+  keep_nip_in_domain(point);
+  return point;
 }
 
 }  // namespace
@@ -166,12 +160,6 @@ std::vector<Quantity> elastic_nip_entries() {
     entry.draw = draw_nip;
     entry.keep_off = keep_nip_in_domain;
     entry.envelope = [i](NipArguments x) { return nip_envelope(i, x); };
-    if (i == 4) {
-      entry.by_ref_of_doubles = [solve = entry.by_ref_of_doubles](NipArguments x, int digits) {
-        if (is_gripped(x)) check_peak_shear(x[0]);
-        return solve(x, digits);
-      };
-    }
     entries.push_back(std::move(entry));
   }
   return entries;
