@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limits>
+#include <fstream>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/toml_obstacle.hpp>
 #include <nipref/verify/grade/baseline.hpp>
 
 namespace nipref::verify {
@@ -87,7 +88,12 @@ Baseline Baseline::read(const std::string& path) try {
   Baseline baseline;
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return baseline;
-  const toml::table file = toml::parse_file(path);
+  if (std::filesystem::is_directory(path, none)) throw BadInput("baseline", path, "must be a file");
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  if (const auto obstacle = data::toml_obstacle(text.view()))
+    throw BadInput("baseline", fmt::format("{}:{}", path, obstacle->line), std::string(obstacle->allowed));
+  const toml::table file = toml::parse(text.view());
   for (const auto& [key, node] : file) {
     if (key.str() != list_name || !node.is_array_of_tables())
       refuse_entry(path, node, fmt::format("must hold [[{}]] alone", list_name));

@@ -186,8 +186,8 @@ void compare_tables(Comparer& comparer) {
 void compare_statements(Comparer& comparer) {
   comparer.pair("/claims", "claim", {"id"},
                 [&](const std::string& what, const json& before, const json& now) {
-                  if (before.at("verdict") != now.at("verdict"))
-                    comparer.add(Change::changed, what, text_at(before, "verdict"), text_at(now, "verdict"));
+                  const std::string was = text_at(before, "verdict"), is = text_at(now, "verdict");
+                  if (was != is) comparer.add(Change::changed, what, was, is);
                 });
   const auto same_verdict = [&](const char* key) {
     return [&comparer, key](const std::string& what, const json& before, const json& now) {

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include <nipref/data/closest_name.hpp>
-#include <nipref/data/scene/internal/toml_obstacle.hpp>
+#include <nipref/data/toml_obstacle.hpp>
 
 namespace nipref::data {
 

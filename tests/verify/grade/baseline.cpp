@@ -81,6 +81,9 @@ TEST_CASE("what is no baseline is refused by file and line") {
   refused("[[other]]\n");
   refused("[[graded]]\nwhat = \"x\"\n");
   refused("not toml");
+  refused("[[graded]]\n\xc3\xa9 = 1\n");  // what toml++ must not be given
+  refused("[[graded]]\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q = 1\n");
+  CHECK_THROWS_WITH_AS(static_cast<void>(Baseline::read("/")), "baseline = /: must be a file", BadInput);
   std::string negative = with_entry(1.5).text();
   negative.replace(negative.find("1.5"), 3, "-1.");
   refused(negative + "\n");

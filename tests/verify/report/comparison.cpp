@@ -52,6 +52,18 @@ TEST_CASE("a report against itself has changed nothing") {
   CHECK(none.older == "0123456789, 2026-01-02");
 }
 
+TEST_CASE("an older report may lack what this one has, or have it otherwise") {
+  json older = older_json();
+  older["claims"] = {{{"id", "C"}}};
+  older["audit"] = {3, "rows"};
+  older["tables"]["tables"][0]["cells"] = {7, {{"verdict", {1}}}};
+  const ReportComparison comparison = compare_reports(older.dump(), older_json().dump());
+  const ChangedItem* const claim = item_about(comparison, "claim C");
+  REQUIRE(claim != nullptr);
+  CHECK(claim->before.empty());
+  CHECK(claim->now == "holds");
+}
+
 TEST_CASE("what is better, worse, slower, new or gone in a report is told, the worst first") {
   json now = older_json();
   json& rows = now["audit"]["rows"];

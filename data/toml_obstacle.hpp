@@ -5,7 +5,7 @@
 
 namespace nipref::data {
 
-/// A key of a scene has no more parts than this, a.b.c: toml++ makes a table of each, and goes through tables in tables
+/// A key has no more parts than this, a.b.c: toml++ makes a table of each, and goes through tables in tables
 /// by recursion. (It bounds lists in lists itself.)
 inline constexpr std::size_t most_key_parts = 16;
 

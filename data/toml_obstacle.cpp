@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include <nipref/data/scene/internal/toml_obstacle.hpp>
+#include <nipref/data/toml_obstacle.hpp>
 
 namespace nipref::data {
 namespace {
