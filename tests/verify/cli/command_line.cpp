@@ -11,6 +11,8 @@
 #include "support/run_nipref.hpp"
 #include "support/unfolded.hpp"
 
+using namespace nipref;
+
 namespace {
 
 using nlohmann::json;
