@@ -23,9 +23,10 @@ using File = std::unique_ptr<FILE, int (*)(FILE*)>;
 /// A file without a name that holds the text.
 File file_with(std::string_view text) {
   File file(std::tmpfile(), std::fclose);
-  if (file == nullptr || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
-      std::fflush(file.get()) != 0)
-    throw OutputError("temporary file");
+  const auto written = [&] {
+    return text.empty() || std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
+  };
+  if (file == nullptr || !written() || std::fflush(file.get()) != 0) throw OutputError("temporary file");
   return file;
 }
 

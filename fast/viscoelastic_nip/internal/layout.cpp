@@ -46,10 +46,16 @@ std::vector<ContactPlace> ViscoelasticLayout::matching_points() const {
 }
 
 std::size_t ViscoelasticLayout::panel_of(ContactPlace place) const {
-  const auto found = std::ranges::find_if(panels_, [&](const ViscoelasticPanel& panel) {
-    return panel.half == place.half && panel.left <= place.e && place.e <= panel.left + panel.width;
-  });
-  return static_cast<std::size_t>(found - panels_.begin());
+  // The innermost that begins before it: where it ends, rounding may have put the place beyond.
+  std::size_t found = 0;
+  double nearest = -1;
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    const ViscoelasticPanel& panel = panels_[p];
+    if (panel.half != place.half || panel.left > std::max(place.e, 0.0) || panel.left <= nearest) continue;
+    found = p;
+    nearest = panel.left;
+  }
+  return found;
 }
 
 }  // namespace nipref::fast
