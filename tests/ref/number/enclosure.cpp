@@ -53,6 +53,17 @@ TEST_CASE("bounds hold and are as small as asked, for every kernel and argument"
   }
 }
 
+TEST_CASE("the bound reaches both ends of the interval, wherever its middle was rounded to") {
+  for (const long last : {0L, 1L, 2L, 3L}) {
+    Interval interval(1L, 53);
+    mpfi_put_d(interval.get(), 1 + std::ldexp(static_cast<double>(last), -52));
+    const Enclosure made = enclosure_of(interval, 16);
+    const double middle = made.to_double(), error = mpfr_get_d(made.error_bound.get(), MPFR_RNDN);
+    CHECK(middle - error <= 1);
+    CHECK(middle + error >= 1 + std::ldexp(static_cast<double>(last), -52));
+  }
+}
+
 TEST_CASE("next to a zero of the kernel the digits are those of the value") {
   // I1 changes sign between these; the closer end of each bracket is small.
   Float160 left("1");
