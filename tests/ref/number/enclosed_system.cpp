@@ -1,0 +1,39 @@
+#include <doctest/doctest.h>
+
+#include <nipref/ref/number/internal/enclosed_system.hpp>
+
+using namespace nipref::ref;
+
+TEST_CASE("the solutions of all systems within the errors are enclosed") {
+  const WorkingDigits working(30);
+  const long n = 3;
+  NearlyKnownSystem system{Matrix(n, n), Matrix(n, 1)};
+  for (long i = 0; i < n; ++i) {
+    for (long k = 0; k < n; ++k) system.matrix(i, k) = 1 / Float(1 + i + k);
+    system.right(i) = 1 + i;
+  }
+  for (const double coefficient : {0.0, 1e-9}) {
+    for (const double right : {0.0, 1e-9}) {
+      system.error = coefficient;
+      system.right_error = Vector(1);
+      system.right_error(0) = right;
+      const auto enclosed = enclosed_solutions(system);
+      REQUIRE(enclosed);
+      for (int signs = 0; signs < 1 << n; ++signs) {
+        Matrix matrix = system.matrix;
+        Vector moved = system.right;
+        for (long i = 0; i < n; ++i) {
+          const int sign = (signs >> i) % 2 == 0 ? 1 : -1;
+          for (long k = 0; k < n; ++k) matrix(i, k) += coefficient * sign * (k == 1 ? -1 : 1);
+          moved(i) += right * sign;
+        }
+        const Vector solution = solve(matrix, moved);
+        for (long k = 0; k < n; ++k) {
+          const Interval& found = enclosed->unknowns[0][static_cast<std::size_t>(k)];
+          CHECK(mpfr_cmp(found.lower(), solution(k).get()) <= 0);
+          CHECK(mpfr_cmp(found.upper(), solution(k).get()) >= 0);
+        }
+      }
+    }
+  }
+}
