@@ -26,6 +26,13 @@ std::size_t token_length(std::string_view text) {
   return letter == '"' || letter == '\'' ? quoted_length(text) : 1;
 }
 
+bool is_beyond_ascii(char letter) { return static_cast<unsigned char>(letter) >= 0x80; }
+
+/// What begins as a number toml++ reads on to the next space or comma, through quotes.
+bool is_apart(std::string_view text, std::size_t at) {
+  return at == 0 || std::string_view(" \t\r\n,").find(text[at - 1]) != std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<TomlObstacle> toml_obstacle(std::string_view text) {
@@ -35,10 +42,11 @@ std::optional<TomlObstacle> toml_obstacle(std::string_view text) {
     const char letter = text[at];
     if (letter == '.' && ++parts > most_key_parts)
       return TomlObstacle{line, "must have keys of at most 16 parts"};
-    if (static_cast<unsigned char>(letter) >= 0x80)
-      return TomlObstacle{line, "must be TOML: letters beyond ASCII in quotes"};
+    if (is_beyond_ascii(letter)) return TomlObstacle{line, "must be TOML: letters beyond ASCII in quotes"};
     if (no_part_of_a_key.find(letter) != std::string_view::npos) parts = 1;
     const std::string_view token = text.substr(at, token_length(text.substr(at)));
+    if (letter != '#' && std::ranges::any_of(token, is_beyond_ascii) && !is_apart(text, at))
+      return TomlObstacle{line, "must be TOML with a space before quotes with letters beyond ASCII"};
     line += static_cast<std::size_t>(std::ranges::count(token, '\n'));
     at += token.size();
   }
