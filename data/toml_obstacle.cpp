@@ -28,9 +28,11 @@ std::size_t token_length(std::string_view text) {
 
 bool is_beyond_ascii(char letter) { return static_cast<unsigned char>(letter) >= 0x80; }
 
-/// What begins as a number toml++ reads on to the next space or comma, through quotes.
-bool is_apart(std::string_view text, std::size_t at) {
-  return at == 0 || std::string_view(" \t\r\n,").find(text[at - 1]) != std::string_view::npos;
+/// Whether a token is a text that toml++ takes as one: in what begins as a number it reads on through quotes, to the next
+/// space or comma, and behind a backslash it takes any letter for a space.
+bool is_plain(std::string_view text, std::size_t at, std::string_view token) {
+  const bool is_apart = at == 0 || std::string_view(" \t\r\n,").find(text[at - 1]) != std::string_view::npos;
+  return is_apart && token.size() > 1 && token.find('\\') == std::string_view::npos;
 }
 
 }  // namespace
@@ -42,11 +44,11 @@ std::optional<TomlObstacle> toml_obstacle(std::string_view text) {
     const char letter = text[at];
     if (letter == '.' && ++parts > most_key_parts)
       return TomlObstacle{line, "must have keys of at most 16 parts"};
-    if (is_beyond_ascii(letter)) return TomlObstacle{line, "must be TOML: letters beyond ASCII in quotes"};
     if (no_part_of_a_key.find(letter) != std::string_view::npos) parts = 1;
     const std::string_view token = text.substr(at, token_length(text.substr(at)));
-    if (letter != '#' && std::ranges::any_of(token, is_beyond_ascii) && !is_apart(text, at))
-      return TomlObstacle{line, "must be TOML with a space before quotes with letters beyond ASCII"};
+    if (letter != '#' && std::ranges::any_of(token, is_beyond_ascii) && !is_plain(text, at, token))
+      return TomlObstacle{line,
+                          "must be TOML: letters beyond ASCII in quotes behind a space, with no backslash"};
     line += static_cast<std::size_t>(std::ranges::count(token, '\n'));
     at += token.size();
   }

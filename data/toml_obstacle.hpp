@@ -15,8 +15,8 @@ struct TomlObstacle {
   std::string_view allowed;
 };
 
-/// The first one in a text: a key of too many parts, or a letter beyond ASCII outside quotes and comments, which is no
-/// TOML either.
+/// The first one in a text: a key of too many parts, or a letter beyond ASCII outside comments, but in a text
+/// in quotes behind a space that has no backslash. Most of that is no TOML either.
 [[nodiscard]] std::optional<TomlObstacle> toml_obstacle(std::string_view text);
 
 }  // namespace nipref::data

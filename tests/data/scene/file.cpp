@@ -277,10 +277,12 @@ TEST_CASE("letters beyond ASCII are those of texts and comments") {
   CHECK(refusal_of(replaced(good, "radius = 6", "r\u00e1dius = 6"))
             .starts_with(":5: syntax = r\u00e1dius = 6: must be TOML"));
   CHECK(refusal_of("\xef\xbb\xbf# \u00e1\n" + replaced(good, "a nip", "\u00e1")) == "(accepted)");
-  // toml++ reads on through quotes in what is no number.
-  for (const char* const radius : {"6'\u00e1'", "6b='\u00e1'", "6.'\u00e1'", "6['\u00e1'"})
+  // What toml++ reads on through quotes, or takes for a space.
+  for (const char* const radius :
+       {"6'\u00e1'", "6b='\u00e1'", "6.'\u00e1'", "6['\u00e1'", " \"\"\"\\\u00e1\"\"\"", " \"\\\\ \u00e1\""})
     CHECK(refusal_of(replaced(good, "radius = 6", std::string("radius = ") + radius))
-              .find("must be TOML with a space before quotes") != std::string::npos);
+              .find("must be TOML: letters beyond ASCII in quotes behind a space, with no backslash") !=
+          std::string::npos);
 }
 
 TEST_CASE("files that cannot be read") {
