@@ -32,18 +32,18 @@ constexpr std::array<NipNumber, 5> nip_numbers{{
     {"nip.load",
      "N R W/L^2 of an elastic nip, N = 2(1 - poisson^2)/young; as L/B -> 0 without friction pi/8, as L/B -> "
      "infinity (L/B)/3",
-     "the value, with full friction (L/B)/7 times that beyond 7", 8192},
+     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
     {"nip.indentation",
      "R d0/L^2, d0 the approach of roller and middle plane; as L/B -> 0 like ln(B/L)/8, as L/B -> infinity 1/8",
-     "the value, with full friction (L/B)/7 times that beyond 7", 8192},
+     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
     {"nip.creep",
      "(R/L) creep: strain v' of the surface, without friction its mean, (2/L) v(L/2); as L/B -> infinity like L/B",
-     "(1 + L/B)/10 or the value, with full friction (L/B)/7 times that beyond 7", 8192},
+     "(1 + L/B)/10 or the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
     {"nip.peak_pressure",
      "N R p/L in the middle; as L/B -> 0 without friction 1/2, as L/B -> infinity (L/B)/2",
-     "the value, with full friction (L/B)/7 times that beyond 7", 65536},
+     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 65536},
     {"nip.peak_shear", "N R q/L, q the largest magnitude of the shear; 0 without friction",
-     "(1 + L/B)/2 or the value, (L/B)/7 times that beyond 7", 8192},
+     "(1 + L/B)/2 or the value, or beyond L/B = 7 as fast's own errors need", 8192},
 }};
 
 bool is_gripped(NipArguments x) { return x[2] != 0; }
@@ -159,10 +159,11 @@ std::vector<Quantity> elastic_nip_entries() {
     entry.most_digits = 50;
     entry.draw = draw_nip;
     entry.keep_off = keep_nip_in_domain;
-    // The longer a contact with full friction, the more is the rounding of what is solved amplified.
-    entry.envelope = [i, by_fast = entry.by_fast](NipArguments x) {
-      const double least = nip_envelope(i, x), amplified = is_gripped(x) ? x[0] / 7 : 1;
-      return amplified > 1 ? amplified * std::max(least, std::fabs(by_fast(x, {}))) : least;
+    // The longer a contact with full friction and the less compressible, the more is the rounding of what is solved
+    // amplified: there the promise is what fast says of each. An ulp is 2^-53 of the scale or more.
+    entry.envelope = [i, promise = entry.promise, says = entry.fast_error](NipArguments x) {
+      const double least = nip_envelope(i, x);
+      return is_gripped(x) && x[0] > 7 ? std::max(least, std::ldexp(says(x, {}) / promise, 53)) : least;
     };
     entries.push_back(std::move(entry));
   }
