@@ -336,14 +336,14 @@ Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_tim
 
 /// Along the paths of fractions values cost the distance's square, or more.
 void check_distance(const ExactFunction& function, const Place& place) {
-  constexpr double farthest = 200;
+  constexpr double farthest = 250;
   if (function.fractions.empty()) return;
   const double distance =
       std::max(std::fabs(place.alpha.approximate()), place.start ? std::fabs(place.start->approximate()) : 0);
   if (distance > farthest)
     throw data::BadInput(
         "distance from the load", distance,
-        "half thicknesses, must be at most 200 for operators whose roots are no rational numbers");
+        "half thicknesses, must be at most 250 for operators whose roots are no rational numbers");
 }
 
 /// The slowest decay of Un with the distance of the load, 1/half thickness.
