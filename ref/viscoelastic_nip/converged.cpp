@@ -18,16 +18,18 @@ using data::BadInput;
 constexpr int fewest_rolling_digits = 16;
 constexpr int most_rolling_digits = 30;
 /// Contacts in sheet thicknesses.
-constexpr double shortest_rolling = 1e-4, longest_rolling = 10;
+constexpr double shortest_rolling = 1e-6, longest_rolling = 1000;
+/// The same, of contacts whose stresses inside the sheet are asked for: their waves are summed over all of the contact.
+constexpr double longest_inside = 10;
 /// Relaxation lengths in contacts.
-constexpr double shortest_memory = 1e-3, longest_memory = 1e8;
+constexpr double shortest_memory = 1e-8, longest_memory = 1e8;
 /// Of a rate, its imaginary part over the real one.
 constexpr double most_swing = 10;
 /// Of a displacement, in half-thicknesses.
 constexpr double farthest_rolling = 600;
 
 constexpr auto allowed_rolling_lengths =
-    "must be at most the roller's radius and from 1e-4 to 10 sheet thicknesses for the reference's rolling "
+    "must be at most the roller's radius and from 1e-6 to 1000 sheet thicknesses for the reference's rolling "
     "contact";
 
 void check_rolling_digits(int digits) {
@@ -59,7 +61,7 @@ void check_memories(const RollingMaterial& material, double half_length) {
                  longest = 1 / static_cast<double>(term.rate.re);
     if (way < shortest_memory * length || longest > longest_memory * length)
       throw BadInput("nip.material", way / length,
-                     "must have relaxation lengths from 0.001 to 1e8 contacts for the reference");
+                     "must have relaxation lengths from 1e-8 to 1e8 contacts for the reference");
   }
 }
 
@@ -120,6 +122,10 @@ struct ConvergedViscoelasticNip::Implementation {
   }
   [[nodiscard]] ContactField field() const {
     const RollingPressure& fine = contact.fine();
+    if (fine.half_length() > longest_inside) {
+      throw BadInput("contact_length", static_cast<double>(2 * fine.half_length() * units.length),
+                     "must be at most 10 sheet thicknesses for stresses inside on the reference path");
+    }
     const Float scale = fine.load() / fine.half_length();
     return {field_source(contact.coarse()), field_source(fine), scale, scale * contact.difference(),
             contact.digits()};

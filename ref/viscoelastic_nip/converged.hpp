@@ -46,7 +46,7 @@ class ConvergedViscoelasticNip {
   [[nodiscard]] Estimated creep_ratio() const;
   [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
   [[nodiscard]] Estimated tangential_displacement(double y) const;  ///< v, relative to Y = 0
-  /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses.
+  /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses, the contact at most 10 long.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// v', dimensionless, by the slope of the displacement's interpolation.
@@ -63,9 +63,9 @@ class ConvergedViscoelasticNip {
   friend ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip&, double, int);
 };
 
-/// Contact of the given length: L <= R, 1e-4 <= L/B <= 10. digits: 16 to 30. BadInput otherwise, naming
+/// Contact of the given length: L <= R, 1e-6 <= L/B <= 1000. digits: 16 to 30. BadInput otherwise, naming
 /// "nip.material" for rates whose imaginary part is more than 10 times the real one, and for relaxation
-/// lengths (speed over rate) below 1e-3 contacts or above 1e8 of them, and naming "digits" where 1200 unknowns
+/// lengths (speed over rate) below 1e-8 contacts or above 1e8 of them, and naming "digits" where 1400 unknowns
 /// (1000 for a load) do not give them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);

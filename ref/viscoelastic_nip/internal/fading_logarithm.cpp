@@ -45,12 +45,12 @@ ComplexFloat integral_by_series(const ComplexFloat& z, double nats) {
 
 ComplexFloat scaled_exponential_integral(const ComplexFloat& z) {
   const double nats = static_cast<double>(mpfr_get_prec(Float().get())) * std::numbers::ln2 + 4;
+  if (static_cast<double>(abs(z)) > nats + 8) return asymptotic_integral(z, nats);
   if (z.is_real()) {
     Float result;
     mpfr_eint(result.get(), z.re.get(), MPFR_RNDN);
     return exp(-z.re) * result;
   }
-  if (static_cast<double>(abs(z)) > nats + 8) return asymptotic_integral(z, nats);
   const ComplexFloat long_result = integral_by_series(z, nats);
   return {long_result.re.at_working_precision(), long_result.im.at_working_precision()};
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -10,21 +11,34 @@ namespace nipref::ref {
 namespace {
 
 /// A minute or two; a load takes several solutions.
-constexpr int most_unknowns = 1200, most_unknowns_for_load = 1000;
+constexpr int most_unknowns = 1400, most_unknowns_for_load = 1000;
 constexpr int guard_digits = 14;  ///< of the arithmetic beyond the results
 constexpr int spare_digits = 6;   ///< of those, what the kernels need not have
 constexpr int search_digits = 8, fine_search_digits = 12;
 constexpr int most_load_steps = 40;
 
-/// The distance from the ends in which the pressure changes, half-thicknesses: the shortest memory's, or that in
-/// which a fluid flows by as much as it gives way at once.
+/// Sheet and pressure change within so many half-thicknesses or so.
+constexpr double sheet_length = 2.5;
+
+/// The distance from the ends in which the pressure changes, half-thicknesses: the shortest memory's, less where it softens
+/// the sheet much, or that in which a fluid flows by as much as it gives way at once.
 double end_length(const std::vector<RollingMemory>& memory) {
-  double length = 2.5;
+  double length = sheet_length;
   for (const RollingMemory& term : memory) {
-    const Float change = is_flow(term) ? abs(term.amplitude) : abs(term.rate);
+    const Float change =
+        is_flow(term) ? abs(term.amplitude) : std::max(abs(term.rate), Float(abs(term.amplitude) / 4));
     length = std::min(length, 2 / static_cast<double>(change));
   }
   return length;
+}
+
+/// What begins at an end fades over the distance from there, but what swings does so within that.
+double longest_panel(const std::vector<RollingMemory>& memory) {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const RollingMemory& term : memory) {
+    if (!term.rate.is_real()) longest = std::min(longest, 2 / static_cast<double>(term.rate.im));
+  }
+  return std::max(sheet_length, longest);
 }
 
 /// How finely a contact is cut.
@@ -35,13 +49,12 @@ struct Fineness {
 
 RollingLayout rolling_layout(const Float& half_length, const std::vector<RollingMemory>& memory,
                              const Fineness& fineness) {
-  const double first = end_length(memory);
+  const double first = end_length(memory), longest = longest_panel(memory);
   const auto size = static_cast<double>(half_length);
-  if (first >= 2 * size && size <= 0.5) {
-    if (!fineness.other_panels) return {half_length, first, true, fineness.terms};
-    return {half_length, size, false, fineness.terms};
-  }
-  return {half_length, fineness.other_panels ? 0.7 * std::min(first, size) : first, false, fineness.terms};
+  const bool other = fineness.other_panels;
+  if (first >= 2 * size && size <= 0.5) return {half_length, size, 2, longest, !other, fineness.terms};
+  if (!other) return {half_length, first, 2, longest, false, fineness.terms};
+  return {half_length, 0.7 * std::min(first, size), 2.25, longest, false, fineness.terms};
 }
 
 /// That are likely to give so many digits: each brings a factor of 5.8 or so.

@@ -112,7 +112,10 @@ ComplexFloat FadingSmoothPart::operator()(const Float& x, const Smooth& smooth) 
 }
 
 RollingKernel::RollingKernel(std::vector<RollingMemory> memory, int digits, SmoothKernel smooth)
-    : memory_(std::move(memory)), nats_(digits * std::numbers::ln10), smooth_(std::move(smooth)) {}
+    : memory_(std::move(memory)),
+      nats_(digits * std::numbers::ln10),
+      far_(far_ahead(nats_)),
+      smooth_(std::move(smooth)) {}
 
 double RollingKernel::swing(double way) const {
   double radians = 0;
@@ -141,6 +144,8 @@ std::vector<Float> RollingKernel::make_panel(const Float& from, const Float& wid
 }
 
 Float RollingKernel::operator()(const Float& x) {
+  if (x <= -far_) return far_upstream();
+  if (x >= far_) return far_downstream(x);
   const int sign = x > 0 ? 1 : -1;
   const long exponent = mpfr_get_exp(x.get());  // |x| from 2^{exponent - 1} to 2^exponent
   Float near, width = 1;
@@ -160,18 +165,28 @@ Float RollingKernel::operator()(const Float& x) {
 
 NormalRollingKernel::NormalRollingKernel(const RollingMaterial& material, int digits)
     : RollingKernel(material.normal, digits, SmoothKernel(I1_interval, digits)) {
-  const long far = far_ahead(nats());
   for (const RollingMemory& term : memory())
-    fading_.emplace_back(term.rate, digits, fading_logarithm(term.rate, Float(-far)), -far);
+    fading_.emplace_back(term.rate, digits, fading_logarithm(term.rate, Float(-far())), -far());
+}
+
+ComplexFloat NormalRollingKernel::faded(std::size_t term, const Float& x) {
+  return fading_[term](x, [&](const Float& at) { return smooth()(at); }) -
+         fading_logarithm(memory()[term].rate, x);
 }
 
 Float NormalRollingKernel::direct(const Float& x) {
-  if (static_cast<double>(x) < -static_cast<double>(far_ahead(nats()))) return 0;
   Float sum = smooth()(x) - log(abs(x));
+  for (std::size_t r = 0; r < memory().size(); ++r) sum += (memory()[r].amplitude * faded(r, x)).re;
+  return sum / pi();
+}
+
+Float NormalRollingKernel::far_downstream(const Float& x) {
+  const Float from(far());
+  Float sum = 0;
   for (std::size_t r = 0; r < memory().size(); ++r) {
     const auto& [amplitude, rate] = memory()[r];
-    const ComplexFloat smooth_part = fading_[r](x, [&](const Float& at) { return smooth()(at); });
-    sum += (amplitude * (smooth_part - fading_logarithm(rate, x))).re;
+    if (left_far_.size() <= r) left_far_.push_back(amplitude * faded(r, from));
+    sum += (left_far_[r] * exp(-(rate * (x - from)))).re;
   }
   return sum / pi();
 }
@@ -180,18 +195,21 @@ TangentialRollingKernel::TangentialRollingKernel(const RollingMaterial& material
     : RollingKernel(material.normal, digits, SmoothKernel(I3_interval, digits, I3_shape)),
       theta2_at_once_(material.theta2_at_once),
       theta2_(material.theta2) {
-  const long far = far_ahead(nats());
-  for (const RollingMemory& term : memory()) fading_.emplace_back(term.rate, digits, ComplexFloat(), -far);
+  for (const RollingMemory& term : memory()) fading_.emplace_back(term.rate, digits, ComplexFloat(), -far());
 }
 
 Float TangentialRollingKernel::direct(const Float& x) {
   const auto I3 = [&](const Float& at) { return at < 0 ? -smooth()(at) : smooth()(at); };
   const auto above_limit = [&](const Float& at) { return I3(at) + pi() / 4; };
-  const Float far = -Float(far_ahead(nats()));
-  const Float& within = x < far ? far : x;  // nothing changes before
+  // Nothing of the sheet's own changes beyond.
+  const Float within = std::min(x, Float(far())), beyond = x - within;
   Float sum = -I3(within);
-  for (std::size_t r = 0; r < memory().size(); ++r)
-    sum -= (memory()[r].amplitude * fading_[r](within, above_limit)).re;
+  for (std::size_t r = 0; r < memory().size(); ++r) {
+    const auto& [amplitude, rate] = memory()[r];
+    ComplexFloat faded = fading_[r](within, above_limit);
+    if (beyond > 0) faded = faded * exp(-(rate * beyond)) + fading_way(rate, beyond) * (pi() / 2);
+    sum -= (amplitude * faded).re;
+  }
   const Float half_pi = pi() / 2;
   if (x < 0) return (sum - half_pi * theta2_at_once_) / pi();
   sum += half_pi * theta2_at_once_;

@@ -42,15 +42,17 @@ class FadingSmoothPart {
 /// What a unit of pressure, and all that it leaves behind in the sheet's memory, does to the surface of a
 /// steadily rolling sheet, x downstream of it: a function that is analytic but for x = 0 and |Im x| < 2, on the
 /// scale of x itself however short the memory is. It is interpolated on panels that double away from 0, up to
-/// length 1, each made when it is first met.
+/// length 1, each made when it is first met; from far() on there are the memories' exponentials alone.
 class RollingKernel {
  public:
   RollingKernel(const RollingKernel&) = delete;
   RollingKernel& operator=(const RollingKernel&) = delete;
   virtual ~RollingKernel() = default;
 
-  /// At x, not 0, |x| <= 900.
+  /// At x, not 0.
   Float operator()(const Float& x);
+  /// From where the sheet moves no more by what presses it, but for its memory.
+  [[nodiscard]] long far() const { return far_; }
   [[nodiscard]] const std::vector<RollingMemory>& memory() const { return memory_; }
   [[nodiscard]] double nats() const { return nats_; }
   /// Radians that memories swing by over a way, as far as they are not forgotten within it.
@@ -60,7 +62,11 @@ class RollingKernel {
  protected:
   /// To about `digits` digits of its size.
   RollingKernel(std::vector<RollingMemory> memory, int digits, SmoothKernel smooth);
+  /// |x| <= far
   [[nodiscard]] virtual Float direct(const Float& x) = 0;
+  [[nodiscard]] virtual Float far_upstream() = 0;
+  /// x >= far
+  [[nodiscard]] virtual Float far_downstream(const Float& x) = 0;
   [[nodiscard]] SmoothKernel& smooth() { return smooth_; }
 
  private:
@@ -68,6 +74,7 @@ class RollingKernel {
 
   std::vector<RollingMemory> memory_;
   double nats_;
+  long far_;
   SmoothKernel smooth_;
   std::map<std::pair<int, long>, std::vector<Float>> panels_;  ///< by sign and place
 };
@@ -83,8 +90,13 @@ class NormalRollingKernel : public RollingKernel {
 
  private:
   [[nodiscard]] Float direct(const Float& x) override;
+  [[nodiscard]] Float far_upstream() override { return 0; }
+  [[nodiscard]] Float far_downstream(const Float& x) override;
+  /// int_0^inf e^{-rate w} I1(x - w) dw, |x| <= far
+  [[nodiscard]] ComplexFloat faded(std::size_t term, const Float& x);
 
   std::vector<FadingSmoothPart> fading_;
+  std::vector<ComplexFloat> left_far_;  ///< of a term, at far()
 };
 
 /// Displacement along the sheet, upstream (towards the leading side), up to a constant,
@@ -101,6 +113,8 @@ class TangentialRollingKernel : public RollingKernel {
 
  private:
   [[nodiscard]] Float direct(const Float& x) override;
+  [[nodiscard]] Float far_upstream() override { return direct(-Float(far())); }
+  [[nodiscard]] Float far_downstream(const Float& x) override { return direct(x); }
 
   Float theta2_at_once_;
   std::vector<RollingMemory> theta2_;

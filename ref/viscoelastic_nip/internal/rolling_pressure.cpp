@@ -5,19 +5,21 @@
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
 #include <nipref/ref/number/internal/local_slope.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
 
 namespace nipref::ref {
 namespace {
 
-/// The longest panel, half-thicknesses: sheet and pressure change within 2 or so.
-constexpr double longest_panel = 2.5;
+/// The longest piece of an integral where the sheet itself is felt, half-thicknesses: its kernel is singular 2 beside.
+constexpr double longest_piece = 2.5;
 
 /// For the panels of a layout, and for pieces that begin or end where a kernel or the basis is singular. A kernel
 /// is analytic but for a point a third of a piece's length, or a panel's width, away, so that a node of Gauss brings
 /// 2.2 nats, with the root of an end taken out by a substitution as many; a memory that swings grows within it as RollingKernel says.
 struct RollingRules {
   UnitRule plain, root, ends;
+  Float first_piece;  ///< beside the kernel's singularity, in which memories fade by a few times e at most
 
   RollingRules(const RollingLayout& layout, const RollingKernel& kernel) {
     double widest = 0;
@@ -27,6 +29,9 @@ struct RollingRules {
     plain = gauss_rule(static_cast<int>(nats / 2.2) + layout.terms / 2 + 6);
     root = gauss_rule(static_cast<int>(nats / 2.2) + layout.terms + 6);
     ends = double_exponential_rule(kernel.nats(), layout.terms + static_cast<int>(swing / 2));
+    first_piece = longest_piece;
+    for (const RollingMemory& term : kernel.memory())
+      if (!is_flow(term)) first_piece = std::min(first_piece, 8 / abs(term.rate));
   }
 };
 
@@ -42,27 +47,10 @@ class PanelMoments {
   /// Adds them to `sums`.
   void add(const Float& s, std::vector<Float>& sums) {
     const Float& width = panel_.width;
-    if (s >= width + width || s <= -width) return add_far(s, sums);
-    if (s > 0 && s < width) {
-      add_piece(s, -s, 0, rules_.ends, sums);
-      add_piece(s, width - s, 0, rules_.ends, sums);
-      return;
-    }
-    const bool left = s <= 0;  // of the panel
-    const Float gap = left ? -s : s - width;
-    const Float all = left ? width : -width;
-    if (gap == 0) return add_piece(s, all, 0, rules_.ends, sums);
-    // Pieces three times as long as they are far away, but none ends just before a root.
-    Float done = 0;
-    for (bool last = false; !last;) {
-      const Float length_here = 3 * (gap + done), left_over = width - done;
-      last = left_over <= length_here;
-      const Float length = last ? left_over : std::min(length_here, Float(left_over / 2));
-      const bool at_root = (done == 0 && (left ? panel_.root_left : panel_.root_right)) ||
-                           (last && (left ? panel_.root_right : panel_.root_left));
-      add_piece(s, left ? length : -length, gap + done, at_root ? rules_.ends : rules_.plain, sums);
-      done += length;
-    }
+    const Float gap = std::max(Float(-s), Float(s - width));
+    if (gap >= width && (width <= longest_piece || gap >= kernel_.far())) return add_far(s, sums);
+    if (s < width) add_side(s, true, sums);
+    if (s > 0) add_side(s, false, sums);
   }
 
  private:
@@ -95,7 +83,28 @@ class PanelMoments {
   void add_far(const Float& s, std::vector<Float>& sums) {
     for (std::size_t i = 0; i < far_at_.size(); ++i) {
       const Float value = kernel_(s - far_at_[i]);
-      accumulate(value, far_basis_[i], sums);
+      if (value != 0) accumulate(value, far_basis_[i], sums);
+    }
+  }
+
+  /// Of what is downstream of s, or upstream: pieces three times as long as they are far away, but none ends just before
+  /// a root.
+  void add_side(const Float& s, bool down, std::vector<Float>& sums) {
+    const Float& width = panel_.width;
+    const Float gap = std::max(Float(0), down ? Float(-s) : Float(s - width));
+    const Float all = std::min(width, down ? Float(width - s) : s);
+    Float done = 0;
+    for (bool last = false; !last;) {
+      const Float from = gap + done, left_over = all - done;
+      Float length = from == 0 ? rules_.first_piece : 3 * from;
+      if (from < kernel_.far()) length = std::min(length, Float(longest_piece));
+      last = left_over <= length;
+      length = last ? left_over : std::min(length, Float(left_over / 2));
+      const bool at_first = gap > 0 && done == 0 && (down ? panel_.root_left : panel_.root_right);
+      const bool at_last = last && (down ? panel_.root_right : panel_.root_left);
+      const bool at_root = from == 0 || at_first || at_last;
+      add_piece(s, down ? length : -length, from, at_root ? rules_.ends : rules_.plain, sums);
+      done += length;
     }
   }
 
@@ -111,6 +120,7 @@ class PanelMoments {
     for (std::size_t i = 0; i < rule.size(); ++i) {
       const Float way = size * rule.from_left[i];
       const Float value = kernel_(down ? -(gap + way) : gap + way) * (size * rule.weight[i]);
+      if (value == 0) continue;
       const Float behind = near + way, ahead = beyond + size * rule.from_right[i];
       panel_.basis(down ? behind : ahead, down ? ahead : behind, basis_);
       accumulate(value, basis_, sums);
@@ -148,15 +158,16 @@ void RollingPanel::basis(const Float& from_left, const Float& from_right, std::v
   }
 }
 
-RollingLayout::RollingLayout(const Float& half_length, double first, bool whole, int the_terms)
+RollingLayout::RollingLayout(const Float& half_length, double first, double growth, double longest,
+                             bool whole, int the_terms)
     : terms(the_terms) {
   if (whole) {
     panels.push_back({0, 2 * half_length, true, true});
     return;
   }
   const auto size = static_cast<double>(half_length);
-  std::vector<double> edges{0, std::min(first, longest_panel)};
-  while (edges.back() < size) edges.push_back(edges.back() + std::min(edges.back(), longest_panel));
+  std::vector<double> edges{0, first};
+  while (edges.back() < size) edges.push_back(edges.back() + std::min((growth - 1) * edges.back(), longest));
   for (double& edge : edges) edge /= edges.back();
   const auto at = [&](std::size_t i) { return edges[i] * half_length; };
   const std::size_t count = edges.size() - 1;
@@ -199,7 +210,7 @@ RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout,
     matrix(i, rows - 1) = -2 * d * half_length_;
     right(i) = d * (2 - d) * half_length_ * half_length_;
   }
-  const Vector solution = solve(std::move(matrix), std::move(right));
+  const Vector solution = refined_solution(matrix, right);
   edge_displacement_ = solution(rows - 2) * half_length_;
   offset_ = solution(rows - 1);
   for (std::size_t p = 0; p < layout_.panels.size(); ++p) {

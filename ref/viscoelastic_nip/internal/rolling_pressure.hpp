@@ -4,8 +4,8 @@
 
 #include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
+#include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>
 
 namespace nipref::ref {
 
@@ -25,8 +25,9 @@ struct RollingLayout {
   int terms;
   std::vector<RollingPanel> panels;  ///< downstream
 
-  /// Panels double away from both ends, from `first` to 2.5 half-thicknesses; one for all if `whole`.
-  RollingLayout(const Float& half_length, double first, bool whole, int terms);
+  /// Panels that begin `growth` times as far from their end as the one before, from `first` wide to `longest`
+  /// half-thicknesses; one for all if `whole`.
+  RollingLayout(const Float& half_length, double first, double growth, double longest, bool whole, int terms);
   [[nodiscard]] std::vector<Float> matching_points() const;
   [[nodiscard]] int unknowns() const { return static_cast<int>(panels.size()) * terms + 2; }
 };

@@ -13,6 +13,7 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/thin.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 
 #include "support/softening_sheet.hpp"
@@ -127,6 +128,38 @@ TEST_CASE("ref rolling contact: without memory it is the proven elastic contact,
   CHECK(std::fabs(rolled.rolling_resistance().to_double()) <= 1e-20);
 }
 
+TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") {
+  const data::ElasticNip elastic{2000, 1, {1, 0.3}};
+  const double length = 30;
+  const auto rolled = ref::converged_for_length(
+      {elastic.roller_radius, 1, data::elastic_solid(elastic.material), 1}, length, 18);
+  const ref::ThinElasticNip thin = ref::thin_nip_of_length(elastic, length, 19);
+  const auto same = [](const ref::Estimated& mine, const ref::Estimated& theirs) {
+    CAPTURE(mine.value_text());
+    ref::Real difference(200);
+    mpfr_sub(difference.get(), mine.value.get(), theirs.value.get(), MPFR_RNDN);
+    CHECK(mpfr_cmpabs(difference.get(), mine.error.get()) <= 0);
+    CHECK(mpfr_cmpabs(theirs.error.get(), mine.error.get()) <= 0);
+  };
+  same(rolled.load(), thin.load);
+  same(rolled.indentation(), thin.indentation);
+  same(rolled.creep_ratio(), thin.creep_ratio);
+}
+
+TEST_CASE(
+    "ref rolling contact: the shortest and long ones, memories far shorter than they, are covered in double") {
+  struct Case {
+    double length, way, growth;
+  };
+  for (const auto& [length, way, growth] : {Case{1e-6, 1e-9, 1}, {40, 4, 30}}) {
+    CAPTURE(length);
+    ViscoelasticNip nip = rolled_nip(1, way, growth);
+    nip.roller_radius = 1000;
+    check_covered(ref::converged_for_length(nip, length, 16), fast::converged_for_length(nip, length, 1e-10),
+                  length);
+  }
+}
+
 TEST_CASE("ref rolling contact: a memory that fades slowly is none") {
   const double length = 0.1, way = 1e6;
   const auto slow = ref::converged_for_length(test::nip(way), length, 16);
@@ -208,10 +241,10 @@ TEST_CASE("ref rolling contact: the length that a load needs gives it back, and 
 TEST_CASE("ref rolling contact: what it cannot give is refused by name") {
   const ViscoelasticNip nip = rolled_nip(0.25, 0.1, 2);
   check_rolling_refused([&] { (void)ref::converged_for_length(nip, 0.1, 15); }, "digits = 15: ");
-  check_rolling_refused([&] { (void)ref::converged_for_length(nip, 3, 16); }, "contact_length = 3: ");
+  check_rolling_refused([&] { (void)ref::converged_for_length(nip, 7, 16); }, "contact_length = 7: ");
   check_rolling_refused([&] { (void)ref::converged_for_load(nip, -1, 16); }, "load = -1: ");
   check_rolling_refused([&] { (void)ref::converged_for_load(nip, 1e9, 16); }, "load = 1000000000: gives");
-  check_rolling_refused([] { (void)ref::converged_for_length(rolled_nip(0.25, 1e-5, 1), 0.1, 16); },
+  check_rolling_refused([] { (void)ref::converged_for_length(rolled_nip(0.25, 1e-11, 1), 0.1, 16); },
                         "nip.material = ");
   const data::ViscoelasticMaterial ringing = data::operator_solid({{200, 1, 1}, {100, 1, 1}, {1}, {10}});
   check_rolling_refused(
@@ -219,4 +252,10 @@ TEST_CASE("ref rolling contact: what it cannot give is refused by name") {
         (void)ref::converged_for_length({6, 0.25, ringing, 1}, 0.1, 16);
       },
       "nip.material = 19.97");
+  check_rolling_refused(
+      [] {
+        ViscoelasticNip thin = rolled_nip(0.001, 0.1, 1);
+        (void)ref::converged_for_length(thin, 0.02, 16).greatest_shear();
+      },
+      "contact_length = 0.02");
 }

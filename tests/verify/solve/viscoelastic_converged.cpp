@@ -263,7 +263,7 @@ TEST_CASE(
 TEST_CASE("what the reference's rolling contact does not have is refused by its key") {
   const std::string wanted = R"("contact_length")";
   check_refused(
-      replaced(scene_text(solid, by_convergence, wanted), "relaxation_time = 0.1", "relaxation_time = 1e-6"),
+      replaced(scene_text(solid, by_convergence, wanted), "relaxation_time = 0.1", "relaxation_time = 1e-12"),
       "material", " --path ref --digits 16");
   check_refused(scene_text(solid, by_convergence, wanted), "digits = 31: must be from 16 to 30",
                 " --path ref --digits 31");

@@ -31,8 +31,11 @@ constexpr std::array<NipNumber, 5> rolling_numbers{{
      "(1 + L/B)/10 or the value", 16384},
 }};
 
-/// What is audited: the reference's whole range would take it minutes a value.
-constexpr double shortest_rolling = 1e-4, longest_rolling = 1.5, shortest_memory = 0.1, longest_memory = 1e8;
+/// What is audited, and what of it unless ranges are given, for time.
+constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memory = 1e-4,
+                 longest_memory = 1e8;
+constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
+/// So that fast keeps its promise: what softens much within a small part of the contact hardly carries anything.
 double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
 
 constexpr int least_rolling_digits = 16;
@@ -68,14 +71,14 @@ NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
           in_unit(contact.indentation(), over_length / x[0]), in_unit(contact.creep_ratio(), over_length)};
 }
 
-/// Digits that the reference gives in about ten seconds: as measured, 16 take (0.84 + 0.75 log10(1/memory) + 0.145 L/B)^2
-/// seconds, or 0.13 ((softening - 2)/memory)^0.85 if that is more, and each one more 14 %.
+/// Digits that the reference gives in about ten seconds, as measured: its unknowns grow with the logarithms of the length
+/// and of how soon the sheet softens, their square is work, and each digit beyond 16 takes 14 % more.
 int most_rolling_digits(NipArguments x) {
-  const double shortness = std::max(0.0, -std::log10(x[1]));
-  const double root = 0.84 + 0.75 * shortness + 0.145 * x[0];
-  const double by_softening = 0.13 * std::pow(std::max(0.0, x[3] - 2) / x[1], 0.85);
-  return least_rolling_digits +
-         static_cast<int>(std::floor(std::log(11 / std::max(root * root, by_softening)) / 0.135));
+  const double steepness = std::max({1.0 / x[1], (x[3] - 1) / (4 * x[1]), 1.6 * x[0]});
+  const double unknowns = std::max(54.0, 156 * std::log10(steepness) - 20);
+  const double seconds =
+      (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + std::log10(1 + x[0]) / 10);
+  return least_rolling_digits + static_cast<int>(std::floor(std::log(11 / seconds) / 0.135));
 }
 
 void check_rolling_work(NipArguments x, int digits) {
@@ -116,10 +119,10 @@ void keep_rolling_in_domain(Point& x) {
 }
 
 Point draw_rolling_nip_point(Random& random) {
-  const double memory =
-      random.chance(0.5) ? random.log_uniform(shortest_memory, 10) : random.log_uniform(10, longest_memory);
+  const double memory = random.chance(0.5) ? random.log_uniform(shortest_drawn_memory, 10)
+                                           : random.log_uniform(10, longest_memory);
   const double softening = random.chance(0.3) ? 2 : 1 + random.log_uniform(1e-3, most_softening(memory) - 1);
-  return {draw_nip_length(random, shortest_rolling, longest_rolling), memory, draw_nip_poisson(random),
+  return {draw_nip_length(random, shortest_rolling, longest_drawn), memory, draw_nip_poisson(random),
           softening, random.chance(0.2) ? 1.0 : 0.0};
 }
 
