@@ -176,7 +176,7 @@ ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double co
                    "must be from 12 to 21 for a thin sheet with full friction");
   const double poisson = nip.material.poisson;
   if (poisson > largest_thin_gripped_poisson)
-    throw BadInput("poisson", poisson, "must be at most 0.499 for a thin sheet with full friction");
+    throw BadInput("poisson", poisson, "must be at most 0.499999 for a thin sheet with full friction");
   const double ratio = contact_length / nip.sheet_thickness;
   if (!(ratio >= shortest_thin_gripped_nip && ratio <= 1e4 && contact_length <= nip.roller_radius)) {
     throw BadInput("contact_length", contact_length,

@@ -31,10 +31,10 @@ struct ThinGrippedNip {
 /// L/B from which on contacts are so long.
 inline constexpr double shortest_thin_gripped_nip = 12;
 /// Beyond, the wave hardly fades, and tells itself from the polynomials too late.
-inline constexpr double largest_thin_gripped_poisson = 0.499;
+inline constexpr double largest_thin_gripped_poisson = 0.499999;
 
-/// Contact of the given length, L/B from 12 to 1e4 and L <= R; poisson at most 0.499; digits 12 to 21. BadInput otherwise.
-/// Takes ten seconds, or forty where digits are many or poisson is near its limit.
+/// Contact of the given length, L/B from 12 to 1e4 and L <= R; poisson at most 0.499999; digits 12 to 21. BadInput otherwise.
+/// Takes ten seconds, or thirty where digits are many or poisson is near its limit.
 ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 }  // namespace nipref::ref

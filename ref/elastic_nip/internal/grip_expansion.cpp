@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -8,14 +8,12 @@
 #include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
 #include <nipref/ref/number/internal/float_interval.hpp>
+#include <nipref/ref/number/internal/refined_solution.hpp>
 
 namespace nipref::ref {
 namespace {
 
 using Index = Matrix::Index;
-
-/// Of refinement: each gains some ten digits.
-constexpr int most_grip_rounds = 60;
 
 /// i^k = sign_of_power(k) times 1 or i.
 int sign_of_power(long k) { return k % 4 < 2 ? 1 : -1; }
@@ -24,12 +22,6 @@ int alternating(long k) { return k % 2 == 0 ? 1 : -1; }
 void accumulate(Float& sum, Float& scratch, const Float& x, const Float& y) {
   mpfr_mul(scratch.get(), x.get(), y.get(), MPFR_RNDN);
   mpfr_add(sum.get(), sum.get(), scratch.get(), MPFR_RNDN);
-}
-
-Float largest_entry(const Vector& x) {
-  Float largest = 0;
-  for (Index i = 0; i < x.size(); ++i) largest = std::max(largest, abs(x(i)));
-  return largest;
 }
 
 /// Half of the zeros of T_count or U_count, count even: those > 0, from the end.
@@ -154,14 +146,6 @@ GripOperator<Float> operator_of(const Float& half_length, const Float& epsilon, 
           .tangential_by_shear = std::move(folded.tangential_by_shear)};
 }
 
-DenseMatrix<double> in_double(const Matrix& x) {
-  DenseMatrix<double> result(x.rows(), x.columns());
-  for (Index i = 0; i < x.rows(); ++i) {
-    for (Index k = 0; k < x.columns(); ++k) result(i, k) = static_cast<double>(x(i, k));
-  }
-  return result;
-}
-
 GripOperator<double> in_double(const GripOperator<Float>& from) {
   return {in_double(from.closed),
           in_double(from.moments),
@@ -204,69 +188,6 @@ Vector applied(const GripOperator<Float>& to, const Vector& points, const Vector
   return result;
 }
 
-/// Elimination in double with partial pivoting, along the columns as they are stored.
-class FactoredInDouble {
- public:
-  explicit FactoredInDouble(DenseMatrix<double> matrix) : matrix_(std::move(matrix)) {
-    for (Index k = 0; k < matrix_.rows(); ++k) eliminate(k);
-  }
-
-  [[nodiscard]] DenseMatrix<double> solution(DenseMatrix<double> x) const {
-    const Index size = matrix_.rows();
-    for (Index k = 0; k < size; ++k) std::swap(x(k), x(pivots_[static_cast<std::size_t>(k)]));
-    for (Index k = 0; k < size; ++k) {
-      for (Index i = k + 1; i < size; ++i) x(i) -= matrix_(i, k) * x(k);
-    }
-    for (Index k = size - 1; k >= 0; --k) {
-      x(k) /= matrix_(k, k);
-      for (Index i = 0; i < k; ++i) x(i) -= matrix_(i, k) * x(k);
-    }
-    return x;
-  }
-
- private:
-  void eliminate(Index k) {
-    const Index size = matrix_.rows();
-    Index pivot = k;
-    for (Index i = k + 1; i < size; ++i) {
-      if (std::fabs(matrix_(i, k)) > std::fabs(matrix_(pivot, k))) pivot = i;
-    }
-    pivots_.push_back(pivot);
-    for (Index column = 0; column < size; ++column) std::swap(matrix_(k, column), matrix_(pivot, column));
-    for (Index i = k + 1; i < size; ++i) matrix_(i, k) /= matrix_(k, k);
-    for (Index column = k + 1; column < size; ++column) {
-      const double factor = matrix_(k, column);
-      for (Index i = k + 1; i < size; ++i) matrix_(i, column) -= matrix_(i, k) * factor;
-    }
-  }
-
-  DenseMatrix<double> matrix_;
-  std::vector<Index> pivots_;
-};
-
-/// By elimination in double, refined.
-Vector solved(const GripOperator<Float>& to, const Vector& points, const Vector& right) {
-  const Index size = right.size();
-  const FactoredInDouble factored(system_matrix(in_double(to), points));
-  Vector x(size);
-  Vector rest = right;
-  const Float enough = size * std::numeric_limits<Float>::epsilon() * largest_entry(right);
-  const Float worst = 1000 * enough;
-  for (int round = 0; round < most_grip_rounds && largest_entry(rest) > enough; ++round) {
-    const Float scale = largest_entry(rest);
-    const DenseMatrix<double> change = factored.solution(in_double(rest / scale));
-    Vector better = x;
-    for (Index i = 0; i < size; ++i) better(i) += change(i) * scale;
-    const Vector left = right - applied(to, points, better);
-    if (!(largest_entry(left) < largest_entry(rest))) break;
-    x = better;
-    rest = left;
-  }
-  if (!(largest_entry(rest) < worst))
-    throw std::logic_error("a linear system that refinement does not solve");
-  return x;
-}
-
 }  // namespace
 
 GripExpansion::GripExpansion(Float half_length, Float beta, const GripLayout& layout, GripKernels& kernels)
@@ -279,7 +200,10 @@ GripExpansion::GripExpansion(Float half_length, Float beta, const GripLayout& la
     points(i) = grid.point(i);
     right(i) = half_length_ * (1 - points(i)) * (1 + points(i));
   }
-  const Vector x = solved(to, points, right);
+  const std::optional<Vector> solved = refined_solution(
+      system_matrix(in_double(to), points), right, [&](const Vector& x) { return applied(to, points, x); });
+  if (!solved) throw std::logic_error("a linear system that refinement does not solve");
+  const Vector& x = *solved;
   coefficients_ = x.block(0, 0, layout.terms, 1);
   creep_ = -x(layout.terms + 1);
   load_ = half_length_ * (to.moments.block(0, 0, 1, layout.terms) * coefficients_)(0);

@@ -33,6 +33,13 @@ void swap_rows(DenseMatrix<Scalar>& x, Index a, Index b, Index first_column) {
     std::swap(x(a, column), x(b, column));
 }
 
+/// sum += x y; `product` is room for it, so that there is no new number for each.
+void add_product(double& sum, double x, double y, double& /*product*/) { sum += x * y; }
+void add_product(Float& sum, const Float& x, const Float& y, Float& product) {
+  mpfr_mul(product.get(), x.get(), y.get(), MPFR_RNDN);
+  mpfr_add(sum.get(), sum.get(), product.get(), MPFR_RNDN);
+}
+
 template <class Scalar>
 void subtract_row(DenseMatrix<Scalar>& x, Index row, const Scalar& factor, Index other, Index first_column) {
   for (Index column = first_column; column < x.columns(); ++column)
@@ -153,9 +160,10 @@ DenseMatrix<Scalar> DenseMatrix<Scalar>::operator/(const Scalar& divisor) const 
 template <class Scalar>
 DenseMatrix<Scalar> DenseMatrix<Scalar>::operator*(const DenseMatrix& y) const {
   DenseMatrix result(rows_, y.columns_);
+  Scalar product = 0;
   for (Index k = 0; k < y.columns_; ++k) {
     for (Index j = 0; j < columns_; ++j) {
-      for (Index i = 0; i < rows_; ++i) result(i, k) += (*this)(i, j) * y(j, k);
+      for (Index i = 0; i < rows_; ++i) add_product(result(i, k), (*this)(i, j), y(j, k), product);
     }
   }
   return result;
@@ -174,6 +182,18 @@ Scalar squared_norm(const DenseMatrix<Scalar>& x) {
 }
 
 Float norm(const Matrix& x) { return sqrt(squared_norm(x)); }
+
+Float largest_entry(const Matrix& x) {
+  Float largest = 0;
+  for (Index i = 0; i < x.size(); ++i) largest = std::max(largest, abs(x(i)));
+  return largest;
+}
+
+DenseMatrix<double> in_double(const Matrix& x) {
+  DenseMatrix<double> result(x.rows(), x.columns());
+  for (Index i = 0; i < x.size(); ++i) result(i) = static_cast<double>(x(i));
+  return result;
+}
 
 template <class Scalar>
 DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right) {

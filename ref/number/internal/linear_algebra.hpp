@@ -59,6 +59,9 @@ Scalar dot(const DenseMatrix<Scalar>& x, const DenseMatrix<Scalar>& y);
 template <class Scalar>
 Scalar squared_norm(const DenseMatrix<Scalar>& x);
 Float norm(const Matrix& x);
+/// In size.
+Float largest_entry(const Matrix& x);
+DenseMatrix<double> in_double(const Matrix& x);
 
 /// By elimination with partial pivoting; a column for each right-hand side.
 template <class Scalar>

@@ -35,8 +35,8 @@ TEST_CASE("long contacts with full friction: what is refused") {
                        data::BadInput);
   CHECK_THROWS_WITH_AS(of(0.3, 501, 16), doctest::Contains("contact_length = 501: must be at most"),
                        data::BadInput);
-  CHECK_THROWS_WITH_AS(of(0.4999, 40, 16), doctest::Contains("poisson = 0.4999: must be at most 0.499"),
-                       data::BadInput);
+  CHECK_THROWS_WITH_AS(of(0.4999999, 40, 16),
+                       doctest::Contains("poisson = 0.4999999: must be at most 0.499999"), data::BadInput);
   CHECK_THROWS_WITH_AS(of(0.3, 40, 30), doctest::Contains("digits = 30: must be from 12 to 21"),
                        data::BadInput);
 }

@@ -73,6 +73,9 @@ NipResults results_of(const Contact& contact, const Reference& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
+/// Of a long gripped contact: beyond, the reference takes more digits, and half a minute.
+constexpr double largest_long_gripped_poisson = 0.499;
+
 /// Digits that the contact itself is solved to in that time.
 double most_gripped_digits(double length) { return most_gripped_work / length - more_gripped_digits; }
 
@@ -90,6 +93,15 @@ void check_gripped_work(double length, int digits) {
                     static_cast<int>(most), length));
 }
 
+void check_long_gripped_work(double poisson) {
+  if (poisson <= largest_long_gripped_poisson) return;
+  throw data::BadInput(
+      "poisson", poisson,
+      fmt::format("must be at most {} for L_over_B from 12 with full friction on the reference "
+                  "path: more takes too long",
+                  largest_long_gripped_poisson));
+}
+
 void check_thin_work(double length, int digits) {
   if (digits <= most_digits_of_thin) return;
   throw data::BadInput("digits", std::to_string(digits),
@@ -99,6 +111,7 @@ void check_thin_work(double length, int digits) {
 
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
   if (gripped && is_long_gripped(length)) {
+    check_long_gripped_work(nip.material.poisson);
     const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, digits);
     return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, thin.peak_shear};
   }
@@ -132,7 +145,7 @@ double nip_envelope(std::size_t number, NipArguments x) {
 void keep_nip_in_domain(Point& x) {
   const bool thin = x[0] >= shortest_thin;
   x[0] = std::clamp(x[0], 1e-6, is_gripped(x) && !thin ? longest_gripped_audited : longest_audited);
-  x[1] = std::clamp(x[1], -0.9, is_gripped(x) && thin ? ref::largest_thin_gripped_poisson : 0.5);
+  x[1] = std::clamp(x[1], -0.9, is_gripped(x) && thin ? largest_long_gripped_poisson : 0.5);
 }
 
 Point draw_nip(Random& random) {
