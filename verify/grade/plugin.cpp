@@ -153,6 +153,9 @@ class PluginKernel::Work {
   IdleChild new_child() {
     auto child = std::make_unique<Child>(orders_of(plugin_));
     const Greeting greeting = greeting_of(plugin_, *child);
+    if (number_ >= greeting.kernels.size() || greeting.kernels[number_] != info_)
+      throw BadInput("plugin", plugin_.file.string(),
+                     "must list the same kernels each time that it is loaded");
     record(troubles_of(greeting.noticed), {}, ", by being loaded");
     return opened(*child) ? std::move(child) : nullptr;
   }

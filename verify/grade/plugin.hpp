@@ -36,6 +36,8 @@ struct KernelInfo {
   std::string quantity;  ///< empty for a bare function
   std::size_t arity;
   bool thread_safe;
+
+  bool operator==(const KernelInfo&) const = default;
 };
 
 /// The kernels that it lists, at least one. BadInput naming the file if it cannot be loaded, ends or hangs while it is,

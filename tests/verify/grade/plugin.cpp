@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,7 @@
 #include <nipref/verify/grade/speed.hpp>
 
 #include "support/paths.hpp"
+#include "support/scratch_folder.hpp"
 
 using namespace nipref;
 using verify::AuditOptions;
@@ -323,6 +325,14 @@ TEST_CASE("a plugin that prints and flushes small numbers as it is loaded is nam
 #endif
   CHECK(groups.back().kind == FaultKind::output);
   CHECK(groups.back().count == 1);
+}
+
+TEST_CASE("a shared object that lists other kernels in its next process is refused") {
+  const ScratchFolder scratch;
+  setenv("NIPREF_TEST_FICKLE", (scratch.path() / "loaded").c_str(), 1);
+  CHECK_THROWS_WITH_AS(PluginKernel({plugin_file("fickle")}, "zero"),
+                       doctest::Contains("must list the same kernels each time"), data::BadInput);
+  unsetenv("NIPREF_TEST_FICKLE");
 }
 
 TEST_CASE("a shared object of a newer header is understood, others are refused in one line") {
