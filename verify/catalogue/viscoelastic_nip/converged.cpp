@@ -78,10 +78,12 @@ int most_rolling_digits(NipArguments x) {
   const double unknowns = std::max(54.0, 156 * std::log10(steepness) - 20);
   const double seconds =
       (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + std::log10(1 + x[0]) / 10);
-  return least_rolling_digits + static_cast<int>(std::floor(std::log(11 / seconds) / 0.135));
+  return least_rolling_digits + static_cast<int>(std::floor(std::log(12 / seconds) / 0.135));
 }
 
 void check_rolling_work(NipArguments x, int digits) {
+  if (x[0] < shortest_rolling)
+    throw data::BadInput("L_over_B", x[0], "must be at least 1e-6 for rolling on the reference path");
   const int most = most_rolling_digits(x);
   if (digits <= most) return;
   const std::string here =
