@@ -2,6 +2,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <ranges>
 #include <utility>
 
 #include <nipref/fast/nip/internal/sheet_part.hpp>
@@ -82,10 +83,12 @@ double ContactBlocks::left_end(std::size_t block) const {
 }
 
 ContactBlocks::Range ContactBlocks::near(double left, double right, double reach) const {
-  Range range{0, count()};
-  while (range.begin < range.end && left_end(range.begin + 1) <= left - reach) ++range.begin;
-  while (range.end > range.begin && left_end(range.end - 1) >= right + reach) --range.end;
-  return range;
+  const auto first_not = [&](const auto& is_before) {
+    return *std::ranges::partition_point(std::views::iota(std::size_t{0}, count()), is_before);
+  };
+  const std::size_t begin = first_not([&](std::size_t block) { return left_end(block + 1) <= left - reach; });
+  const std::size_t end = first_not([&](std::size_t block) { return left_end(block) < right + reach; });
+  return {begin, std::max(begin, end)};
 }
 
 SheetPart::SheetPart(const ContactBlocks& blocks, bool symmetric, const FaceTractions& traction)
