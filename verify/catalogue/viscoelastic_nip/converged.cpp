@@ -74,10 +74,10 @@ NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
 /// Digits that the reference gives in about ten seconds, as measured: its unknowns grow with the logarithms of the length
 /// and of how soon the sheet softens, their square is work, and each digit beyond 16 takes 14 % more.
 int most_rolling_digits(NipArguments x) {
-  const double steepness = std::max({1.0 / x[1], (x[3] - 1) / (4 * x[1]), 1.6 * x[0]});
-  const double unknowns = std::max(54.0, 156 * std::log10(steepness) - 20);
+  const double steepness = std::max(1.0, (x[3] - 1) / 4) / x[1];
+  const double unknowns = std::max({54.0, 10 + 150 * std::log10(steepness), 145 + 110 * std::log10(x[0])});
   const double seconds =
-      (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + std::log10(1 + x[0]) / 10);
+      (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * std::min(1.0, x[0] / 5));
   return least_rolling_digits + static_cast<int>(std::floor(std::log(12 / seconds) / 0.135));
 }
 
