@@ -32,7 +32,7 @@ constexpr std::array<NipNumber, 5> rolling_numbers{{
 }};
 
 /// What is audited, and what of it unless ranges are given, for time.
-constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memory = 1e-4,
+constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memory = 1e-3,
                  longest_memory = 1e8;
 constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
 /// So that fast keeps its promise: what softens much within a small part of the contact hardly carries anything.
@@ -72,13 +72,13 @@ NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
 }
 
 /// Digits that the reference gives in about ten seconds, as measured: its unknowns grow with the logarithms of the length
-/// and of how soon the sheet softens, their square is work, and each digit beyond 16 takes 14 % more.
+/// and of how soon the sheet softens, their square is work, and each digit beyond 16 takes 16 % more.
 int most_rolling_digits(NipArguments x) {
   const double steepness = std::max(1.0, (x[3] - 1) / 4) / x[1];
   const double unknowns = std::max({54.0, 10 + 150 * std::log10(steepness), 145 + 110 * std::log10(x[0])});
   const double seconds =
       (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * std::min(1.0, x[0] / 5));
-  return least_rolling_digits + static_cast<int>(std::floor(std::log(12 / seconds) / 0.135));
+  return least_rolling_digits + static_cast<int>(std::floor(std::log(9 / seconds) / 0.15));
 }
 
 void check_rolling_work(NipArguments x, int digits) {
