@@ -37,7 +37,7 @@ void ErrorTally::add(double number) {
   const double units = std::ceil(std::ldexp(number, bits_of_sum));
   // What cannot be summed lets the mean be infinite.
   if (std::isfinite(units)) {
-    sum_ += boost::multiprecision::cpp_int(units);
+    sum_ += mpz_class(units);
   } else {
     largest_ = std::numeric_limits<double>::infinity();
   }
@@ -52,7 +52,7 @@ void ErrorTally::add(const ErrorTally& more) {
 
 double ErrorTally::mean() const {
   if (std::isinf(largest_)) return largest_;
-  return std::ldexp(sum_.convert_to<double>(), -bits_of_sum) / static_cast<double>(count_);
+  return std::ldexp(sum_.get_d(), -bits_of_sum) / static_cast<double>(count_);
 }
 
 double ErrorTally::percentile(double share) const {
@@ -72,7 +72,7 @@ Json ErrorTally::json() const {
     bins.emplace_back(bin);
     bins.emplace_back(count);
   }
-  return {{"largest", exact_json(largest_)}, {"sum", sum_.str()}, {"bins", bins}};
+  return {{"largest", exact_json(largest_)}, {"sum", sum_.get_str()}, {"bins", bins}};
 }
 
 ErrorTally ErrorTally::of(const Json& json) {
@@ -80,7 +80,7 @@ ErrorTally ErrorTally::of(const Json& json) {
   tally.largest_ = exact_double(json.at("largest"));
   const std::string sum = json.at("sum").as_text();
   if (sum.empty() || sum.find_first_not_of("0123456789") != std::string::npos) throw JsonMisfit("sum");
-  tally.sum_ = boost::multiprecision::cpp_int(sum);
+  tally.sum_ = mpz_class(sum, 10);
   const std::vector<Json> bins = json.at("bins").items();
   if (bins.size() % 2 != 0) throw JsonMisfit("bins");
   for (std::size_t i = 0; i < bins.size(); i += 2) {

@@ -1,5 +1,6 @@
 #pragma once
-#include <boost/multiprecision/cpp_int.hpp>
+#include <gmpxx.h>
+
 #include <cstdint>
 #include <map>
 
@@ -31,8 +32,8 @@ class ErrorTally {
  private:
   std::uint64_t count_ = 0;
   double largest_ = 0;
-  boost::multiprecision::cpp_int sum_ = 0;  ///< in units of 2^-32, each number rounded up
-  std::map<int, std::uint64_t> bins_;       ///< by number
+  mpz_class sum_;                      ///< in units of 2^-32, each number rounded up
+  std::map<int, std::uint64_t> bins_;  ///< by number
 };
 
 }  // namespace nipref::verify
