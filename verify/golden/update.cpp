@@ -66,6 +66,9 @@ UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bo
     updated.changed.push_back(*std::move(outcome.changed));
   }
   if (!updated.changed.empty()) {
+    updated.file.set("definition", quantity.definition);
+    updated.file.set("unit", quantity.unit);
+    updated.file.set("scale", quantity.scale);
     updated.file.set("updated", fmt::format("{} rows by {}, tree {}", updated.changed.size(),
                                             provenance.commit, provenance.clean ? "clean" : "dirty"));
   }

@@ -74,6 +74,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(text.out.find("12 golden values: 1 wrong, 0 useless, 1 text-changed, 0 missing") !=
           std::string::npos);
 
+    edit(folder.file("I2.csv"), "# scale: ", "# scale: formerly ");
     const std::string before = text_of(folder.file("I2.csv"));
     const json updated = answer("golden update I2 --dirty", "golden_update", 0);
     REQUIRE(updated["files"][0]["changed"].size() == 1);
@@ -82,6 +83,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     const std::string after = text_of(folder.file("I2.csv"));
     CHECK(after != before);
     CHECK(after.find("# updated: 1 rows by ") != std::string::npos);
+    CHECK(after.find("formerly") == std::string::npos);
     CHECK(run("golden update I2 --dirty").out.find("0 of 6 rows changed") != std::string::npos);
     CHECK(text_of(folder.file("I2.csv")) == after);
     const Outcome all = run("golden update I2 --dirty --all");
