@@ -87,7 +87,6 @@ BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchPro
                   const std::vector<OtherKernel>& others) {
   BenchReport report;
   for (const Quantity* quantity : quantities) {
-    if (!quantity->timed_alone) continue;
     std::ranges::move(bench_double(*quantity, progress, others), std::back_inserter(report.rows));
     std::ranges::move(bench_digits(*quantity, progress), std::back_inserter(report.rows));
   }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/timed_row.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
@@ -19,6 +20,8 @@ namespace {
 constexpr std::size_t points_in_a_set = 4096;
 constexpr std::size_t least_points = 32;
 constexpr std::size_t points_compared = 400;
+constexpr std::size_t costly_points = 12;
+constexpr double seconds_of_costly_truth = 5;
 constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::best_rtol};
 
 struct TimedRange {
@@ -163,27 +166,30 @@ std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& column
   return all;
 }
 
-/// ref at the first points of a set, computed once for all methods.
+/// What is right at one of a set's points.
 struct Truth {
-  std::vector<Reference> values;
-  std::vector<double> envelopes;
+  std::size_t number;
+  Reference value;
+  double envelope;
 };
 
-Truth truth_of(const Quantity& quantity, const Columns& columns) {
-  Truth truth;
-  for (std::size_t i = 0; i < points_compared; ++i) {
-    Point point;
-    for (const auto& column : columns) point.push_back(column[i]);
-    truth.values.push_back(ref_value(quantity, point, digits_beyond_double));
-    truth.envelopes.push_back(quantity.envelope(point));
-  }
-  return truth;
+Truth truth_at(const Quantity& quantity, const Columns& columns, std::size_t number) {
+  Point point;
+  for (const auto& column : columns) point.push_back(column[number]);
+  return {number, ref_value(quantity, point, digits_beyond_double), quantity.envelope(point)};
 }
 
-void compare(std::span<const double> values, const Truth& truth, BenchRow& row) {
+/// ref at the first points of a set, computed once for all methods.
+std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns) {
+  std::vector<Truth> truths;
+  for (std::size_t i = 0; i < points_compared; ++i) truths.push_back(truth_at(quantity, columns, i));
+  return truths;
+}
+
+void compare(std::span<const double> values, const std::vector<Truth>& truths, BenchRow& row) {
   double ulps = 0, relative = 0;
-  for (std::size_t i = 0; i < truth.values.size(); ++i) {
-    const Deviation found = deviation(values[i], truth.values[i], truth.envelopes[i]);
+  for (const Truth& truth : truths) {
+    const Deviation found = deviation(values[truth.number], truth.value, truth.envelope);
     ulps = std::max(ulps, found.ulps);
     relative = std::max(relative, found.relative);
   }
@@ -191,33 +197,80 @@ void compare(std::span<const double> values, const Truth& truth, BenchRow& row) 
   row.max_relative_error = relative;
 }
 
-std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range,
-                                  const std::vector<OtherKernel>& others) {
-  const Columns columns = draw_columns(quantity, range);
-  const std::vector<BatchMethod> contestants = methods(quantity, columns, others);
-  std::vector<double> values(points_in_a_set);
+/// What all methods are given.
+struct Trial {
+  std::string arguments;
+  Columns columns;
+  std::size_t least;  ///< points in a round
+  int rounds;
+};
+
+std::vector<BenchRow> rows_of(const Quantity& quantity, const Trial& trial, const std::vector<Truth>& truths,
+                              const std::vector<OtherKernel>& others) {
+  const std::vector<BatchMethod> contestants = methods(quantity, trial.columns, others);
+  std::vector<double> values(trial.columns.front().size());
   std::vector<Contender> contenders;
   for (const BatchMethod& method : contestants) {
-    contenders.push_back({[&](std::size_t count) { method.evaluate(count, values); }, least_points,
-                          points_in_a_set, method.seconds});
+    contenders.push_back({[&](std::size_t count) { method.evaluate(count, values); }, trial.least,
+                          values.size(), method.seconds});
   }
-  const std::vector<Timing> timings = time_interleaved(contenders, 15, 1e-3);
+  const std::vector<Timing> timings = time_interleaved(contenders, trial.rounds, 1e-3);
 
-  const Truth truth = truth_of(quantity, columns);
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < contestants.size(); ++i) {
-    rows.push_back(timed_row(quantity.name, range_text(quantity, range), contestants[i].name, timings[i],
-                             timings.front()));
-    contestants[i].evaluate(points_compared, values);
-    compare(std::span(values).first(points_compared), truth, rows.back());
+    rows.push_back(
+        timed_row(quantity.name, trial.arguments, contestants[i].name, timings[i], timings.front()));
+    if (truths.empty()) continue;
+    contestants[i].evaluate(truths.back().number + 1, values);
+    compare(values, truths, rows.back());
   }
   return rows;
+}
+
+std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range,
+                                  const std::vector<OtherKernel>& others) {
+  const Trial trial{range_text(quantity, range), draw_columns(quantity, range), least_points, 15};
+  return rows_of(quantity, trial, first_truths(quantity, trial.columns), others);
+}
+
+/// Points of the audit that fast takes.
+Columns draw_costly_columns(const Quantity& quantity) {
+  Random random("bench " + quantity.name);
+  Columns columns(quantity.arguments.size());
+  while (columns.front().size() < costly_points) {
+    const Point point = quantity.draw(random);
+    if (std::isnan(fast_value(quantity, point, {}))) continue;
+    for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
+  }
+  return columns;
+}
+
+/// ref where it answers, as far as a few seconds go.
+std::vector<Truth> costly_truths(const Quantity& quantity, const Columns& columns) {
+  std::vector<Truth> truths;
+  double left = seconds_of_costly_truth;
+  for (std::size_t i = 0; i < costly_points && left > 0; ++i) {
+    left -= seconds_of([&] {
+      try {
+        truths.push_back(truth_at(quantity, columns, i));
+      } catch (const data::BadInput&) {  // fast's domain is larger
+      }
+    });
+  }
+  return truths;
+}
+
+std::vector<BenchRow> bench_costly(const Quantity& quantity, const std::vector<OtherKernel>& others) {
+  const Trial trial{fmt::format("as in the audit, {} points", costly_points), draw_costly_columns(quantity),
+                    costly_points, 3};
+  return rows_of(quantity, trial, costly_truths(quantity, trial.columns), others);
 }
 
 }  // namespace
 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
                                    const std::vector<OtherKernel>& others) {
+  if (quantity.is_costly) return bench_costly(quantity, others);
   std::vector<BenchRow> rows;
   for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;

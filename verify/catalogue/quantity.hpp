@@ -118,9 +118,9 @@ struct Quantity {
   /// Moves a point off a place that depends on several arguments and where the quantity is infinite, or refused by the
   /// reference alone.
   std::function<void(Point&)> keep_off;
-  /// False where a value by itself costs the making of a material too: `bench viscoelastic-nip` times such
-  /// quantities.
-  bool timed_alone = true;
+  /// True where a value by itself costs a solution or the making of a material: bench times such a quantity where it
+  /// is named, at a few points.
+  bool is_costly = false;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
   /// Of entries that come out of one solution: they are looked at at the same points, so that it serves them all.
   /// Empty: the entry stands alone.

@@ -63,7 +63,7 @@ int against_verb(const CommandLine& line, std::ostream& out) {
 }  // namespace
 
 int bench_verb(const CommandLine& line, std::ostream& out) {
-  const Selection selected = selection(line, bench_groups());
+  const Selection selected = line.words.empty() ? bench_everything() : selection(line, bench_groups());
   static_cast<void>(max_slowdown_option(line));
   if (line.option("against")) return against_verb(line, out);
   const OtherKernels others(line.option("with"));

@@ -10,13 +10,18 @@ namespace nipref::verify {
 
 std::vector<std::string_view> bench_groups() { return {"elastic-nip", "viscoelastic-nip", "half-space"}; }
 
+Selection bench_everything() {
+  Selection all{select_quantities({}), bench_groups()};
+  std::erase_if(all.quantities, &Quantity::is_costly);
+  return all;
+}
+
 BenchReport bench_all(const Selection& selected, Progress& progress, const std::vector<OtherKernel>& others) {
-  const auto timed_alone = std::ranges::count_if(selected.quantities, &Quantity::timed_alone);
-  progress.begin("bench", static_cast<std::size_t>(timed_alone) + selected.groups.size());
+  progress.begin("bench", selected.quantities.size() + selected.groups.size());
   const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
   BenchReport report;
   for (const Quantity* quantity : selected.quantities) {
-    if (!quantity->timed_alone || interrupted()) continue;
+    if (interrupted()) break;
     progress.next(quantity->name);
     append(report, bench({quantity}, show, others));
   }

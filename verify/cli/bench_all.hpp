@@ -11,6 +11,9 @@ namespace nipref::verify {
 /// What is timed besides quantities.
 std::vector<std::string_view> bench_groups();
 
+/// All that is timed without being named: the groups, and the quantities that are not costly.
+Selection bench_everything();
+
 /// Times what is selected, of quantities and bench_groups(). What is finished, if the process is interrupted.
 BenchReport bench_all(const Selection& selected, Progress& progress,
                       const std::vector<OtherKernel>& others = {});

@@ -110,7 +110,7 @@ Report collected(const CommandLine& line, const AuditOptions& options, Progress&
   report.seed = seed_option(line);
   const auto all = select_quantities({});
   // Before the audit, which would build ref's nodes: their cost is measured.
-  report.speed = bench_all({all, bench_groups()}, progress);
+  report.speed = bench_all(bench_everything(), progress);
   progress.begin("audit", all.size() + 2);
   report.quantities = audit_all(all, options, progress);
   ContactAudits contacts = audit_all_contacts(line, progress);

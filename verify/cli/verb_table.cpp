@@ -261,7 +261,7 @@ const std::array all_verbs{
         "Speed against error, beside other libraries.",
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
-        "it)",
+        "it but the quantities of which a value costs a solution)",
         {with_option, isa_option, older_program_option, max_slowdown_option},
         {strict_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref bench I1", "nipref bench elastic-nip --strict", "nipref bench I1 --with ./mine.so",

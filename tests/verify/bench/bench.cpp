@@ -14,6 +14,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 #include "support/paths.hpp"
@@ -97,6 +98,19 @@ TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
     CHECK(row.max_error_ulp.value() <= 2);
   }
   CHECK(report.ratios.empty());
+}
+
+TEST_CASE("a quantity that costs a solution is timed at a few points, and only where it is named") {
+  const verify::Quantity& theta1 = verify::find_quantity("material.theta1");
+  REQUIRE(theta1.is_costly);
+  const auto report = verify::bench({&theta1}, {});
+  REQUIRE(report.rows.size() == 1);
+  CHECK(report.rows[0].arguments == "as in the audit, 12 points");
+  CHECK(report.rows[0].nanoseconds > 0);
+  CHECK(report.rows[0].max_error_ulp.value() <= theta1.promise);
+  const auto everything = verify::bench_everything().quantities;
+  CHECK(std::ranges::none_of(everything, [](const verify::Quantity* each) { return each->is_costly; }));
+  CHECK(std::ranges::find(everything, &verify::find_quantity("I1")) != everything.end());
 }
 
 TEST_CASE("somebody's kernel is timed beside fast, with its errors, and only for its own quantity") {

@@ -140,8 +140,7 @@ TEST_CASE(
   for (const Quantity& quantity : verify::catalogue()) {
     verify::Random random("test " + quantity.drawn_for());
     // Fewer where the reference is slow.
-    const std::size_t points =
-        std::min<std::size_t>(quantity.timed_alone ? 40 : 10, quantity.audit_points / 3);
+    const std::size_t points = std::min<std::size_t>(quantity.is_costly ? 10 : 40, quantity.audit_points / 3);
     for (const Point& point : verify::random_points(quantity, {}, points, random)) {
       CAPTURE(quantity.name);
       CAPTURE(point.front());
@@ -163,7 +162,7 @@ TEST_CASE("loop and batch give the scalar's values") {
     CAPTURE(quantity.name);
     verify::Random random("columns " + quantity.drawn_for());
     const std::vector<Point> points =
-        verify::random_points(quantity, {}, quantity.timed_alone ? 300 : 20, random);
+        verify::random_points(quantity, {}, quantity.is_costly ? 20 : 300, random);
     std::vector<std::vector<double>> columns(quantity.arguments.size());
     for (const Point& point : points) {
       for (std::size_t i = 0; i < point.size(); ++i) columns[i].push_back(point[i]);
@@ -186,7 +185,7 @@ TEST_CASE("samples stay in the domains") {
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
     verify::Random random("domain " + quantity.drawn_for());
-    const std::size_t count = quantity.timed_alone ? 500 : 20;
+    const std::size_t count = quantity.is_costly ? 20 : 500;
     std::vector<Point> points = verify::random_points(quantity, {}, count, random);
     for (const Point& start : verify::dense_points(quantity, {}, count, random)) {
       points.push_back(start);

@@ -153,7 +153,7 @@ Quantity material_entry(std::string name, std::string definition, std::string so
   };
   if (kind == ArgumentKind::time) entry.keep_off = keep_remembered;
   entry.audit_points = 1000;
-  entry.timed_alone = false;
+  entry.is_costly = true;
   return entry;
 }
 

@@ -273,7 +273,7 @@ Quantity moving_load_entry(std::string name, std::string definition, std::string
   entry.scale = remembered_size;
   entry.promise = moving_load_promise;
   entry.audit_points = 100;
-  entry.timed_alone = false;
+  entry.is_costly = true;
   entry.keep_off = [load](Point& point) {
     const std::span before_sheet = std::span(point).first(point.size() - sheet_arguments);
     double* sheet = &point[before_sheet.size()];

@@ -15,7 +15,7 @@ Quantity contact_entry(std::string name, std::string definition, std::string sou
   entry.promise = promise;
   entry.envelope = [](Doubles) { return 0.0; };
   entry.audit_points = 20;
-  entry.timed_alone = false;
+  entry.is_costly = true;
   return entry;
 }
 

@@ -18,7 +18,7 @@ Quantity half_space_entry(std::string name, std::string definition, std::string 
   entry.promise = 4;
   entry.envelope = [](Doubles) { return 0.0; };
   entry.audit_points = 200;
-  entry.timed_alone = false;
+  entry.is_costly = true;
   return entry;
 }
 
