@@ -7,6 +7,7 @@
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/internal/anisotropic_line.hpp>
 #include <nipref/fast/half_space/internal/check_direction.hpp>
+#include <nipref/fast/half_space/internal/check_moduli.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 
 namespace nipref::fast {
@@ -14,6 +15,7 @@ namespace {
 
 internal::AnisotropicLine checked_line(const data::Stiffness& solid) {
   solid.check();
+  internal::check_moduli(solid);
   return internal::AnisotropicLine(solid);
 }
 
@@ -69,7 +71,9 @@ double rayleigh_speed(const data::Stiffness& solid, Direction motion, Direction 
 
 CriticalSpeed critical_speed(const data::Stiffness& solid, Direction motion) {
   internal::check_direction("motion", motion);
-  return internal::critical_speed(internal::critical_line(checked_line(solid), motion), motion);
+  constexpr std::size_t most_lines = 800;  // up to ten milliseconds each
+  return internal::critical_speed(internal::critical_line(checked_line(solid), solid, motion, most_lines),
+                                  motion);
 }
 
 }  // namespace nipref::fast

@@ -15,8 +15,8 @@ namespace nipref::fast {
 //   speed         unit of sqrt(modulus/density), >= 0
 //   accuracy      of the largest of compliance, in_line and across: a few units in the last place, up to 1 - 1e-9 of
 //                 the line's critical speed, for moduli within some four decades
-//   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a line that is
-//                 not subcritical: data::BadInput
+//   bad input     a solid that fails its check(), or whose matrix has eigenvalues more than 1e12 apart, nan, infinite,
+//                 directions that are no unit vectors, a line that is not subcritical: data::BadInput
 
 /// Some 60 microseconds.
 class AnisotropicHalfSpace {
@@ -40,7 +40,8 @@ class AnisotropicHalfSpace {
 double rayleigh_speed(const data::Stiffness& solid, Direction motion, Direction psi);
 
 /// The smallest speed at which some line is critical, by a surface wave or else by a bulk wave; the minimum over the
-/// lines, some tenths of a second: speed to a few units in the last place, psi to 1e-7.
+/// lines, some hundredths of a second: speed to a few units in the last place, psi to 1e-7. BadInput "solid" also where
+/// the search of the lines would take too long, from a fastest wave 3000 times as fast on.
 CriticalSpeed critical_speed(const data::Stiffness& solid, Direction motion);
 
 }  // namespace nipref::fast

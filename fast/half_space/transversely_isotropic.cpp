@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/check_direction.hpp>
+#include <nipref/fast/half_space/internal/check_moduli.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 #include <nipref/fast/half_space/internal/transversely_isotropic_line.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
@@ -18,22 +19,27 @@ using internal::Two;
 internal::TransverselyIsotropicLine checked_line(const data::TransverselyIsotropicSolid& solid,
                                                  data::SymmetryAxis axis) {
   solid.check();
+  internal::check_moduli(data::Stiffness::of(solid, axis));
   return {solid, axis};
 }
 
-CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis,
+CriticalSpeed critical_speed(const internal::TransverselyIsotropicLine& line,
+                             const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion) {
   check_direction("motion", motion);
-  const internal::CriticalLine critical = axis == data::SymmetryAxis::normal
-                                              ? internal::CriticalLine{line.limit(motion), 0}
-                                              : internal::critical_line(line, motion);
+  constexpr std::size_t most_lines = 8000;  // some ten microseconds each
+  const internal::CriticalLine critical =
+      axis == data::SymmetryAxis::normal
+          ? internal::CriticalLine{line.limit(motion), 0}
+          : internal::critical_line(line, data::Stiffness::of(solid, axis), motion, most_lines);
   return internal::critical_speed(critical, motion);
 }
 
-void check_speed(const internal::TransverselyIsotropicLine& line, data::SymmetryAxis axis, Direction motion,
+void check_speed(const internal::TransverselyIsotropicLine& line,
+                 const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis, Direction motion,
                  double speed, SpeedUnit unit) {
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
-  CriticalSpeed critical = critical_speed(line, axis, motion);
+  CriticalSpeed critical = critical_speed(line, solid, axis, motion);
   critical.speed /= unit.high;
   if (speed >= critical.speed) {
     throw data::BadInput("speed", speed,
@@ -63,7 +69,7 @@ TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(const data::Trans
                                                                double speed, SpeedUnit unit)
     : implementation_(std::make_unique<const Implementation>(
           Implementation{checked_line(solid, axis), {motion, speed * Two{unit.high, unit.low}}, speed})) {
-  check_speed(implementation_->line, axis, motion, speed, unit);
+  check_speed(implementation_->line, solid, axis, motion, speed, unit);
 }
 
 TransverselyIsotropicHalfSpace::TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept =
@@ -88,7 +94,7 @@ double TransverselyIsotropicHalfSpace::condition(Direction psi) const {
 
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion) {
-  return critical_speed(checked_line(solid, axis), axis, motion);
+  return critical_speed(checked_line(solid, axis), solid, axis, motion);
 }
 
 double rayleigh_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,

@@ -13,8 +13,9 @@ namespace nipref::fast {
 //                 90 degrees in the surface
 //   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
 //   speed         in SpeedUnit, unit of sqrt(modulus/density)
-//   bad input     a solid that fails its check(), nan, infinite, directions that are no unit vectors, a speed
-//                 that is negative or not subcritical on every line: data::BadInput
+//   bad input     a solid that fails its check(), or whose matrix has eigenvalues more than 1e12 apart, nan,
+//                 infinite, directions that are no unit vectors, a speed that is negative or not subcritical on
+//                 every line: data::BadInput
 
 /// The sum of two words, for those who count speeds in another unit: rounded to one it would be an error of
 /// every speed.
@@ -24,7 +25,7 @@ struct SpeedUnit {
 
 class TransverselyIsotropicHalfSpace {
  public:
-  /// Some ten milliseconds, for the critical speed.
+  /// Some milliseconds, for the critical speed.
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                                  Direction motion, double speed, SpeedUnit unit = {});
   TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
@@ -54,7 +55,8 @@ struct CriticalSpeed {
 /// The smallest speed at which some line is critical: its speed is that of the Rayleigh wave along the line
 /// or, if there is none, of the slowest bulk wave that its fields hold. The minimum over the lines: speed to
 /// a few units in the last place, psi to 1e-7. The normal axis makes all lines alike, and psi is that of
-/// motion.
+/// motion. BadInput "solid" also where the search of the lines would take too long, from a fastest wave 3000 times as
+/// fast on.
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion);
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
+#include <nipref/ref/half_space/internal/critical_lines.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
 #include <nipref/ref/half_space/internal/phase_speed.hpp>
 
@@ -43,13 +43,6 @@ Enclosure critical_speed_along(const ExactStiffness& solid, const SurfaceDirecti
   return wave ? *std::move(wave) : limiting_speed(solid, motion, psi, digits);
 }
 
-/// Over unit_of_speed().
-double approximate_critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, double psi) {
-  const auto direction = SurfaceDirection::of_degrees(Exact(psi));
-  const double cosine = mpfi_get_d(cosine_between(motion, direction, 64).get());
-  return std::sqrt(approximate_critical_inertia(solid, direction)) / std::fabs(cosine);
-}
-
 /// Vertex of the parabola through three values at -1, 0, 1, and its second difference.
 struct Parabola {
   Float vertex, curvature;
@@ -60,77 +53,6 @@ struct Parabola {
 
 double unit_of_speed(const ExactStiffness& solid) {
   return std::sqrt(Exact(mpq_class(solid.voigt[2][2] / solid.density)).approximate());
-}
-
-/// A direction in degrees and the smallest speed at which its lines are critical, to some 12 digits and over
-/// unit_of_speed().
-struct CriticalLine {
-  double psi, speed;
-};
-
-/// Between the middle two of four lines, were the speed nowhere steeper than twice their chords.
-double least_between(std::span<const CriticalLine, 4> lines) {
-  const auto steepness = [&](std::size_t k) {
-    return std::fabs(lines[k + 1].speed - lines[k].speed) / (lines[k + 1].psi - lines[k].psi);
-  };
-  const double steepest = 2 * std::max({steepness(0), steepness(1), steepness(2)});
-  return (lines[1].speed + lines[2].speed - steepest * (lines[2].psi - lines[1].psi)) / 2;
-}
-
-/// The bottoms of the valleys that are as low as the lowest, to what 12 digits of the speed show: a scan by
-/// degrees, halved wherever the speed could be lower in between. Valleys may be narrow and have two bottoms. Where
-/// constants are so far apart that rounding of the largest hides what the smallest do, there is no end to it.
-std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  constexpr double noise = 1e-11, narrowest = 1e-5;
-  constexpr std::size_t most_lines = 4000;
-  const double theta = motion.degrees();
-  const auto line_at = [&](double psi) -> CriticalLine {
-    return {psi, approximate_critical_speed(solid, motion, psi)};
-  };
-  std::vector<CriticalLine> lines;
-  for (int offset = -89; offset <= 89; ++offset) lines.push_back(line_at(theta + offset));
-  const auto least = [&] { return std::ranges::min(lines, {}, &CriticalLine::speed).speed; };
-  for (bool is_finer = true; is_finer;) {
-    const double bound = (1 - noise) * least();
-    std::vector<CriticalLine> finer{lines[0], lines[1]};
-    for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
-      const double left = lines[i].psi, right = lines[i + 1].psi;
-      const std::span<const CriticalLine, 4> around(&lines[i - 1], 4);
-      if (right - left > narrowest && least_between(around) < bound)
-        finer.push_back(line_at((left + right) / 2));
-      finer.push_back(lines[i + 1]);
-    }
-    finer.push_back(lines.back());
-    is_finer = finer.size() > lines.size();
-    lines = std::move(finer);
-    if (lines.size() > most_lines)
-      throw data::BadInput("solid", "(as given)",
-                           "must have moduli nearer to each other to search its lines");
-  }
-  constexpr double as_low = 1 + 1e-9;
-  const double highest = as_low * least();
-  std::vector<CriticalLine> lowest;
-  for (std::size_t i = 1; i + 1 < lines.size(); ++i) {
-    const double speed = lines[i].speed;
-    if (speed > highest || speed > lines[i - 1].speed || speed > lines[i + 1].speed) continue;
-    // Noise makes bottoms of its own about one.
-    const bool is_another = lowest.empty() || lines[i].psi - lowest.back().psi > 10 * narrowest;
-    if (is_another) lowest.push_back(lines[i]);
-    if (speed < lowest.back().speed) lowest.back() = lines[i];
-  }
-  return lowest;
-}
-
-/// Of these the lowest, where a parabola fits at its vertex.
-CriticalLine approximate_critical_line(const ExactStiffness& solid, const SurfaceDirection& motion) {
-  const CriticalLine lowest = std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
-  const auto f = [&](double psi) { return approximate_critical_speed(solid, motion, psi); };
-  constexpr double width = 0.02, noise = 1e-12;
-  const double left = f(lowest.psi - width), right = f(lowest.psi + width);
-  const double psi = lowest.psi + width * (left - right) / (2 * (left - 2 * lowest.speed + right));
-  if (!(std::fabs(psi - lowest.psi) < width)) return lowest;
-  const CriticalLine vertex{psi, f(psi)};
-  return vertex.speed < (1 + noise) * lowest.speed ? vertex : lowest;
 }
 
 /// How far psi may be from the vertex of a parabola, in its widths, to be sure of being near a smooth
@@ -237,7 +159,7 @@ void check_subcritical(const ExactStiffness& solid, const Exact& speed, const Su
 }
 
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion) {
-  const CriticalLine line = approximate_critical_line(solid, motion);
+  const CriticalLine line = std::ranges::min(lowest_lines(solid, motion), {}, &CriticalLine::speed);
   if (is_subcritical(solid, speed, motion, SurfaceDirection::of_degrees(Exact(line.psi)))) return;
   throw data::BadInput(
       "speed", speed.text(),

@@ -38,10 +38,11 @@ struct CriticalSpeed {
 };
 
 /// Minimum over psi of the surface wave's speed, or the limiting one where there is no surface wave. Loads
-/// slower than this are subcritical. The value is proven to be no less than the minimum, to its digits; that
-/// it is the global one rests on a scan of 1 degree, halved wherever the speed could be lower in between, and
-/// the error of the minimiser is estimated from the curvature. digits: 16 to 508. BadInput "motion" where the
-/// minimum is not smooth, as where surface waves of some lines end in the limiting speed. (brock2013, end of
+/// slower than this are subcritical. The value is proven to be no less than the minimum, to its digits; that no
+/// other valley is lower by more than 1e-9 of it is proven but for rounding in double (1e-6 or 1e-3 where the
+/// fastest waves are many times as fast: see lowest_lines), and the error of the minimiser is estimated from the
+/// curvature. digits: 16 to 508. BadInput "motion" where the minimum is not smooth, as where surface waves of some
+/// lines end in the limiting speed, "solid" where moduli are too far apart to search the lines. (brock2013, end of
 /// sec. 4)
 CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection& motion, int digits);
 
@@ -51,8 +52,7 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                        const SurfaceDirection& psi);
 
-/// BadInput "speed" unless that is proven of the line that is critical first; which one this is rests on a
-/// scan as above.
+/// BadInput "speed" unless that is proven of the line that is critical first; which one this is is found as above.
 void check_subcritical(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion);
 
 }  // namespace nipref::ref

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include <nipref/fast/half_space/internal/anisotropic_line.hpp>
-#include <nipref/fast/number/internal/bisection.hpp>
 
 namespace nipref::fast::internal {
 namespace {
@@ -251,36 +250,43 @@ std::optional<AnisotropicAnswers> AnisotropicLine::at(Direction psi, const Motio
 }
 
 double AnisotropicLine::limit(Direction psi) const {
-  const Two limit = limit_in_two_words(psi);
+  const Two limit = limit_within(psi, 0x1p-56);
   return limit.low < 0 ? std::nextafter(limit.high, 0) : limit.high;
 }
 
-// Bisection in double until a speed between those of the surface wave and of the limit is found; where there is none,
-// the limit itself.
-Two AnisotropicLine::limit_in_two_words(Direction psi) const {
+Two AnisotropicLine::limit_in_two_words(Direction psi) const { return limit_within(psi, 0x1p-100); }
+
+// Bisection, in double as long as a surface wave is not crossed and then in two words, which are right where double is
+// not: until a speed between those of the surface wave and of the limit is found; where there is none, to the limit.
+Two AnisotropicLine::limit_within(Direction psi, double share) const {
   const auto [q, r] = blocks(psi);
   const Two length = sqrt(squared_length(psi));
-  const auto determinant = [&]<class Number>(Number speed) -> Number {
-    const auto m = impedance<Number>(q, r, t_inverse_, density_ * (speed * speed));
-    return m ? m->determinant() : Number{-1};
+  const auto impedance_at = [&]<class Number>(Number speed) {
+    return impedance<Number>(q, r, t_inverse_, density_ * (speed * speed));
   };
-  double low = 0, high = 1.001 * std::sqrt(std::min({q[0][0].high, q[1][1].high, q[2][2].high}) / density_);
+  const auto determinant = [&](Two speed) {
+    const auto m = impedance_at(speed);
+    return m ? m->determinant() : Two{-1};
+  };
+  const double bound = 1.001 * std::sqrt(std::min({q[0][0].high, q[1][1].high, q[2][2].high}) / density_);
+  double below = 0, beyond = bound;
   constexpr int coarse = 40;
   for (int step = 0; step < coarse; ++step) {
-    const double middle = low + (high - low) / 2;
-    const auto m = impedance<double>(q, r, t_inverse_, density_ * (middle * middle));
+    const double middle = below + (beyond - below) / 2;
+    const auto m = impedance_at(middle);
     const bool is_slow = m && m->determinant() > 0;
-    (is_slow ? low : high) = middle;
-    const bool is_between_waves =
-        m && !is_slow && impedance<Two>(q, r, t_inverse_, density_ * square(Two{middle}));
-    if (is_between_waves) return length * root_between(determinant, Two{low}, Two{high});
+    (is_slow ? below : beyond) = middle;
+    if (m && !is_slow) break;
   }
-  const auto is_slow_in_two_words = [&](Two speed) { return determinant(speed).high > 0; };
-  const double last = last_that([&](double speed) { return is_slow_in_two_words(Two{speed}); }, 0, 2 * high);
-  const double next = std::nextafter(last, HUGE_VAL);
-  const double rest = last_that(
-      [&](double low_word) { return is_slow_in_two_words(two_sum(last, low_word)); }, 0, next - last);
-  return length * two_sum(last, rest);
+  Two low = determinant(Two{below}).high > 0 ? Two{below} : Two{0};
+  Two high = determinant(Two{beyond}).high > 0 ? Two{bound} : Two{beyond};
+  for (Two middle = high; (high - low).high > share * high.high; middle = low + (high - low) / 2) {
+    const auto m = impedance_at(middle);
+    const bool is_slow = m && m->determinant().high > 0;
+    (is_slow ? low : high) = middle;
+    if (m && !is_slow) return length * root_between(determinant, low, high);
+  }
+  return length * low;
 }
 
 }  // namespace nipref::fast::internal

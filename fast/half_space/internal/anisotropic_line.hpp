@@ -38,6 +38,8 @@ class AnisotropicLine final : public LineLimits {
     Block q, r;
   };
   [[nodiscard]] Blocks blocks(Direction psi) const;
+  /// The limit less no more than a share of it.
+  [[nodiscard]] Two limit_within(Direction psi, double share) const;
 
   double inverse_unit_;    ///< of the moduli, a power of two
   double density_;         ///< over that unit

@@ -1,21 +1,35 @@
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/critical_speed.hpp>
 
 namespace nipref::fast::internal {
 namespace {
+
+/// A limit as LineLimits has it.
+double along_motion(double limit, Direction motion, Direction psi) {
+  return limit * std::sqrt(squared_length(motion).high) / std::fabs(cosine_between(psi, motion).high);
+}
 
 /// Over the lines, counted from the motion.
 class CriticalSpeeds {
  public:
   CriticalSpeeds(const LineLimits& line, Direction motion) : line_(line), motion_(motion) {}
 
-  double operator()(double from_motion) const { return speed_of_motion(line_, motion_, turned(from_motion)); }
+  double operator()(double from_motion) const { return both(from_motion).second; }
+  /// The first along the line, the second along the motion.
+  [[nodiscard]] std::pair<double, double> both(double from_motion) const {
+    const Direction psi = turned(from_motion);
+    const double limit = line_.limit(psi);
+    return {limit, along_motion(limit, motion_, psi)};
+  }
   [[nodiscard]] Two in_two_words(double from_motion) const {
     const Direction psi = turned(from_motion);
     const Two cosine = cosine_between(psi, motion_);
@@ -31,74 +45,152 @@ class CriticalSpeeds {
   Direction motion_;
 };
 
-/// The speed at some lines, in their order, where it may have its least value between any of them.
-class Landscape {
+/// Plane waves along directions of the surface.
+class PlaneWaves {
  public:
-  explicit Landscape(const CriticalSpeeds& speeds) : speeds_(speeds) {
-    // A line of an odd number of steps, so that the line of motion is one of them. At both ends the speed is
-    // infinite, so the lowest lines lie inside.
-    constexpr int lines = 181;
-    constexpr double step = std::numbers::pi / (lines + 1);
-    for (int i = 1; i <= lines; ++i) points_.push_back(at(i * step - std::numbers::pi / 2));
-    while (refine())
-      ;
+  explicit PlaneWaves(const data::Stiffness& solid)
+      : voigt_(solid.voigt), density_(solid.density / unit_of(solid)) {
+    for (auto& row : voigt_)
+      for (double& modulus : row) modulus /= unit_of(solid);
   }
 
-  /// From the motion; the bottoms of all valleys that are nearly as low as the lowest.
-  [[nodiscard]] std::vector<double> lowest() const {
-    std::vector<double> result;
-    for (std::size_t i = 1; i + 1 < points_.size(); ++i) {
-      const double speed = points_[i].speed;
-      if (speed <= points_[i - 1].speed && speed <= points_[i + 1].speed && speed <= (1 + 1e-9) * least_)
-        result.push_back(points_[i].from_motion);
+  /// At least the speed of the fastest of them: by the largest sum of a row of Christoffel's matrix.
+  [[nodiscard]] double bound(Direction along) const {
+    constexpr std::size_t first[] = {0, 5, 4}, second[] = {5, 1, 3};  // Voigt's numbers of 1i and of 2i
+    const double cc = along.cosine * along.cosine, ss = along.sine * along.sine;
+    const double cs = along.cosine * along.sine;
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum += std::fabs(cc * voigt_[first[i]][first[k]] + ss * voigt_[second[i]][second[k]] +
+                         cs * (voigt_[first[i]][second[k]] + voigt_[second[i]][first[k]]));
+      }
+      largest = std::max(largest, sum);
+    }
+    return std::sqrt(largest / density_);
+  }
+
+ private:
+  /// Makes sums that do not overflow.
+  static double unit_of(const data::Stiffness& solid) {
+    return std::scalbn(1.0, std::ilogb(solid.voigt[2][2]));
+  }
+
+  data::Stiffness::Voigt voigt_;
+  double density_;
+};
+
+/// Lines so near to each other that none between them is lower than the lowest by more than a step.
+///
+/// Of a field of the half-space that is proportional to exp(i k.x) along the surface, the strain is linear in k: its
+/// energy at (1 - t) k1 + t k2 is the mean of those at k1 and k2 less t (1 - t) times that of a plane wave along
+/// k2 - k1. With w the frequency at which lines of k are critical, a load of the velocity V is therefore subcritical for
+/// all of them if sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 - (V.k2)^2) is no less than the frequency of the fastest wave of the
+/// wave vector k2 - k1. Here k1 and k2 are unit vectors.
+class Landscape {
+ public:
+  Landscape(const CriticalSpeeds& speeds, const PlaneWaves& waves, Direction motion, std::size_t most_lines)
+      : speeds_(speeds), waves_(waves), motion_(motion), most_lines_(most_lines) {
+    constexpr double quarter = std::numbers::pi / 2, most_apart = 3000;
+    for (const double from_motion : {-quarter, 0.0, quarter}) lines_.push_back(at(from_motion));
+    if (wave_bound(0) > most_apart * least_ || wave_bound(quarter) > most_apart * least_) refuse_moduli();
+    for (const double step : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      if (lines_.size() > enough_lines) break;
+      while (refine((1 - step) * least_))
+        ;
+    }
+  }
+
+  /// The lowest line that was looked at in a valley, and its neighbours.
+  struct Valley {
+    double left, lowest, right;
+  };
+  /// All that may be as low as the lowest.
+  [[nodiscard]] std::vector<Valley> lowest() const {
+    std::vector<Valley> result;
+    for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
+      const Line &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
+      const bool is_bottom = here.speed <= left.speed && here.speed <= right.speed;
+      if (is_bottom &&
+          !(here.speed > least_ && is_clear(left, here, least_) && is_clear(here, right, least_)))
+        result.push_back({left.from_motion, here.from_motion, right.from_motion});
     }
     return result;
   }
 
  private:
-  struct Point {
-    double from_motion, speed;
+  static constexpr std::size_t enough_lines = 500;
+
+  struct Line {
+    double from_motion;
+    double phase_speed, speed;  ///< at which it is critical: along the line, and along the motion
   };
 
-  Point at(double from_motion) {
-    const double speed = speeds_(from_motion);
+  [[noreturn]] static void refuse_moduli() {
+    throw data::BadInput("solid", "(as given)", "must have moduli nearer to each other to search its lines");
+  }
+
+  Line at(double from_motion) {
+    const auto [phase_speed, speed] = speeds_.both(from_motion);
     least_ = std::min(least_, speed);
-    return {from_motion, speed};
+    return {from_motion, phase_speed, speed};
   }
 
-  /// Between points i and i + 1, were it nowhere steeper than twice the chords there and beyond. Branch points
-  /// and Rayleigh waves that meet make valleys much narrower than a step, and these have steep sides.
-  [[nodiscard]] double lower_bound(std::size_t i) const {
-    const auto steepness = [&](std::size_t k) {
-      return std::fabs(points_[k + 1].speed - points_[k].speed) /
-             (points_[k + 1].from_motion - points_[k].from_motion);
-    };
-    const double steepest = 2 * std::max({steepness(i - 1), steepness(i), steepness(i + 1)});
-    const Point &left = points_[i], &right = points_[i + 1];
-    return (left.speed + right.speed - steepest * (right.from_motion - left.from_motion)) / 2;
+  [[nodiscard]] double wave_bound(double from_motion) const {
+    return waves_.bound(Direction::of_angle(from_motion).turned(motion_));
   }
 
-  /// Halves the intervals that may hold what is lower; false if there are none.
-  bool refine() {
-    constexpr double noise = 1e-13, narrowest = 1e-9;
-    constexpr std::size_t most_points = 4000;
-    std::vector<Point> finer{points_.front()};
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-      const double left = points_[i].from_motion, right = points_[i + 1].from_motion;
-      const bool is_inner = i > 0 && i + 2 < points_.size();
-      if (is_inner && right - left > narrowest && lower_bound(i) < (1 - noise) * least_)
-        finer.push_back(at(left + (right - left) / 2));
-      finer.push_back(points_[i + 1]);
+  /// sqrt(w^2 - (V.k)^2)
+  static double reserve(const Line& line, double speed) {
+    const double share = speed / line.speed;
+    return line.phase_speed * std::sqrt((1 - share) * (1 + share));
+  }
+
+  /// Whether all lines between these are subcritical, in double.
+  [[nodiscard]] bool is_clear(const Line& left, const Line& right, double speed) const {
+    if (!(left.speed > speed && right.speed > speed)) return false;
+    const double half = (right.from_motion - left.from_motion) / 2;
+    const double across = left.from_motion + half + std::numbers::pi / 2;
+    return reserve(left, speed) + reserve(right, speed) >= 2 * std::sin(half) * wave_bound(across);
+  }
+
+  /// Halves the intervals that are not clear; false if there are none.
+  bool refine(double speed) {
+    std::vector<Line> finer{lines_.front()};
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+      const Line &left = lines_[i], &right = lines_[i + 1];
+      if (!is_clear(left, right, speed))
+        finer.push_back(at(left.from_motion + (right.from_motion - left.from_motion) / 2));
+      finer.push_back(right);
+      if (finer.size() > most_lines_) refuse_moduli();
     }
-    const bool is_finer = finer.size() > points_.size();
-    points_ = std::move(finer);
-    return is_finer && points_.size() < most_points;
+    const bool is_finer = finer.size() > lines_.size();
+    lines_ = std::move(finer);
+    return is_finer;
   }
 
   const CriticalSpeeds& speeds_;
-  std::vector<Point> points_;
+  const PlaneWaves& waves_;
+  Direction motion_;
+  std::size_t most_lines_;
+  std::vector<Line> lines_;
   double least_ = HUGE_VAL;
 };
+
+/// The bottom of a valley, by Brent's search in shares of its width. Critical frequencies are least values of functions
+/// that are quadratic in the line's vector, so that bottoms are smooth, and not narrower than the fastest wave makes them.
+double bottom_of(const CriticalSpeeds& speeds, const Landscape::Valley& valley) {
+  constexpr int bits = 26;
+  const auto at = [&](double share) {
+    const double end = share < 0 ? valley.left : valley.right;
+    return valley.lowest + std::fabs(share) * (end - valley.lowest);
+  };
+  std::uintmax_t most = 60;
+  const auto found = boost::math::tools::brent_find_minima([&](double share) { return speeds(at(share)); },
+                                                           -1.0, 1.0, bits, most);
+  return at(found.first);
+}
 
 /// One step of Newton to the bottom of a smooth valley, its slope and curvature by differences in two words:
 /// where valleys are narrow, comparing speeds in double leaves them too high.
@@ -114,18 +206,24 @@ double nearer_to_bottom(const CriticalSpeeds& speeds, double from_motion) {
 }  // namespace
 
 double speed_of_motion(const LineLimits& line, Direction motion, Direction psi) {
-  const double length = std::sqrt(squared_length(motion).high);
-  return line.limit(psi) * length / std::fabs(cosine_between(psi, motion).high);
+  return along_motion(line.limit(psi), motion, psi);
 }
 
-CriticalLine critical_line(const LineLimits& line, Direction motion) {
+CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
+                           std::size_t most_lines) {
   const CriticalSpeeds speeds(line, motion);
+  const PlaneWaves waves(solid);
   CriticalLine critical{HUGE_VAL, 0};
-  for (double from_motion : Landscape(speeds).lowest()) {
+  const auto keep_lower = [&](double from_motion) {
+    const double speed = speeds(from_motion);
+    if (speed < critical.speed) critical = {speed, from_motion};
+  };
+  for (const Landscape::Valley& valley : Landscape(speeds, waves, motion, most_lines).lowest()) {
     constexpr int steps = 3;
+    keep_lower(valley.lowest);
+    double from_motion = bottom_of(speeds, valley);
     for (int i = 0; i <= steps; ++i) {
-      const double speed = speeds(from_motion);
-      if (speed < critical.speed) critical = {speed, from_motion};
+      keep_lower(from_motion);
       from_motion = nearer_to_bottom(speeds, from_motion);
     }
   }

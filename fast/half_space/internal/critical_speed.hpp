@@ -1,4 +1,7 @@
 #pragma once
+#include <cstddef>
+
+#include <nipref/data/material/stiffness.hpp>
 #include <nipref/fast/half_space/internal/line_limits.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 
@@ -12,9 +15,11 @@ struct CriticalLine {
   double from_motion;  ///< psi - theta
 };
 
-/// The line that is critical first. Speeds are compared at steps of a degree, and at finer ones wherever that
-/// leaves room for a lower one, as steep as they are there.
-CriticalLine critical_line(const LineLimits& line, Direction motion);
+/// The line that is critical first. That none is lower by more than 1e-3, 1e-6, 1e-9, 1e-12 of it is proven, but for
+/// rounding in double, to the last of these that 500 lines are enough for. BadInput "solid" where moduli are so far apart
+/// that the fastest wave along the surface is 3000 times as fast, or so many lines are not enough.
+CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
+                           std::size_t most_lines);
 
 /// With the angle from x1, -pi/2 < psi <= pi/2.
 CriticalSpeed critical_speed(const CriticalLine& critical, Direction motion);

@@ -427,6 +427,25 @@ TEST_CASE("critical speed: valleys of two bottoms, and such as are narrower than
   check({639.57693616129563, 0.2194159096995234, 6.9861913661117745, 43.742275887327871, 2.7515726557945337,
          2.1816122195484344},
         90, 90);
+  // 2e-3 degrees off the isotropic plane, where lines a degree from it and from each other do not show it.
+  check({39.245, 11.428, 17, 1633.193, 0.013, 1}, 75.8, 17.889);
+}
+
+TEST_CASE("critical speed: refused where moduli are too far apart for the lines, or for the search of them") {
+  const auto message = [](const TransverselyIsotropicSolid& solid) -> std::string {
+    try {
+      (void)fast::critical_speed(solid, SymmetryAxis::in_plane, Direction::of_degrees(50));
+    } catch (const data::BadInput& refusal) {
+      return refusal.what();
+    }
+    return "";
+  };
+  CHECK(message({1, 1, 0, 1e7, 1e-3, 1}).find("to search its lines") != std::string::npos);
+  CHECK(message({1, 1, 0, 1e13, 0.5, 1}).find("no eigenvalue of its matrix more than 1e+12") !=
+        std::string::npos);
+  CHECK(message({1, 1, 0, 1e3, 1e-1, 1}).empty());
+  CHECK_THROWS_AS((void)fast::rayleigh_speed({1, 1, 0, 1e13, 0.5, 1}, SymmetryAxis::normal, {1, 0}, {1, 0}),
+                  data::BadInput);
 }
 
 TEST_CASE("branch speeds: bulk waves along the surface, brock2013 Table 2, and beyond the critical speed") {

@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
+#include <nipref/ref/half_space/internal/critical_lines.hpp>
+#include <nipref/ref/half_space/internal/phase_speed.hpp>
+
+namespace nipref::ref {
+namespace {
+
+constexpr double radian = std::numbers::pi / 180;
+
+[[noreturn]] void refuse_moduli() {
+  throw data::BadInput("solid", "(as given)", "must have moduli nearer to each other to search its lines");
+}
+
+SurfaceDirection degrees(double psi) { return SurfaceDirection::of_degrees(Exact(psi)); }
+
+/// A line, the speed along the motion at which it is critical, and the share of it at which it is proven not to be.
+struct Line {
+  double psi, phase_speed, speed, proven;
+};
+
+/// Lines so near to each other that none between them is lower than the lowest by more than a step.
+///
+/// A field u(x3) exp(i k.x) has the strain e(k, u), linear in k, and with it the energy E(k, u). Of a mean wave vector
+/// it is E((1 - t) k1 + t k2, u) = (1 - t) E(k1, u) + t E(k2, u) - t (1 - t) E', where E' belongs to the strain e(k1, u)
+/// - e(k2, u) of a plane wave along d = k2 - k1 and is at most density W^2 |u|^2, W the frequency of the fastest of
+/// these. The inertia of a load of the velocity V, density (V.k)^2 |u|^2, obeys the same rule with V.d in W's place. So
+/// if lines k1 and k2 are subcritical with the reserves g^2 = w^2 - (V.k)^2, w a frequency at which they still are, those
+/// between have at least (1 - t) g1^2 + t g2^2 - t (1 - t) W^2, which is nowhere negative if g1 + g2 >= W.
+class Landscape {
+ public:
+  Landscape(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {
+    constexpr double most_apart = 3000;
+    const double theta = motion.degrees();
+    for (const double from_motion : {-90.0, 0.0, 90.0}) lines_.push_back(at(theta + from_motion));
+    const double fastest = std::max(wave_bound(theta), wave_bound(theta + 90));
+    if (fastest > most_apart * least_) refuse_moduli();
+    for (const double step : {1e-3, 1e-6, 1e-9}) {
+      if (lines_.size() > enough_lines) break;
+      while (proven_ > (1 - step) * least_ && refine((1 - step) * least_))
+        ;
+    }
+  }
+
+  [[nodiscard]] std::vector<CriticalLine> bottoms() const {
+    std::vector<CriticalLine> result;
+    for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
+      const Line &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
+      const bool is_bottom = here.speed <= left.speed && here.speed <= right.speed;
+      const bool may_be_lowest =
+          here.speed == least_ || !is_clear(left, here, least_) || !is_clear(here, right, least_);
+      if (is_bottom && may_be_lowest) result.push_back(bottom(left.psi, here, right.psi));
+    }
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t enough_lines = 200, most_lines = 2000;
+
+  [[nodiscard]] double cosine(const SurfaceDirection& psi) const {
+    return std::fabs(mpfi_get_d(cosine_between(motion_, psi, 64).get()));
+  }
+
+  Line at(double psi) {
+    const SurfaceDirection direction = degrees(psi);
+    const double inertia = approximate_critical_inertia(solid_, direction);
+    const double phase_speed = std::sqrt(inertia), speed = phase_speed / cosine(direction);
+    for (const double margin : {1e-10, 1e-7, 1e-4}) {
+      const double slower = inertia * (1 - 2 * margin);
+      if (!is_subcritical(solid_, direction,
+                          [&](mpfr_prec_t precision) { return Interval(Exact(slower), precision); }))
+        continue;
+      least_ = std::min(least_, speed);
+      proven_ = std::min(proven_, (1 - margin) * speed);
+      return {psi, phase_speed, speed, 1 - margin};
+    }
+    refuse_proof(direction, "critical speed");
+  }
+
+  /// At least the speed of the fastest plane wave along psi, by the largest sum of a row of Christoffel's matrix.
+  [[nodiscard]] double wave_bound(double psi) const {
+    constexpr double rounding = 1e-12;
+    const IntervalMatrix q = acoustic_matrices(solid_, degrees(psi), Interval(64)).q;
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 3; ++k) sum += std::fabs(mpfi_get_d(q(i, k).real.get()));
+      largest = std::max(largest, sum);
+    }
+    return (1 + rounding) * std::sqrt(largest);
+  }
+
+  /// Of unit wave vectors.
+  static double reserve(const Line& line, double speed) {
+    const double share = speed / (line.proven * line.speed);
+    return line.proven * line.phase_speed * std::sqrt((1 - share) * (1 + share));
+  }
+
+  [[nodiscard]] bool is_clear(const Line& left, const Line& right, double speed) const {
+    if (!(left.proven * left.speed > speed && right.proven * right.speed > speed)) return false;
+    const double middle = (left.psi + right.psi) / 2;
+    const double apart = 2 * std::sin((right.psi - left.psi) / 2 * radian);
+    return reserve(left, speed) + reserve(right, speed) >= apart * wave_bound(middle + 90);
+  }
+
+  /// Halves the intervals that are not clear; false if there are none.
+  bool refine(double speed) {
+    std::vector<Line> finer{lines_.front()};
+    for (std::size_t i = 0; i + 1 < lines_.size(); ++i) {
+      if (!is_clear(lines_[i], lines_[i + 1], speed))
+        finer.push_back(at((lines_[i].psi + lines_[i + 1].psi) / 2));
+      finer.push_back(lines_[i + 1]);
+      if (finer.size() > most_lines) refuse_moduli();
+    }
+    const bool is_finer = finer.size() > lines_.size();
+    lines_ = std::move(finer);
+    return is_finer;
+  }
+
+  /// By Brent's search in shares of the valley's width.
+  [[nodiscard]] CriticalLine bottom(double left, const Line& lowest, double right) const {
+    constexpr int bits = 20;
+    const auto psi_at = [&](double share) {
+      return lowest.psi + std::fabs(share) * ((share < 0 ? left : right) - lowest.psi);
+    };
+    const auto speed_at = [&](double share) {
+      const SurfaceDirection direction = degrees(psi_at(share));
+      return std::sqrt(approximate_critical_inertia(solid_, direction)) / cosine(direction);
+    };
+    std::uintmax_t most = 40;
+    const auto [share, speed] = boost::math::tools::brent_find_minima(speed_at, -1.0, 1.0, bits, most);
+    return speed < lowest.speed ? CriticalLine{psi_at(share), speed} : CriticalLine{lowest.psi, lowest.speed};
+  }
+
+  const ExactStiffness& solid_;
+  const SurfaceDirection& motion_;
+  std::vector<Line> lines_;
+  double least_ = HUGE_VAL, proven_ = HUGE_VAL;
+};
+
+}  // namespace
+
+std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion) {
+  return Landscape(solid, motion).bottoms();
+}
+
+}  // namespace nipref::ref
