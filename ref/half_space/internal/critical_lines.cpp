@@ -63,7 +63,7 @@ class Landscape {
   }
 
  private:
-  static constexpr std::size_t enough_lines = 200, most_lines = 2000;
+  static constexpr std::size_t enough_lines = 200, most_lines = 800;
 
   [[nodiscard]] double cosine(const SurfaceDirection& psi) const {
     return std::fabs(mpfi_get_d(cosine_between(motion_, psi, 64).get()));
