@@ -96,8 +96,7 @@ class Landscape {
     for (const double from_motion : {-quarter, 0.0, quarter}) lines_.push_back(at(from_motion));
     if (wave_bound(0) > most_apart * least_ || wave_bound(quarter) > most_apart * least_) refuse_moduli();
     for (const double step : {1e-3, 1e-6, 1e-9, 1e-12}) {
-      if (lines_.size() > enough_lines) break;
-      while (refine((1 - step) * least_))
+      while ((step == 1e-3 || lines_.size() <= enough_lines) && refine((1 - step) * least_))
         ;
     }
   }
@@ -120,7 +119,7 @@ class Landscape {
   }
 
  private:
-  static constexpr std::size_t enough_lines = 500;
+  static constexpr std::size_t enough_lines = 400;  // a step finer than that cannot end in a refusal
 
   struct Line {
     double from_motion;

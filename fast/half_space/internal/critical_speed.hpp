@@ -16,8 +16,8 @@ struct CriticalLine {
 };
 
 /// The line that is critical first. That none is lower by more than 1e-3, 1e-6, 1e-9, 1e-12 of it is proven, but for
-/// rounding in double, to the last of these that 500 lines are enough for. BadInput "solid" where moduli are so far apart
-/// that the fastest wave along the surface is 3000 times as fast, or so many lines are not enough.
+/// rounding in double, to the last of these that 400 lines are enough for. BadInput "solid" where moduli are so far apart
+/// that the fastest wave along the surface is 3000 times as fast, or `most_lines` are not enough.
 CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
                            std::size_t most_lines);
 

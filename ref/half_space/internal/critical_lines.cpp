@@ -44,8 +44,10 @@ class Landscape {
     const double fastest = std::max(wave_bound(theta), wave_bound(theta + 90));
     if (fastest > most_apart * least_) refuse_moduli();
     for (const double step : {1e-3, 1e-6, 1e-9}) {
-      if (lines_.size() > enough_lines) break;
-      while (proven_ > (1 - step) * least_ && refine((1 - step) * least_))
+      const auto goes_on = [&] {
+        return step == 1e-3 || (lines_.size() <= enough_lines && proven_ > (1 - step) * least_);
+      };
+      while (goes_on() && refine((1 - step) * least_))
         ;
     }
   }

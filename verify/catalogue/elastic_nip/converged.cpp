@@ -23,9 +23,11 @@ using NipArguments = std::span<const double>;
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
 
-// What the reference does in ten seconds: so many digits of a polynomial's samples; and with full friction, where a
-// value takes about 8 s ((L/B) (digits + 5.5)/300)^2.2.
-constexpr int least_digits = 16, most_digits_of_thin = 30;
+// What the reference does in ten seconds. Without friction: so many digits of a polynomial's samples, or of the contact
+// itself, the time of which grows with the square of (L/B) (digits + 20); and with full friction, where a value takes
+// about 8 s ((L/B) (digits + 5.5)/300)^2.2.
+constexpr int least_digits = 16, most_digits_of_thin = 21;
+constexpr double most_direct_work = 1250, more_direct_digits = 20;
 constexpr double most_gripped_work = 300, more_gripped_digits = 5.5;
 
 constexpr std::array<NipNumber, 5> nip_numbers{{
@@ -102,11 +104,13 @@ void check_long_gripped_work(double poisson) {
                   largest_long_gripped_poisson));
 }
 
-void check_thin_work(double length, int digits) {
-  if (digits <= most_digits_of_thin) return;
-  throw data::BadInput("digits", std::to_string(digits),
-                       fmt::format("must be at most {} for L_over_B = {:.6g}: more take too long",
-                                   most_digits_of_thin, length));
+void check_work(double length, int digits) {
+  const int most =
+      std::max(most_digits_of_thin, static_cast<int>(most_direct_work / length - more_direct_digits));
+  if (digits <= most) return;
+  throw data::BadInput(
+      "digits", std::to_string(digits),
+      fmt::format("must be at most {} for L_over_B = {:.6g}: more take too long", most, length));
 }
 
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
@@ -121,9 +125,10 @@ NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, 
     return results_of(contact, contact.peak_shear());
   }
   const Reference nothing = ref::exact_zero(digits);
-  if (length < std::max(longest_direct, ref::shortest_thin_nip(digits)))
+  if (length < longest_direct || digits > most_digits_of_thin) {
+    check_work(length, digits);
     return results_of(ref::converged_for_length(nip, length, digits), nothing);
-  check_thin_work(length, digits);
+  }
   const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, digits);
   return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
 }

@@ -89,9 +89,13 @@ TEST_CASE(
   const auto ref = [&](double length, double friction, int digits) {
     static_cast<void>(verify::ref_value(load, Point{length, 0.3, friction}, digits));
   };
-  CHECK_THROWS_WITH_AS(ref(90, 0, 31),
-                       "digits = 31: must be at most 30 for L_over_B = 90: more take too long",
+  CHECK_THROWS_WITH_AS(ref(90, 0, 22),
+                       "digits = 22: must be at most 21 for L_over_B = 90: more take too long",
                        data::BadInput);
+  CHECK_THROWS_WITH_AS(ref(20, 0, 43),
+                       "digits = 43: must be at most 42 for L_over_B = 20: more take too long",
+                       data::BadInput);
+  CHECK_NOTHROW(ref(14, 0, 22));
   CHECK_THROWS_WITH_AS(ref(20, 1, 22), doctest::Contains("digits = 22: must be from 12 to 21"),
                        data::BadInput);
   CHECK_THROWS_WITH_AS(
