@@ -278,9 +278,8 @@ Two AnisotropicLine::limit_within(Direction psi, double share) const {
     (is_slow ? below : beyond) = middle;
     if (m && !is_slow) break;
   }
-  Two low = determinant(Two{below}).high > 0 ? Two{below} : Two{0};
-  Two high = determinant(Two{beyond}).high > 0 ? Two{bound} : Two{beyond};
-  for (Two middle = high; (high - low).high > share * high.high; middle = low + (high - low) / 2) {
+  Two low = determinant(Two{below}).high > 0 ? Two{below} : Two{0}, high{bound};
+  for (Two middle{beyond}; (high - low).high > share * high.high; middle = low + (high - low) / 2) {
     const auto m = impedance_at(middle);
     const bool is_slow = m && m->determinant().high > 0;
     (is_slow ? low : high) = middle;

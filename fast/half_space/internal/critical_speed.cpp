@@ -111,15 +111,17 @@ class Landscape {
     for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
       const Line &left = lines_[i - 1], &here = lines_[i], &right = lines_[i + 1];
       const bool is_bottom = here.speed <= left.speed && here.speed <= right.speed;
-      if (is_bottom &&
-          !(here.speed > least_ && is_clear(left, here, least_) && is_clear(here, right, least_)))
+      const bool may_be_lowest =
+          here.speed == least_ || !is_clear(left, here, least_) || !is_clear(here, right, least_);
+      if (is_bottom && may_be_lowest)
         result.push_back({left.from_motion, here.from_motion, right.from_motion});
     }
     return result;
   }
 
  private:
-  static constexpr std::size_t enough_lines = 400;  // a step finer than that cannot end in a refusal
+  /// For all steps but the first. Half of what may be allowed at least, so that none but the first ends in a refusal.
+  static constexpr std::size_t enough_lines = 400;
 
   struct Line {
     double from_motion;

@@ -65,6 +65,7 @@ class Landscape {
   }
 
  private:
+  /// The first for all steps but the first: so few that none but the first ends in a refusal.
   static constexpr std::size_t enough_lines = 200, most_lines = 800;
 
   [[nodiscard]] double cosine(const SurfaceDirection& psi) const {
