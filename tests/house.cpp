@@ -137,6 +137,30 @@ Names subjects_of(const fs::path& room) {
   return subjects;
 }
 
+/// Names with their namespaces of the types that a source defines for all sources: "nipref::fast::Estimate".
+Names types_of(const std::string& source) {
+  static const std::regex line(
+      R"(^(?:namespace ([\w:]*) ?\{|(\})  // namespace)"
+      R"(|(?:struct|class|union|enum(?: class)?) (\w+)\b(?!::)[^;]*\{|using (\w+) =))");
+  std::istringstream text(read(top / source));
+  std::vector<std::string> spaces;
+  Names types;
+  for (std::string written; std::getline(text, written);) {
+    std::smatch found;
+    if (!std::regex_search(written, found, line)) continue;
+    if (found[2].matched) {
+      spaces.pop_back();
+    } else if (found[1].matched) {
+      spaces.push_back(found[1]);
+    } else if (std::ranges::find(spaces, "") == spaces.end()) {
+      std::string name;
+      for (const std::string& space : spaces) name += space + "::";
+      types.insert(name + found[3].str() + found[4].str());
+    }
+  }
+  return types;
+}
+
 std::string listed(const std::string& title, const Names& names) {
   std::string text = "\n  " + title + ":";
   for (const std::string& name : names) text += " " + name;
@@ -177,6 +201,23 @@ TEST_CASE("an include against the arrows is seen") {
   CHECK_FALSE(may_include("verify/cli/machine.cpp", "fast/sheet/internal/dispatch.hpp"));
   CHECK(may_include("fast/elastic_nip/converged.cpp", "fast/sheet/internal/tables.hpp"));
   CHECK(may_include("verify/cli/eval.cpp", "ref/sheet/kernels.hpp"));
+}
+
+TEST_CASE("no two sources define types of one name in one namespace") {
+  std::map<std::string, std::string> defined_in;
+  for (const auto& [room, arrows] : room_arrows) {
+    for (const std::string& source : sources_in(room)) {
+      for (const std::string& type : types_of(source)) {
+        const auto [first, is_new] = defined_in.emplace(type, source);
+        CAPTURE(type);
+        CAPTURE(source);
+        CAPTURE(first->second);
+        CHECK(is_new);
+      }
+    }
+  }
+  CHECK(defined_in.at("nipref::data::BadInput") == "data/bad_input.hpp");
+  CHECK(defined_in.size() > 300);
 }
 
 TEST_CASE("no source includes by a path that a user's own folders could answer") {

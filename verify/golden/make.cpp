@@ -142,23 +142,23 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   const Confirm confirm = confirmer_of(quantity.name);
   if (!confirm)
     throw data::BadInput("quantity", quantity.name, "must have a second method that confirms its values");
-  const Witness witness = confirm(row.arguments);
+  const Confirmation confirmed = confirm(row.arguments);
   const ref::Estimated golden = row.number();
   ref::Real distance(64), allowed(64);
-  mpfr_sub(distance.get(), golden.value.get(), witness.value.get(), MPFR_RNDA);
+  mpfr_sub(distance.get(), golden.value.get(), confirmed.value.get(), MPFR_RNDA);
   mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
-  mpfr_add(allowed.get(), golden.error.get(), witness.error.get(), MPFR_RNDU);
+  mpfr_add(allowed.get(), golden.error.get(), confirmed.error.get(), MPFR_RNDU);
   // Written so that a NaN confirms nothing.
   if (!(mpfr_lessequal_p(distance.get(), allowed.get()) != 0))
-    return fmt::format("{} differs by {}, more than {}", witness.method, real_text(distance),
+    return fmt::format("{} differs by {}, more than {}", confirmed.method, real_text(distance),
                        real_text(allowed));
-  mpfr_add(distance.get(), distance.get(), witness.error.get(), MPFR_RNDU);
+  mpfr_add(distance.get(), distance.get(), confirmed.error.get(), MPFR_RNDU);
   ref::Real most(64);
   mpfr_set_d(most.get(), ulp_of(row.scale), MPFR_RNDD);
   mpfr_div_ui(most.get(), most.get(), 1000, MPFR_RNDD);
   if (!(mpfr_lessequal_p(distance.get(), most.get()) != 0))
-    return fmt::format("{} is good to {} only", witness.method, real_text(distance));
-  row.confirmed_by = fmt::format("{} to {}", witness.method, real_text(distance));
+    return fmt::format("{} is good to {} only", confirmed.method, real_text(distance));
+  row.confirmed_by = fmt::format("{} to {}", confirmed.method, real_text(distance));
   return "";
 }
 

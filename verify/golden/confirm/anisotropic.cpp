@@ -46,12 +46,12 @@ Confirm entry_of(std::size_t row, std::size_t column, Part part) {
     const Wave value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
     const Wave size = std::max<Wave>(abs(Wave(y[2][2].real())),
                                      std::max<Wave>(abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real()))));
-    return witness<Wave>("Stroh's eigenproblem", value, size * Wave("1e-80"));
+    return confirmation<Wave>("Stroh's eigenproblem", value, size * Wave("1e-80"));
   };
 }
 
 /// theta, solid.
-Witness critical_of_any(Arguments x) {
+Confirmation critical_of_any(Arguments x) {
   data::Stiffness solid{{}, x[22]};
   std::size_t at = 1;
   for (std::size_t i = 0; i < 6; ++i)

@@ -12,13 +12,13 @@ namespace nipref::verify {
 
 /// What a second method says of a quantity at a point. Neither the code that makes the value nor its arithmetic is in
 /// it: numbers are Boost's over MPFR and MPC.
-struct Witness {
+struct Confirmation {
   std::string method;
   ref::Real value;
   ref::Real error;  ///< estimate: what the method changes by when its own work is halved
 };
 
-using Confirm = std::function<Witness(std::span<const double> point)>;
+using Confirm = std::function<Confirmation(std::span<const double> point)>;
 
 /// Second methods by the names of their quantities.
 using Methods = std::map<std::string, Confirm, std::less<>>;

@@ -140,19 +140,19 @@ Split sum_of(Part part, bool normal, const mpq_class& alpha, const mpq_class& de
   return Split{}.add(sign, value);
 }
 
-Witness over_pi(const Split& sum) {
+Confirmation over_pi(const Split& sum) {
   const Float value = sum.value() / pi<Float>();
-  return witness<Float>("half-planes and an integral along the real axis or around the poles", value,
-                        sum.error / pi<Float>() + abs(value) * Float("1e-90"));
+  return confirmation<Float>("half-planes and an integral along the real axis or around the poles", value,
+                             sum.error / pi<Float>() + abs(value) * Float("1e-90"));
 }
 
-Witness stress(Part part, Arguments x) {
+Confirmation stress(Part part, Arguments x) {
   const bool on_face = x[1] == 1 || x[1] == -1;
   if (on_face && part != Part::sy) return over_pi({});
   return over_pi(sum_of(part, x[2] == 0, x[0], x[1], 0));
 }
 
-Witness v(Arguments x) {
+Confirmation v(Arguments x) {
   const mpq_class eta(x[1]), poisson(x[4]), t1 = 1 / (2 * (1 - poisson));
   const bool normal = x[3] == 0;
   Split sum = sum_of(Part::v, normal, x[0], x[2], poisson);

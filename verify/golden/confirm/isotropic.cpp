@@ -40,7 +40,9 @@ LineAnswerByFormula line_at(Arguments x) {
   return isotropic_answer(x[0], squared_speed(x[1], cosine_of(x[2])));
 }
 
-Witness closed(const Wave& value) { return witness<Wave>("closed form", value, abs(value) * Wave("1e-80")); }
+Confirmation closed(const Wave& value) {
+  return confirmation<Wave>("closed form", value, abs(value) * Wave("1e-80"));
+}
 
 /// d ln K/d ln speed, the closed form differentiated.
 Wave condition(Arguments x) {
@@ -232,8 +234,8 @@ Wave stiffness(Arguments x, bool coarse) {
 Confirm by_gauss_rule(Wave (*value)(Arguments, bool coarse)) {
   return [value](Arguments x) {
     const Wave fine = value(x, false);
-    return witness<Wave>("Gauss's rule over the lines", fine,
-                         abs(fine - value(x, true)) + abs(fine) * Wave("1e-70"));
+    return confirmation<Wave>("Gauss's rule over the lines", fine,
+                              abs(fine - value(x, true)) + abs(fine) * Wave("1e-70"));
   };
 }
 
@@ -245,7 +247,7 @@ const Methods& all() {
       {"halfspace.rayleigh",
        [](Arguments x) {
          const Wave value = sqrt(rayleigh_squared(x[0]));
-         return witness<Wave>("root of Rayleigh's cubic", value, value * Wave("1e-80"));
+         return confirmation<Wave>("root of Rayleigh's cubic", value, value * Wave("1e-80"));
        }},
       {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x[2], x[3]).ahead); }},
       {"die.span_ratio",

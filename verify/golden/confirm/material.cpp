@@ -279,9 +279,9 @@ Confirm by_states(Value springs, Value ratio) {
   return [=](Arguments x) {
     const bool is_of_springs = model_of(x) <= elastic;
     const Wide found = (is_of_springs ? springs : ratio)(x);
-    return witness<Wide>(is_of_springs ? "equations of springs and dashpots by their series"
-                                       : "the differential equation by its series",
-                         found, abs(found) * Wide(is_of_springs ? "1e-200" : "1e-100"));
+    return confirmation<Wide>(is_of_springs ? "equations of springs and dashpots by their series"
+                                            : "the differential equation by its series",
+                              found, abs(found) * Wide(is_of_springs ? "1e-200" : "1e-100"));
   };
 }
 

@@ -14,8 +14,8 @@ using Arguments = std::span<const double>;
 using Wide = Number<250>;
 using WideComplex = ComplexNumber<250>;
 
-Witness closed_form(const Wide& value) {
-  return witness<Wide>("closed form", value, abs(value) * Wide("1e-100"));
+Confirmation closed_form(const Wide& value) {
+  return confirmation<Wide>("closed form", value, abs(value) * Wide("1e-100"));
 }
 
 /// e^(shift) int_from^to e^(rate w) dw, by its antiderivative.
@@ -51,14 +51,14 @@ Float faded_by_gauss(const Float& lambda, const Float& from, const Float& to) {
 }
 
 /// J5, J6.
-Witness of_sign(Arguments x) {
+Confirmation of_sign(Arguments x) {
   const Float gamma0 = x[0], gamma = x[1], lambda = x[2], t = x[3], T = x[4];
   const Float passed = std::clamp<Float>(t - T, 0, t);  // ages at which the load had passed
   const Float behind = passed > 0 ? faded_by_gauss(lambda, 0, passed) : Float(0);
   const Float ahead = passed < t ? faded_by_gauss(lambda, passed, t) : Float(0);
   const Float at_once = T > t ? gamma0 : T < t ? Float(-gamma0) : Float(0);
-  return witness<Float>("Gauss's rule", at_once + gamma * (ahead - behind),
-                        (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
+  return confirmation<Float>("Gauss's rule", at_once + gamma * (ahead - behind),
+                             (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
 }
 
 /// Of the load's way, in half thicknesses: from where it is to where it started.
@@ -140,11 +140,11 @@ struct Sheet {
       : theta1(solid.theta1, speed, half_thickness), theta2(solid.theta2, speed, half_thickness) {}
 };
 
-Witness over_pi(const Long& sum, const Float& error) {
-  return witness<Long>("direct convolution over the way", sum / pi<Long>(), Long(error / pi<Float>()));
+Confirmation over_pi(const Long& sum, const Float& error) {
+  return confirmation<Long>("direct convolution over the way", sum / pi<Long>(), Long(error / pi<Float>()));
 }
 
-Witness Un(const Sheet& sheet, const Way& way) {
+Confirmation Un(const Sheet& sheet, const Way& way) {
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
@@ -152,7 +152,7 @@ Witness Un(const Sheet& sheet, const Way& way) {
   return over_pi(sum, error);
 }
 
-Witness Vn(const Sheet& sheet, const Way& alpha, const Way& eta) {
+Confirmation Vn(const Sheet& sheet, const Way& alpha, const Way& eta) {
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})

@@ -17,7 +17,7 @@ namespace {
 
 using Arguments = std::span<const double>;
 /// All numbers of a contact, in the order of their names.
-using Numbers = std::vector<Witness>;
+using Numbers = std::vector<Confirmation>;
 
 constexpr std::array<std::string_view, 5> elastic_names{"nip.load", "nip.indentation", "nip.creep",
                                                         "nip.peak_pressure", "nip.peak_shear"};
@@ -33,11 +33,11 @@ mpq_class exactly(const Solved& x) {
   return value;
 }
 
-std::vector<Witness> compared(const char* method, const std::vector<Solved>& fine,
-                              const std::vector<Solved>& coarse) {
-  std::vector<Witness> result;
+std::vector<Confirmation> compared(const char* method, const std::vector<Solved>& fine,
+                                   const std::vector<Solved>& coarse) {
+  std::vector<Confirmation> result;
   for (std::size_t i = 0; i < fine.size(); ++i)
-    result.push_back(witness<Solved>(method, fine[i], fine[i] - coarse[i]));
+    result.push_back(confirmation<Solved>(method, fine[i], fine[i] - coarse[i]));
   return result;
 }
 
@@ -64,7 +64,7 @@ constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5;
 Numbers elastic_numbers(Arguments x) {
   if (x[0] > (x[2] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
     const Solved unknown = std::numeric_limits<double>::infinity();
-    return Numbers(elastic_names.size(), witness<Solved>("no rule for so long a contact", 0, unknown));
+    return Numbers(elastic_names.size(), confirmation<Solved>("no rule for so long a contact", 0, unknown));
   }
   if (x[2] == 0) {
     return compared("Kress's rule in Chebyshev's singular weight", without_friction(x, 24),

@@ -33,7 +33,7 @@ Float to_number(const mpq_class& x) {
 }
 
 template <class Float>
-Witness witness(std::string method, const Float& value, const Float& error) {
+Confirmation confirmation(std::string method, const Float& value, const Float& error) {
   ref::Real v(mpfr_get_prec(value.backend().data())), e(64);
   mpfr_set(v.get(), value.backend().data(), MPFR_RNDN);
   mpfr_abs(e.get(), error.backend().data(), MPFR_RNDU);

@@ -23,19 +23,20 @@ Complex root(double n) {
   return w / 2;
 }
 
-Witness of_root(const Float& part) {
-  return witness<Float>("fixed point of a logarithm", part, part * Float("1e-90"));
+Confirmation of_root(const Float& part) {
+  return confirmation<Float>("fixed point of a logarithm", part, part * Float("1e-90"));
 }
 
-Witness kernel(const Split& sum) {
-  return witness<Float>("integral along the real axis or around the poles", sum.value(), sum.error);
+Confirmation kernel(const Split& sum) {
+  return confirmation<Float>("integral along the real axis or around the poles", sum.value(), sum.error);
 }
 
 /// The sum over pi and `divisor`.
-Witness displacement(Split sum, const mpq_class& divisor = 1) {
+Confirmation displacement(Split sum, const mpq_class& divisor = 1) {
   const Float by = pi<Float>() * to_number<Float>(divisor);
   sum.error = sum.error / by + abs(sum.value() / by) * Float("1e-95");
-  return witness<Float>("integrals along the real axis or around the poles", sum.value() / by, sum.error);
+  return confirmation<Float>("integrals along the real axis or around the poles", sum.value() / by,
+                             sum.error);
 }
 
 /// Constants of the sheet, exact.
@@ -62,15 +63,15 @@ Split I6_sum(const mpq_class& alpha, const mpq_class& eta) {
   return Split(kernel_I6_alpha(alpha)).add(-1, kernel_I6_eta(eta));
 }
 
-Witness vn(const Compliances& c, const mpq_class& alpha, const mpq_class& eta) {
+Confirmation vn(const Compliances& c, const mpq_class& alpha, const mpq_class& eta) {
   return displacement(F1_sum(c, eta).add(-1, us_sum(c, alpha)));
 }
 
-Witness vs(const Compliances& c, const mpq_class& alpha, const mpq_class& eta) {
+Confirmation vs(const Compliances& c, const mpq_class& alpha, const mpq_class& eta) {
   return displacement(Split{}.add(c.normal, I6_sum(alpha, eta)).add(c.theta1, kernel_I7(eta)));
 }
 
-Witness F2(const Compliances& c, const mpq_class& eta) {
+Confirmation F2(const Compliances& c, const mpq_class& eta) {
   return displacement(
       Split{}.add(-1, kernel_I6_eta(eta)).add(mpq_class(c.theta1 / c.normal), kernel_I7(eta)));
 }
@@ -81,7 +82,7 @@ const Methods& all() {
       {"root.im", [](Arguments x) { return of_root(root(x[0]).imag()); }},
       {"I1", [](Arguments x) { return kernel(kernel_I1(x[0])); }},
       {"I2",
-       [](Arguments x) { return witness<Float>("pi/2 sign", kernel_I2(x[0]).value(), Float("1e-95")); }},
+       [](Arguments x) { return confirmation<Float>("pi/2 sign", kernel_I2(x[0]).value(), Float("1e-95")); }},
       {"I3", [](Arguments x) { return kernel(kernel_I3(x[0])); }},
       {"I4", [](Arguments x) { return kernel(kernel_I4(x[0])); }},
       {"I5", [](Arguments x) { return kernel(kernel_I5(x[0])); }},

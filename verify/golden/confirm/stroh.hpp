@@ -163,13 +163,13 @@ Number<digits> surface_wave(const Solid& solid, const Number<digits>& psi, const
 
 using Speed = Number<130>;
 
-inline Witness by_secant(const Speed& value) {
-  return witness<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
+inline Confirmation by_secant(const Speed& value) {
+  return confirmation<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
 }
 
 /// The minimum of that over the lines by Newton's iteration for its slope, from a line and a speed near it.
 template <class Solid>
-Witness lowest_surface_wave(const Solid& solid, double near_psi, double theta, double near_speed) {
+Confirmation lowest_surface_wave(const Solid& solid, double near_psi, double theta, double near_speed) {
   Speed psi = near_psi, value = 0;
   const Speed step("1e-22");
   for (int k = 0; k < 5; ++k) {

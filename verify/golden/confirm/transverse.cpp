@@ -58,20 +58,20 @@ LineAnswerByFormula answer(const Solid<digits>& solid, const Number<digits>& psi
   return {Wave(y[2][2].real()), Wave(-y[2][0].imag()), Wave(-y[2][1].imag()), Wave(0)};
 }
 
-Witness by_stroh(const Wave& value, const Wave& scale) {
-  return witness<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
+Confirmation by_stroh(const Wave& value, const Wave& scale) {
+  return confirmation<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
 }
 
 /// theta, psi, speed, solid.
 LineAnswerByFormula line_at(Arguments x) { return answer<150>(Solid<150>(x, 3), x[1], x[0], x[2]); }
 
-Witness of_line(Arguments x, Wave LineAnswerByFormula::*member) {
+Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
   const LineAnswerByFormula line = line_at(x);
   return by_stroh(line.*member, line.compliance);
 }
 
 /// d ln K/d ln speed by a central difference.
-Witness condition(Arguments x) {
+Confirmation condition(Arguments x) {
   constexpr unsigned digits = 240;
   using Float = Number<digits>;
   const Solid<digits> solid(x, 3);
@@ -84,7 +84,7 @@ Witness condition(Arguments x) {
 }
 
 /// theta, psi, solid.
-Witness rayleigh(Arguments x) {
+Confirmation rayleigh(Arguments x) {
   const double near = find_quantity("ti.rayleigh").by_fast(x, {});
   return by_secant(surface_wave<130>(Solid<130>(x, 2), x[1], x[0], near));
 }
@@ -103,14 +103,14 @@ CriticalLine critical_line(Arguments x, double theta_degrees, std::size_t at) {
 }
 
 /// theta, solid: the minimum over the lines by Newton's iteration for its slope.
-Witness critical(Arguments x) {
+Confirmation critical(Arguments x) {
   const Solid<130> solid(x, 1);
   const CriticalLine near = critical_line(x, x[0], 1);
   return lowest_surface_wave(solid, near.psi, x[0], near.speed);
 }
 
 /// theta, which, constants: eigenvalues of Christoffel's matrix.
-Witness branch(Arguments x) {
+Confirmation branch(Arguments x) {
   const Wave cosine = cosine_of(x[0]), sine = sine_of(x[0]), cc = cosine * cosine, ss = sine * sine;
   const Wave c11 = x[2], c33 = x[3], c13 = x[4], c44 = x[5], c66 = x[6], density = x[7];
   const Wave g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
@@ -120,7 +120,7 @@ Witness branch(Arguments x) {
                        : x[1] == 1 ? larger
                                    : Wave((g11 * g22 - g12 * g12) / larger);
   const Wave speed = sqrt(modulus / density * 7860 / Wave("77.2"));
-  return witness<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
+  return confirmation<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
 }
 
 // Of the sphere: theta, speed, patch, solid, own.
@@ -137,7 +137,7 @@ LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const W
   return line;
 }
 
-Witness span_ratio(Arguments x) {
+Confirmation span_ratio(Arguments x) {
   const Solid<150> solid(x, sphere_solid);
   const auto shape = [&](double degrees) {
     return SlidingShape(sphere_line(solid, x, degrees), x[own + 1], cosine_of(degrees), sine_of(degrees));
@@ -211,7 +211,7 @@ class CrowdedLines {
 };
 
 /// Doubled until the ratio changes no more.
-Witness sphere_axis_ratio(Arguments x) {
+Confirmation sphere_axis_ratio(Arguments x) {
   constexpr unsigned digits = 80;
   constexpr int first = CrowdedLines::first, most = CrowdedLines::most;
   const Solid<digits> solid(x, sphere_solid);
@@ -230,17 +230,18 @@ Witness sphere_axis_ratio(Arguments x) {
     change = abs(finer - ratio);
     ratio = finer;
   }
-  return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", ratio, change + ratio * Wave("1e-60"));
+  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", ratio,
+                            change + ratio * Wave("1e-60"));
 }
 
-Witness sphere_exponent(Arguments x) {
+Confirmation sphere_exponent(Arguments x) {
   const SlidingShape line(sphere_line(Solid<150>(x, sphere_solid), x, x[own]), x[own + 1], cosine_of(x[own]),
                           sine_of(x[own]));
   return by_stroh(-line.ahead, 1);
 }
 
 /// By the same rule as the axis ratio.
-Witness sphere_force(Arguments x) {
+Confirmation sphere_force(Arguments x) {
   const Solid<80> solid(x, sphere_solid);
   const auto shape = [&](const Wave& degrees) {
     return SlidingShape(sphere_line(solid, x, degrees), x[own], cosine_of(degrees), sine_of(degrees));
@@ -264,7 +265,8 @@ Witness sphere_force(Arguments x) {
     change = abs(finer - force);
     force = finer;
   }
-  return witness<Wave>("trapezoidal rule over Stroh's eigenproblems", force, change + force * Wave("1e-60"));
+  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", force,
+                            change + force * Wave("1e-60"));
 }
 
 const Methods& all() {
