@@ -4,7 +4,7 @@
 #include <optional>
 
 #include <nipref/verify/audit/audit.hpp>
-#include <nipref/verify/audit/internal/block.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -32,32 +32,24 @@ std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& op
 
 namespace {
 
-/// All blocks, and all their points, which the spread needs.
-AuditResult audit_of(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-                     bool is_fast) {
-  const Judge judge(quantity, evaluator, options, !options.ranges.empty(), is_fast);
-  const AuditPlan plan(quantity, options);
-  AuditTally total;
-  Compared all;
-  for (std::size_t block = 0; block < plan.blocks(); ++block) {
-    const std::size_t before = total.points;
-    const auto told = [&](std::size_t done) { options.progress(before + done); };
-    total.add(audit_block(quantity, options.ranges, judge, plan, block,
-                          options.progress ? std::function<void(std::size_t)>(told) : nullptr, &all));
+AuditResult audit_of(QuantityWork work, const std::function<void(double part)>& on_progress) {
+  for (std::size_t block = 0; block < work.blocks(); ++block) {
+    const auto progress = [&](double part) {
+      if (on_progress) on_progress((static_cast<double>(block) + part) / static_cast<double>(work.blocks()));
+    };
+    work.add(block, work.found_in(block, progress));
   }
-  AuditResult result = result_of(quantity, options, total, plan.points(0).front());
-  add_places(result.spread, quantity, all.points, all.findings);
-  return result;
+  return work.result();
 }
 
 }  // namespace
 
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options) {
-  return audit_of(quantity, evaluator, options, false);
+  return audit_of({quantity, options, evaluator, false, true}, options.progress);
 }
 
 AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
-  return audit_of(quantity, fast_evaluator(quantity, options.accuracy), options, true);
+  return audit_of({quantity, options, true}, options.progress);
 }
 
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
@@ -66,7 +58,11 @@ AuditResult audit_values(const Quantity& quantity, std::span<const Point> points
   const Judge judge(quantity, none, options, true);
   std::vector<std::optional<Finding>> findings(points.size());
   parallel_for(
-      points.size(), [&](std::size_t i) { findings[i] = judge(points[i], values[i]); }, options.progress);
+      points.size(), [&](std::size_t i) { findings[i] = judge(points[i], values[i]); },
+      [&](std::size_t done) {
+        if (options.progress)
+          options.progress(static_cast<double>(done) / static_cast<double>(points.size()));
+      });
   const Compared compared = compared_of({points.begin(), points.end()}, findings);
   AuditResult result = result_of(quantity, options, tally_of(compared), points.front());
   add_places(result.spread, quantity, compared.points, compared.findings);

@@ -28,8 +28,8 @@ struct AuditOptions {
   /// times as many as the quantity's entry says, but one at least.
   std::size_t points = 0;
   fast::Accuracy accuracy;  ///< the accuracy asked of fast
-  /// Called now and then with the number of points done; may be empty.
-  std::function<void(std::size_t done)> progress = {};
+  /// Called now and then with the part of the points that is done; may be empty.
+  std::function<void(double part)> progress = {};
   double density = 1;  ///< > 0, read if `points` is 0
   Ranges ranges = {};  ///< empty: the whole domain
   /// Looked at besides.

@@ -20,12 +20,12 @@ CommandLine checked_audit(const CommandLine& line) {
 
 }  // namespace
 
-AuditRun::AuditRun(const CommandLine& line)
+AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
     : line_(checked_audit(line)),
       shard_(parse_shard(line.option("shard").value_or("1/1"))),
-      works_(line),
+      works_(line, keeps_points),
       all_(works_.all()),
-      there_of_(all_.size()) {
+      blocks_done_(all_.size()) {
   const auto folder = line.option("out");
   if (!folder) return;
   file_.emplace(*folder, works_.fingerprint(), shard_);
@@ -33,7 +33,7 @@ AuditRun::AuditRun(const CommandLine& line)
   read_blocks(*folder, all_, *there_);
   for (std::size_t work = 0; work < all_.size(); ++work) {
     for (std::size_t block = 0; block < all_[work]->blocks(); ++block)
-      there_of_[work] += there_->has(work, block) ? 1U : 0U;
+      blocks_done_[work] += there_->has(work, block) ? 1U : 0U;
   }
 }
 
@@ -47,16 +47,31 @@ std::optional<BlockAt> AuditRun::next() {
   return std::nullopt;
 }
 
-void AuditRun::keep(BlockAt at, const Json& found) {
-  if (file_) file_->append(*all_[at.work], at.block, found);
+void AuditRun::keep(BlockAt at, const BlockFindings& found) {
+  if (file_) file_->append(*all_[at.work], at.block, block_findings_json(found));
   all_[at.work]->add(at.block, found);
-  ++there_of_[at.work];
+  ++blocks_done_[at.work];
   ++done_;
+}
+
+void AuditRun::do_blocks(Progress& progress) try {
+  progress.begin("audit", all_.size());
+  std::size_t begun = 0;  // works
+  while (const auto at = next()) {
+    stop_if_interrupted();
+    const BlockWork& work = *all_[at->work];
+    for (; begun <= at->work; ++begun) progress.next(all_[begun]->name());
+    const auto of_work = [&](double part) {
+      progress.at((static_cast<double>(at->block) + part) / static_cast<double>(work.blocks()));
+    };
+    keep(*at, work.found_in(at->block, of_work));
+  }
+} catch (const Interrupted&) {
 }
 
 std::size_t AuditRun::finished() const {
   std::size_t work = 0;
-  while (work < all_.size() && work <= at_.work && there_of_[work] == all_[work]->blocks()) ++work;
+  while (work < all_.size() && work <= at_.work && blocks_done_[work] == all_[work]->blocks()) ++work;
   return work;
 }
 

@@ -19,13 +19,18 @@ struct BlockAt {
 class AuditRun {
  public:
   /// BadInput for whatever is wrong in the command line or the folder.
-  explicit AuditRun(const CommandLine& line);
+  explicit AuditRun(const CommandLine& line, bool keeps_points = false);
 
   [[nodiscard]] const std::vector<BlockWork*>& works() const { return all_; }
   /// One that is not there, each once, in order; nothing when all have been handed out.
   std::optional<BlockAt> next();
   /// Keeps what was found in one that was handed out. OutputError if the folder does not take it.
-  void keep(BlockAt at, const Json& found);
+  void keep(BlockAt at, const BlockFindings& found);
+  /// Does one block after the other, each on all cores, until all are done or the process is interrupted.
+  void do_blocks(Progress& progress);
+
+  /// What was found in the works that are finished.
+  [[nodiscard]] Audited found() const { return works_.found(finished()); }
 
   /// Of a shard or an interrupted run in a folder what it did, with status 0: launchers end all ranks when one gives
   /// another. Otherwise what was found in the works that are finished.
@@ -40,9 +45,9 @@ class AuditRun {
   AuditWorks works_;
   std::vector<BlockWork*> all_;
   std::optional<ShardFile> file_;
-  std::optional<BlocksThere> there_;   ///< at the start
-  std::vector<std::size_t> there_of_;  ///< blocks of each work, now
-  BlockAt at_{0, 0};                   ///< what is looked at next
+  std::optional<BlocksThere> there_;      ///< at the start
+  std::vector<std::size_t> blocks_done_;  ///< of each work
+  BlockAt at_{0, 0};                      ///< what is looked at next
   std::size_t done_ = 0;
 };
 

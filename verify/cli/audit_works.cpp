@@ -5,7 +5,6 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/audit_all.hpp>
 #include <nipref/verify/cli/audit_works.hpp>
 #include <nipref/verify/cli/changed.hpp>
 #include <nipref/verify/cli/golden_points.hpp>
@@ -19,6 +18,35 @@ namespace nipref::verify {
 namespace {
 
 constexpr const char* contacts = "contacts";
+
+constexpr double quick = 0.1;
+constexpr double thorough = 10;
+constexpr double of_report = 0.3;  // so that it takes no more than three minutes
+
+double density_option(const CommandLine& line) {
+  constexpr double least = 1e-6, most = 1000;
+  if (line.has("quick")) return quick;
+  if (line.has("thorough")) return thorough;
+  const auto text = line.option("density");
+  if (!text) return line.verb == "report" ? of_report : 1;
+  const double density = parse_real("density", *text);
+  if (density < least || density > most)
+    throw data::BadInput("density", *text, "must be a number from 1e-6 to 1000");
+  return density;
+}
+
+AuditOptions audit_options(const CommandLine& line) {
+  std::string first;
+  for (const char* const name : {"points", "density", "quick", "thorough"}) {
+    if (!line.option(name) && !line.has(name)) continue;
+    if (!first.empty())
+      throw data::BadInput(name, line.option(name).value_or("(given)"), "must be left out beside " + first);
+    first = name;
+  }
+  AuditOptions options{points_option(line), accuracy_option(line), {}, density_option(line)};
+  options.seed = seed_option(line);
+  return options;
+}
 
 /// Options are for quantities; an absolute number of points for those that are named: what is quick for one
 /// takes hours for another.
@@ -81,7 +109,7 @@ std::vector<std::string> recorded_words(const CommandLine& line) {
 
 }  // namespace
 
-AuditWorks::AuditWorks(const CommandLine& line) : words_(recorded_words(line)) {
+AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(recorded_words(line)) {
   const Selection selected = selected_by(line);
   AuditOptions options = audit_options(line);
   accuracy_ = options.accuracy;
@@ -89,7 +117,7 @@ AuditWorks::AuditWorks(const CommandLine& line) : words_(recorded_words(line)) {
     options.ranges = line.assignments.empty() ? Ranges{} : parse_ranges(*quantity, line.assignments);
     options.more_points =
         golden_points(*quantity, options.ranges, options.points_of(*quantity) / golden_share);
-    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options));
+    quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
   }
   const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
   if (!selected.has(contacts)) return;
@@ -120,21 +148,36 @@ CommandLine command_of_fingerprint(const std::string& fingerprint) {
   return parse_command_line(static_cast<int>(pointers.size()), pointers.data());
 }
 
-int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
-  std::vector<AuditResult> results;
+Audited AuditWorks::found(std::size_t finished) const {
+  Audited audited;
   for (std::size_t i = 0; i < std::min(finished, quantities_.size()); ++i)
-    results.push_back(quantities_[i]->result());
-  ContactAudits of_contacts;
-  if (hard_cases_) of_contacts = {hard_cases_->result(), scenes_->result()};
+    audited.quantities.push_back(quantities_[i]->result());
+  if (hard_cases_) audited.contacts = {hard_cases_->result(), scenes_->result()};
+  return audited;
+}
+
+int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
+  const Audited audited = found(finished);
+  const auto& [quantities, of_contacts] = audited;
   if (line.json) {
-    out << answer_text("audit", audits_json(results, of_contacts, accuracy_), line.no_times);
+    out << answer_text("audit", audits_json(audited, accuracy_), line.no_times);
   } else {
-    if (!results.empty()) out << folded(audit_text(results, accuracy_));
-    if (hard_cases_) out << "\n" << folded(contact_audits_text(of_contacts));
-    if (results.empty() && !hard_cases_) out << "nothing that was changed has a part in a quantity\n";
+    if (!quantities.empty()) out << folded(audit_text(quantities, accuracy_));
+    if (hard_cases_)
+      out << "\n"
+          << folded(contact_audit_text(of_contacts.hard_cases) + "\n" + scene_tally_text(of_contacts.scenes));
+    if (quantities.empty() && !hard_cases_) out << "nothing that was changed has a part in a quantity\n";
     out << interruption_text();
   }
-  return all_kept(results) && of_contacts.kept() ? 0 : 1;
+  return all_kept(quantities) && of_contacts.kept() ? 0 : 1;
+}
+
+Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
+  const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
+  return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
+          {"rows", audit_json(audited.quantities)},
+          {"contacts", contact_audit_json(audited.contacts.hard_cases)},
+          {"scenes", scene_tally_json(audited.contacts.scenes)}};
 }
 
 }  // namespace nipref::verify

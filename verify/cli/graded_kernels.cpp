@@ -113,10 +113,7 @@ AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progr
   options.seed = seed_option(line);
   if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
   options.more_points = golden_points(quantity, options.ranges, options.points_of(quantity) / golden_share);
-  const auto expected = static_cast<double>(options.points_of(quantity));
-  options.progress = [&progress, expected](std::size_t done) {
-    progress.at(static_cast<double>(done) / expected);
-  };
+  options.progress = [&progress](double part) { progress.at(part); };
   return options;
 }
 

@@ -25,7 +25,7 @@ int merge_verb(const CommandLine& line, std::ostream& out) {
   const std::string fingerprint = fingerprint_of(folders);
   const CommandLine command = command_of(folders.front(), fingerprint);
   if (const auto isa = command.option("isa")) fast::use_instruction_set(*isa);
-  const AuditWorks works(command);
+  const AuditWorks works(command, false);
   refuse_other_fingerprint(folders.front(), fingerprint, works.fingerprint());
   const std::vector<BlockWork*> all = works.all();
   BlocksThere there(all);

@@ -10,7 +10,7 @@
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/audit_all.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/cli/drawing.hpp>
 #include <nipref/verify/cli/interruption.hpp>
@@ -103,19 +103,18 @@ std::vector<Figure> all_figures(Progress& progress) {
   return computed;
 }
 
-Report collected(const CommandLine& line, const AuditOptions& options, Progress& progress) {
+Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) {
   Report report;
   report.version = version_text();
   report.command = command_of(line);
   report.seed = seed_option(line);
-  const auto all = select_quantities({});
   // Before the audit, which would build ref's nodes: their cost is measured.
   report.speed = bench_all(bench_everything(), progress);
-  progress.begin("audit", all.size() + 2);
-  report.quantities = audit_all(all, options, progress);
-  ContactAudits contacts = audit_all_contacts(line, progress);
-  report.hard_cases = std::move(contacts.hard_cases);
-  report.scenes = std::move(contacts.scenes);
+  audits.do_blocks(progress);
+  Audited audited = audits.found();
+  report.quantities = std::move(audited.quantities);
+  report.hard_cases = std::move(audited.contacts.hard_cases);
+  report.scenes = std::move(audited.contacts.scenes);
   report.witness = outside_witness();
   report.tables = replay_and_correct(replayable_tables(), progress);
   report.tables_fall_short = fall_short(report.tables);
@@ -173,7 +172,7 @@ Json seed_errors_json(const std::vector<Replay>& tables) {
 
 Json report_json(const Report& report) {
   return {{"command", report.command},
-          {"audit", audits_json(report.quantities, {report.hard_cases, report.scenes}, {})},
+          {"audit", audits_json({report.quantities, {report.hard_cases, report.scenes}}, {})},
           {"witness", witness_json(report.witness)},
           {"bench", bench_json(report.speed)},
           {"tables", tables_json(report.tables)},
@@ -185,13 +184,12 @@ Json report_json(const Report& report) {
 }
 
 int report_verb(const CommandLine& line, std::ostream& out) {
-  const AuditOptions options = audit_options(line);
-  static_cast<void>(scenes_option(line));  // refused before anything is done
+  AuditRun audits(line, true);
   const auto older = older_report(line);
   const auto folder = output_folder(line);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  Report report = collected(line, options, progress);
+  Report report = collected(line, audits, progress);
   const std::string answer =
       line.json || folder || older ? answer_text("report", report_json(report), line.no_times) : "";
   if (older) report.comparison = compare_reports(*older, answer);

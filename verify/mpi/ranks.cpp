@@ -69,7 +69,7 @@ class Ranks {
 };
 
 Json report_of(const BlockWork& work, std::size_t block) try {
-  return {{"found", work.found_in(block, {})}};
+  return {{"found", block_findings_json(work.found_in(block, {}))}};
 } catch (const data::BadInput& error) {
   return {{"refused", std::vector<Json>{error.argument(), error.value(), error.allowed()}}};
 } catch (const Interrupted&) {
@@ -97,7 +97,7 @@ void hand_out_blocks(AuditRun& run, int count, Progress& progress) {
     std::optional<BlockAt> next;
     try {
       refuse_failed(json);
-      if (block && json.has("found")) run.keep(*block, json.at("found"));
+      if (block && json.has("found")) run.keep(*block, works[block->work]->read_findings(json.at("found")));
       if (!interrupted()) next = run.next();
     } catch (...) {
       ranks.send_home(rank);

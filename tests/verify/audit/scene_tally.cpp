@@ -122,8 +122,8 @@ TEST_CASE("a few random scenes of each kind are audited on all cores, each as it
     throw data::BadInput("scene", scene.title, "must be another");
   };
   double part = 0;
-  const auto tallies = verify::audit_scenes(
-      2 * kinds, "few", [&](double done) { part = done; }, solvers);
+  const auto tallies = verify::tally(verify::audit_scenes(
+      0, 2 * kinds, "few", [&](double done) { part = done; }, solvers));
   REQUIRE(tallies.size() == kinds);
   CHECK(part == 1);
   for (std::size_t k = 0; k < kinds; ++k) {

@@ -19,16 +19,18 @@ constexpr std::size_t least_steps = 200;  // as long as there is more than one s
 std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
 
 Compared compare(std::vector<Point> points, const Judge& judge,
-                 const std::function<void(std::size_t done)>& told) {
+                 const std::function<void(double part)>& on_progress) {
   std::vector<std::optional<Finding>> findings(points.size());
   const std::size_t batch = batch_of(points.size());
   const auto of_batch = [&](std::size_t i) {
     const std::size_t first = i * batch, count = std::min(batch, points.size() - first);
     judge(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));
   };
-  const auto progress = [&](std::size_t done) { told(done * batch); };
-  parallel_for((points.size() + batch - 1) / batch, of_batch,
-               told ? std::function<void(std::size_t)>(progress) : nullptr);
+  const std::size_t batches = (points.size() + batch - 1) / batch;
+  const auto progress = [&](std::size_t done) {
+    if (on_progress) on_progress(static_cast<double>(done) / static_cast<double>(batches));
+  };
+  parallel_for(batches, of_batch, progress);
   return compared_of(std::move(points), findings);
 }
 
@@ -98,10 +100,10 @@ AuditTally tally_of(const Compared& compared) {
   return tally;
 }
 
-AuditTally audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
-                       const AuditPlan& plan, std::size_t block,
-                       const std::function<void(std::size_t done)>& told, Compared* keep) {
-  Compared compared = compare(plan.points(block), judge, told);
+QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
+                             const AuditPlan& plan, std::size_t block,
+                             const std::function<void(double part)>& on_progress) {
+  Compared compared = compare(plan.points(block), judge, on_progress);
   const std::size_t searched = plan.searched(block);
   std::vector<Climb> climbs;
   for (const std::size_t start :
@@ -116,13 +118,14 @@ AuditTally audit_block(const Quantity& quantity, const Ranges& ranges, const Jud
                {});
   AuditTally tally = tally_of(compared);
   tally.points += steps * climbs.size();
-  tally.worst_block = block;
   for (const Climb& found : climbs) include(tally, found.finding, found.point);
-  if (keep != nullptr) {
-    std::ranges::move(compared.points, std::back_inserter(keep->points));
-    std::ranges::move(compared.findings, std::back_inserter(keep->findings));
-  }
-  return tally;
+  return {std::move(tally), std::move(compared)};
+}
+
+void QuantityFindings::add(const QuantityFindings& found, std::uint64_t block) {
+  tally.add(found.tally, block);
+  std::ranges::copy(found.compared.points, std::back_inserter(compared.points));
+  std::ranges::copy(found.compared.findings, std::back_inserter(compared.findings));
 }
 
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
@@ -140,18 +143,18 @@ AuditResult result_of(const Quantity& quantity, const AuditOptions& options, con
           .worst_ulp = tally.worst_ulp};
 }
 
-void AuditTally::add(const AuditTally& more) {
-  points += more.points;
-  left_out += more.left_out;
-  max_ulp = std::max(max_ulp, more.max_ulp);
-  max_relative = std::max(max_relative, more.max_relative);
-  errors.add(more.errors);
-  if (more.allowance_used < allowance_used) return;
-  if (more.allowance_used == allowance_used && more.worst_block > worst_block) return;
-  allowance_used = more.allowance_used;
-  worst_block = more.worst_block;
-  worst = more.worst;
-  worst_ulp = more.worst_ulp;
+void AuditTally::add(const AuditTally& found, std::uint64_t block) {
+  points += found.points;
+  left_out += found.left_out;
+  max_ulp = std::max(max_ulp, found.max_ulp);
+  max_relative = std::max(max_relative, found.max_relative);
+  errors.add(found.errors);
+  if (found.allowance_used < allowance_used) return;
+  if (found.allowance_used == allowance_used && block > worst_block) return;
+  allowance_used = found.allowance_used;
+  worst_block = block;
+  worst = found.worst;
+  worst_ulp = found.worst_ulp;
 }
 
 Json AuditTally::json() const {

@@ -27,18 +27,27 @@ struct AuditTally {
   double worst_ulp = 0;    ///< the error there
   ErrorTally errors = {};  ///< before the local search, units in the last place of the scale
 
-  void add(const AuditTally& more);
+  /// Of one block.
+  void add(const AuditTally& found, std::uint64_t block);
   [[nodiscard]] Json json() const;
   /// Of what json() gave about a quantity of so many arguments. JsonMisfit for anything else.
   static AuditTally of(const Json& json, std::size_t arguments);
 };
 
+/// What was found about a quantity.
+struct QuantityFindings {
+  AuditTally tally = {};
+  Compared compared = {};  ///< before the local search; empty where the points are not kept
+
+  /// Adds what was found in a block.
+  void add(const QuantityFindings& found, std::uint64_t block);
+};
+
 /// Looks at the points of one block, and around its worst few. Deterministic, whatever the number of threads.
-/// `told`, which may be empty, hears how many of its points are done. All that was compared before the search goes to
-/// `keep`, if that is there.
-AuditTally audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
-                       const AuditPlan& plan, std::size_t block,
-                       const std::function<void(std::size_t done)>& told, Compared* keep = nullptr);
+/// `on_progress`, which may be empty, is called with the part of them that is done.
+QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
+                             const AuditPlan& plan, std::size_t block,
+                             const std::function<void(double part)>& on_progress);
 
 /// Of points that may have no finding, those that have; and a tally of them.
 Compared compared_of(std::vector<Point> points, const std::vector<std::optional<Finding>>& findings);

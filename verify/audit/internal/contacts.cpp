@@ -146,15 +146,6 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
   return audits;
 }
 
-std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress) {
-  std::vector<ContactAudit> audits;
-  for (std::size_t group = 0; group < hard_case_groups && !interrupted(); ++group) {
-    progress(fmt::format("{} of {}", group + 1, hard_case_groups));
-    std::ranges::move(audit_hard_cases(group), std::back_inserter(audits));
-  }
-  return audits;
-}
-
 namespace {
 
 // What a case has that may not be known.

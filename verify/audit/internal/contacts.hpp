@@ -33,11 +33,8 @@ struct ContactAudit {
   }
 };
 
-/// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side; those that are finished
-/// if the process is interrupted.
-std::vector<ContactAudit> audit_contacts(const std::function<void(const std::string&)>& progress);
-
-/// They come in groups of a friction, a Poisson's ratio and an L/B, with as many elements as there are.
+/// L/B from 1e-4 to 1e3, Poisson's ratio from -0.9 to 0.5, up to 500 elements a side. They come in groups of a friction,
+/// a Poisson's ratio and an L/B, with as many elements as there are.
 inline constexpr std::size_t hard_case_groups = 30;
 std::vector<ContactAudit> audit_hard_cases(std::size_t group);
 

@@ -98,32 +98,16 @@ std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies) {
   return tallies;
 }
 
-std::vector<SceneFindings> audit_scenes_from(std::size_t first, std::size_t count, const std::string& seed,
-                                             const std::function<void(double)>& progress,
-                                             const SceneSolvers& solvers) {
+std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
+                                        const std::function<void(double part)>& on_progress,
+                                        const SceneSolvers& solvers) {
   std::vector<SceneFindings> findings(count);
   parallel_for(
       count, [&](std::size_t i) { findings[i] = audit_scene(seed, first + i, solvers); },
-      [&](std::size_t done) { progress(static_cast<double>(done) / static_cast<double>(count)); });
+      [&](std::size_t done) {
+        if (on_progress) on_progress(static_cast<double>(done) / static_cast<double>(count));
+      });
   return findings;
-}
-
-std::vector<SceneTally> audit_scenes(std::size_t count, const std::string& seed,
-                                     const std::function<void(double)>& progress,
-                                     const SceneSolvers& solvers) {
-  std::vector<std::optional<SceneFindings>> findings(count);
-  try {
-    parallel_for(
-        count, [&](std::size_t i) { findings[i] = audit_scene(seed, i, solvers); },
-        [&](std::size_t done) { progress(static_cast<double>(done) / static_cast<double>(count)); });
-  } catch (const Interrupted&) {
-    // What is finished is told.
-  }
-  std::vector<SceneFindings> finished;
-  for (const auto& found : findings) {
-    if (found) finished.push_back(*found);
-  }
-  return without_empty(tally(finished));
 }
 
 Json scene_tally_found(const SceneTally& tally) {

@@ -37,16 +37,11 @@ std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
 /// Of kinds of which there are scenes.
 std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
 
-/// Audits the first `count` scenes of `seed` on all cores; those that are finished, if the process is
-/// interrupted. progress(part done) is called now and then. One for each kind of which there are scenes.
-std::vector<SceneTally> audit_scenes(std::size_t count, const std::string& seed,
-                                     const std::function<void(double)>& progress,
-                                     const SceneSolvers& solvers = {});
-
-/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. Interrupted if the process is.
-std::vector<SceneFindings> audit_scenes_from(std::size_t first, std::size_t count, const std::string& seed,
-                                             const std::function<void(double)>& progress,
-                                             const SceneSolvers& solvers = {});
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. `on_progress`, which may be empty, is called with
+/// the part of them that is done. Interrupted if the process is.
+std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
+                                        const std::function<void(double part)>& on_progress,
+                                        const SceneSolvers& solvers = {});
 
 /// Of one kind as a block of a run tells it; seconds are in "times".
 Json scene_tally_found(const SceneTally& tally);

@@ -1,51 +1,74 @@
 #include <fmt/format.h>
 
-#include <iterator>
 #include <utility>
 
 #include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
+namespace {
 
-QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options)
+Json json_of(const QuantityFindings& found) { return found.tally.json(); }
+Json json_of(const std::vector<ContactAudit>& found) { return json_list(found, contact_audit_found); }
+Json json_of(const std::vector<SceneTally>& found) { return json_list(found, scene_tally_found); }
+
+}  // namespace
+
+Json block_findings_json(const BlockFindings& found) {
+  return std::visit([](const auto& of_work) { return json_of(of_work); }, found);
+}
+
+QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points)
+    : QuantityWork(quantity, options, fast_evaluator(quantity, options.accuracy), true, keeps_points) {}
+
+QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, Evaluator evaluator, bool is_fast,
+                           bool keeps_points)
     : quantity_(quantity),
       options_(std::move(options)),
-      evaluator_(fast_evaluator(quantity, options_.accuracy)),
-      judge_(quantity, evaluator_, options_, !options_.ranges.empty(), true) {}
+      evaluator_(std::move(evaluator)),
+      judge_(quantity, evaluator_, options_, !options_.ranges.empty(), is_fast),
+      keeps_points_(keeps_points) {}
 
 const AuditPlan& QuantityWork::plan() const {
   if (!plan_) plan_ = std::make_unique<AuditPlan>(quantity_, options_);
   return *plan_;
 }
 
-Json QuantityWork::found_in(std::size_t block, const std::function<void(double part)>& told) const {
-  const auto points = static_cast<double>(plan().size(block));
-  const auto of_points = [&](std::size_t done) { told(static_cast<double>(done) / points); };
-  return audit_block(quantity_, options_.ranges, judge_, plan(), block,
-                     told ? std::function<void(std::size_t)>(of_points) : nullptr)
-      .json();
+BlockFindings QuantityWork::found_in(std::size_t block,
+                                     const std::function<void(double part)>& on_progress) const {
+  QuantityFindings found = audit_block(quantity_, options_.ranges, judge_, plan(), block, on_progress);
+  if (!keeps_points_) found.compared = {};
+  return found;
 }
 
-void QuantityWork::add(std::size_t block, const Json& found) {
-  AuditTally tally = AuditTally::of(found, quantity_.arguments.size());
-  tally.worst_block = block;
-  tally_.add(tally);
+BlockFindings QuantityWork::read_findings(const Json& json) const {
+  return QuantityFindings{AuditTally::of(json, quantity_.arguments.size()), {}};
+}
+
+void QuantityWork::add(std::size_t block, const BlockFindings& found) {
+  sum_.add(std::get<QuantityFindings>(found), block);
 }
 
 AuditResult QuantityWork::result() const {
-  return result_of(quantity_, options_, tally_, plan().points(0).front());
+  AuditResult result = result_of(quantity_, options_, sum_.tally, plan().points(0).front());
+  if (keeps_points_) add_places(result.spread, quantity_, sum_.compared.points, sum_.compared.findings);
+  return result;
 }
 
-Json HardCasesWork::found_in(std::size_t block, const std::function<void(double part)>& /*told*/) const {
+BlockFindings HardCasesWork::found_in(std::size_t block,
+                                      const std::function<void(double part)>& /*on_progress*/) const {
   stop_if_interrupted();
-  return json_list(audit_hard_cases(block), contact_audit_found);
+  return audit_hard_cases(block);
 }
 
-void HardCasesWork::add(std::size_t block, const Json& found) {
+BlockFindings HardCasesWork::read_findings(const Json& json) const {
   std::vector<ContactAudit> audits;
-  for (const Json& audit : found.items()) audits.push_back(contact_audit_of(audit));
-  audits_.emplace(block, std::move(audits));
+  for (const Json& audit : json.items()) audits.push_back(contact_audit_of(audit));
+  return audits;
+}
+
+void HardCasesWork::add(std::size_t block, const BlockFindings& found) {
+  audits_.emplace(block, std::get<std::vector<ContactAudit>>(found));
 }
 
 std::vector<ContactAudit> HardCasesWork::result() const {
@@ -62,21 +85,21 @@ ScenesWork::ScenesWork(std::size_t count, std::string seed, std::size_t most, Sc
 
 std::string ScenesWork::inputs() const { return fmt::format("{} scenes of {}", blocks_.items, seed_); }
 
-Json ScenesWork::found_in(std::size_t block, const std::function<void(double part)>& told) const {
-  const auto progress = [&](double part) {
-    if (told) told(part);
-  };
-  std::vector<Json> kinds;
-  for (const SceneTally& one : without_empty(
-           tally(audit_scenes_from(blocks_.first(block), blocks_.size(block), seed_, progress, solvers_))))
-    kinds.push_back(scene_tally_found(one));
+BlockFindings ScenesWork::found_in(std::size_t block,
+                                   const std::function<void(double part)>& on_progress) const {
+  return without_empty(
+      tally(audit_scenes(blocks_.first(block), blocks_.size(block), seed_, on_progress, solvers_)));
+}
+
+BlockFindings ScenesWork::read_findings(const Json& json) const {
+  std::vector<SceneTally> kinds;
+  for (const Json& kind : json.items()) kinds.push_back(scene_tally_of(kind));
   return kinds;
 }
 
-void ScenesWork::add(std::size_t /*block*/, const Json& found) {
-  std::vector<SceneTally> kinds;
-  for (const Json& kind : found.items()) kinds.push_back(scene_tally_of(kind));
-  for (const SceneTally& kind : kinds) tallies_[kind.worst.index % tallies_.size()].add(kind);
+void ScenesWork::add(std::size_t /*block*/, const BlockFindings& found) {
+  for (const SceneTally& kind : std::get<std::vector<SceneTally>>(found))
+    tallies_[kind.worst.index % tallies_.size()].add(kind);
 }
 
 }  // namespace nipref::verify
