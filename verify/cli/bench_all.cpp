@@ -3,6 +3,7 @@
 #include <nipref/verify/bench/internal/elastic_nip.hpp>
 #include <nipref/verify/bench/internal/half_space.hpp>
 #include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
