@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/number/internal/adaptive_panels.hpp>
 #include <nipref/fast/number/internal/jacobi_amplitude.hpp>
 
@@ -308,6 +309,21 @@ Estimate EllipticContact::radius_ratio(Direction psi) const {
   const double of_turn = std::fabs(along * share / root) * turn_;
   const double relative = share * share * (major_error_ + minor_error_) + std::min(of_turn, 1 / ratio);
   return {ratio / root, ratio / root * (relative + few_roundings)};
+}
+
+Estimate EllipticContact::span_ratio(Direction psi, Direction to) const {
+  const Estimate radius = radius_ratio(psi), other = radius_ratio(to);
+  const double ratio = radius.value / other.value;
+  return {ratio, ratio * (radius.error / radius.value + other.error / other.value + few_roundings)};
+}
+
+Estimate EllipticContact::pressure(const EllipticLoad& load, Direction psi, double x) const {
+  if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
+  const Estimate end = radius_ratio(psi) * load.semi_major;
+  const Estimate shape = internal::between_ends(
+      end.value - x, end.value + x, end.error + 0x1p-52 * std::fabs(x),
+      [&](double ahead, double behind) { return std::sqrt(ahead * behind) / end.value; });
+  return load.peak_pressure * Estimate{shape.value, shape.error + shape.value * end.error / end.value};
 }
 
 // The matrix of the ellipse times the square of `factor`: int K n n/w^3 dpsi = factor^-3 curvatures fixes the

@@ -35,6 +35,11 @@ class EllipticContact {
   [[nodiscard]] Direction major_axis() const { return major_; }
   /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
   [[nodiscard]] Estimate radius_ratio(Direction psi) const;
+  /// Of the distance in one direction over that in another.
+  [[nodiscard]] Estimate span_ratio(Direction psi, Direction to) const;
+  /// Of a load of this contact, at a distance x from the centre in a direction: unit of stress, 0 outside the contact. x
+  /// finite and psi of unit length, else BadInput.
+  [[nodiscard]] Estimate pressure(const EllipticLoad& load, Direction psi, double x) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(
       double approach) const;  ///< > 0, finite, unit of length, else BadInput

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
@@ -8,6 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
 #include <nipref/fast/half_space/internal/isotropic_line.hpp>
+#include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 
 namespace nipref::fast {
@@ -36,6 +38,9 @@ double oscillating_moment(double index) {
   const double sech_sine = 2 * alternating_sum({1, -a}).imag();
   return 1. / 3 - a / 6 * ((1 + a * a) * sech_sine - a);
 }
+
+/// Of span ratios and of amplitudes over spans, relative.
+constexpr double rounding = 0x1p-50;
 
 }  // namespace
 
@@ -78,50 +83,69 @@ Estimate RollingSphere::force_factor() const {
   return {factor * moment.value, factor * (moment.error + rounding * size.value)};
 }
 
-double RollingSphere::span_ratio(Direction from_motion) const {
-  return stiffness_along_ / shape(from_motion).stiffness();
+Estimate RollingSphere::span_ratio(Direction from_motion) const {
+  const double ratio = stiffness_along_ / shape(from_motion).stiffness();
+  return {ratio, rounding * ratio};
 }
 
-ViscoelasticLine RollingSphere::along(Direction from_motion) const {
+Estimate RollingSphere::peak_pressure() const {
+  const RollingLine line = along({1, 0});
+  const double pressure = -line.normal_traction(0).value;
+  // B is a difference.
+  const double condition = 1 + 2 * line.index * line.span / line.lean;
+  return {pressure, pressure * condition * (span_.error / span_.value + rounding)};
+}
+
+RollingLine RollingSphere::along(Direction from_motion) const {
   const Shape line = shape(from_motion);
   const double span = span_.value * stiffness_along_ / line.stiffness();
   const double relative = span / radius_;
   const double lean = line.slowness_ratio - line.index * relative / 2;  // B
   if (!(lean > 0)) throw BadInput("span", span, "must be small against the radius");
+  const double uncertainty = span_.error / span_.value + rounding + internal::response_rounding;
+  // Its two terms may cancel: their errors add.
+  const double squared = 4 * line.index * line.index, of_wave = line.index * line.slowness_ratio;
+  const Estimate creep{relative * (relative / 16 * (1 - squared) + of_wave),
+                       3 * uncertainty * relative * (relative / 16 * (1 + squared) + of_wave)};
   return {span,
           line.index,
           2 * radius_ * lean,
           solid_.shear * lean * line.rigidity / (2 * radius_),
           1 / line.slowness_ratio,
-          relative * (relative / 16 * (1 - 4 * line.index * line.index) + line.index * line.slowness_ratio)};
+          creep,
+          uncertainty};
 }
 
-namespace {
-
-enum class Wave { cosine, sine };
-
-/// sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi; 0 outside the contact.
-double traction_wave(const ViscoelasticLine& line, double x, Wave wave) {
+/// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The phase is uncertain by the
+/// distances to the ends, the rest by the span and by B and Phi, which have a difference in them.
+Estimate RollingLine::traction(double x, Wave wave) const {
   if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
-  const double ahead = line.span - 2 * x, behind = line.span + 2 * x;
-  if (ahead <= 0 || behind <= 0) return 0;
-  const double phase = line.index * std::log(ahead / behind), slope = x / line.lean;
+  const double half = span / 2, ahead = half - x, behind = half + x;
+  const double distance_error = uncertainty * half + 0x1p-52 * std::fabs(x);
+  const Estimate root = internal::between_ends(ahead, behind, distance_error,
+                                               [](double a, double b) { return 2 * std::sqrt(a * b); });
+  const double size = amplitude * (1 + std::fabs(x) / lean);
+  if (root.value == 0) return {0, size * root.error};
+  const double phase = index * std::log(ahead / behind), slope = x / lean;
   const double sine = std::sin(phase), cosine = std::cos(phase);
-  return std::sqrt(ahead * behind) * (wave == Wave::cosine ? cosine - slope * sine : sine + slope * cosine);
+  const double turned = wave == Wave::cosine ? cosine - slope * sine : sine + slope * cosine;
+  const double phase_error = index * (distance_error / ahead + distance_error / behind) +
+                             index * uncertainty * (1 + std::fabs(std::log(ahead / behind)));
+  const double relative = uncertainty * (3 + 2 * index * span / lean);
+  return {amplitude * root.value * turned,
+          size * (root.error + root.value * (std::min(2.0, phase_error) + relative))};
 }
 
-}  // namespace
+Estimate RollingLine::normal_traction(double x) const { return -1 * traction(x, Wave::cosine); }
 
-double ViscoelasticLine::normal_traction(double x) const {
-  return -amplitude * traction_wave(*this, x, Wave::cosine);
+Estimate RollingLine::shear_traction(double x) const {
+  const Estimate along = traction(x, Wave::sine);
+  return {shear_share * along.value, shear_share * along.error};
 }
 
-double ViscoelasticLine::shear_traction(double x) const {
-  return shear_share * amplitude * traction_wave(*this, x, Wave::sine);
-}
-
-double ViscoelasticLine::compressed_radius() const {
-  return span / 2 * std::tanh(std::numbers::pi / (4 * index));
+Estimate RollingLine::compressed_radius() const {
+  const double radius = span / 2 * std::tanh(std::numbers::pi / (4 * index));
+  return {radius, 2 * uncertainty * radius};
 }
 
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
@@ -142,7 +166,7 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   if (!(value > 0))
     throw BadInput("speed", speed, "must be farther below the Rayleigh speed: here the tractions pull");
   const double span = std::cbrt(force / value);
-  contact.span_ = {span, span * (error / value / 3 + RollingSphere::rounding)};
+  contact.span_ = {span, span * (error / value / 3 + rounding)};
   contact.force_ = {force, 0};
   return contact;
 }

@@ -10,20 +10,26 @@ namespace nipref::fast {
 ///   tau = shear_share amplitude/cos(Phi) sqrt(L^2 - 4x^2) sin(P ln((L-2x)/(L+2x)) + Phi),
 /// tan(Phi) = x/(2 r0 B), B = sqrt(wS/wD) - P L/(2 r0). They oscillate at the ends. (brock2012 49 with the
 /// sign of P, Phi and tau corrected)
-struct ViscoelasticLine {
+struct RollingLine {
   double span;         ///< L, unit of length
   double index;        ///< P of (brock2012 43b)
   double lean;         ///< 2 r0 B: x for which Phi is 45 degrees, unit of length
   double amplitude;    ///< unit of stress/length
   double shear_share;  ///< sqrt(wD/wS)
   /// V0: the surface moves along the line by du/dx = -V0 + x^2/(2 r0^2). (brock2012 40, 48 corrected)
-  double creep;
+  Estimate creep;
+  double uncertainty;  ///< estimate of the error of span and amplitude, relative
 
-  [[nodiscard]] double normal_traction(
-      double x) const;  ///< sigma33, < 0 if compressive, unit of stress, x finite
-  [[nodiscard]] double shear_traction(double x) const;  ///< tau along the line, unit of stress, x finite
+  /// sigma33, < 0 if compressive, unit of stress, 0 outside the contact; x finite, BadInput otherwise.
+  [[nodiscard]] Estimate normal_traction(double x) const;
+  /// tau along the line; likewise.
+  [[nodiscard]] Estimate shear_traction(double x) const;
   /// r_C: the normal traction is compressive for |x| < r_C, as far as L is small against r0. (brock2012 50)
-  [[nodiscard]] double compressed_radius() const;
+  [[nodiscard]] Estimate compressed_radius() const;
+
+ private:
+  enum class Wave { cosine, sine };
+  [[nodiscard]] Estimate traction(double x, Wave wave) const;
 };
 
 /// A rigid sphere that rolls without slip on an isotropic half-space, as the paper has it: on every line
@@ -36,10 +42,10 @@ class RollingSphere {
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive (brock2012 54)
   /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
   /// counted from the motion, of unit length.
-  [[nodiscard]] double span_ratio(Direction from_motion) const;
-  /// What rounding leaves of span ratios and of amplitudes over spans, relative.
-  static constexpr double rounding = 0x1p-50;
-  [[nodiscard]] ViscoelasticLine along(Direction from_motion) const;
+  [[nodiscard]] Estimate span_ratio(Direction from_motion) const;
+  /// At the centre, the same on every line. Unit of stress.
+  [[nodiscard]] Estimate peak_pressure() const;
+  [[nodiscard]] RollingLine along(Direction from_motion) const;
 
  private:
   struct Shape;

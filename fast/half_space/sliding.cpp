@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <boost/math/special_functions/beta.hpp>
 #include <cmath>
@@ -6,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/internal/half_turn_integral.hpp>
+#include <nipref/fast/half_space/internal/line_errors.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 
 namespace nipref::fast {
@@ -55,12 +57,20 @@ struct SlidingContact::Shape {
   }
 };
 
-double SlidingLine::pressure(double x) const {
+Estimate SlidingLine::pressure(double x) const {
   if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
-  const double ahead = leading_end() - x, behind = x - trailing_end();
-  if (ahead <= 0 || behind <= 0) return 0;
-  return peak_pressure * std::pow(ahead / (trailing_share * span), trailing_share) *
-         std::pow(behind / (leading_share * span), leading_share);
+  const double ahead = leading_end().value - x, behind = x - trailing_end().value;
+  const double distance_error = uncertainty * span + 0x1p-52 * std::fabs(x);
+  const Estimate shape = internal::between_ends(ahead, behind, distance_error, [&](double a, double b) {
+    return std::pow(a / (trailing_share * span), trailing_share) *
+           std::pow(b / (leading_share * span), leading_share);
+  });
+  const auto logarithm = [&](double distance) {
+    return std::fabs(std::log(std::max(distance, distance_error) / span));
+  };
+  const double of_powers = uncertainty * (4 + logarithm(ahead) + logarithm(behind));
+  return Estimate{peak_pressure, uncertainty * peak_pressure} *
+         Estimate{shape.value, shape.error + shape.value * of_powers};
 }
 
 SlidingContact::SlidingContact(SurfaceResponse response, const Indenter& body, double friction,
@@ -143,12 +153,16 @@ double SlidingContact::span_ratio(const Shape& line) const {
   return std::sqrt(body_.curvature(motion_) / line.curvature);
 }
 
-double SlidingContact::span_ratio(Direction psi) const { return span_ratio(shape(psi)); }
+Estimate SlidingContact::span_ratio(Direction psi) const {
+  const double ratio = span_ratio(shape(psi));
+  return {ratio, rounding() * ratio};
+}
 
 SlidingLine SlidingContact::along(Direction psi) const {
   const Shape line = shape(psi);
   const double span = span_.value * span_ratio(line);
-  return {line.leading, line.trailing, span, line.steepness() * span};
+  return {line.leading, line.trailing, span, line.steepness() * span,
+          span_.error / span_.value + rounding() + internal::response_rounding};
 }
 
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,

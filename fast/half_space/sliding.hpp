@@ -13,11 +13,16 @@ struct SlidingLine {
   double trailing_share;  ///< 1 + Omega = -x-/L
   double span;            ///< L, unit of length
   double peak_pressure;   ///< at x = (leading_share - trailing_share) L, unit of stress
+  double uncertainty;     ///< estimate of the error of span and peak pressure, relative
 
-  [[nodiscard]] double leading_end() const { return leading_share * span; }     ///< x+, unit of length
-  [[nodiscard]] double trailing_end() const { return -trailing_share * span; }  ///< x-, unit of length
+  [[nodiscard]] Estimate leading_end() const {  ///< x+, unit of length
+    return {leading_share * span, uncertainty * span};
+  }
+  [[nodiscard]] Estimate trailing_end() const {  ///< x-, unit of length
+    return {-trailing_share * span, uncertainty * span};
+  }
   /// Unit of stress, 0 outside the contact; x finite, unit of length, BadInput otherwise.
-  [[nodiscard]] double pressure(double x) const;
+  [[nodiscard]] Estimate pressure(double x) const;
 };
 
 /// How the spans of the lines go together.
@@ -48,11 +53,8 @@ class SlidingContact {
   [[nodiscard]] Estimate centre_along() const { return centre_along_; }
   /// The same across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
-  [[nodiscard]] double span_ratio(Direction psi) const;  ///< L(psi)/L1
-  /// What rounding leaves of span ratios, relative: of K and S, in which friction counts.
-  [[nodiscard]] double rounding() const;
-  /// psi and psi + 180 degrees are the same line, run through the other way. To rounding of the span; K and S
-  /// enter once. Direction of unit length.
+  [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
+  /// psi and psi + 180 degrees are the same line, run through the other way. Direction of unit length.
   [[nodiscard]] SlidingLine along(Direction psi) const;
 
  private:
@@ -61,6 +63,8 @@ class SlidingContact {
                  SpanRule rule);
   [[nodiscard]] Shape shape(Direction psi) const;
   [[nodiscard]] double span_ratio(const Shape& line) const;
+  /// Of span ratios, relative: that of K and S, in which friction counts.
+  [[nodiscard]] double rounding() const;
   void integrate();
   void set_span(Estimate span);
 

@@ -31,7 +31,7 @@ std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
       const double speed = *column.coordinate;
       const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
       const double corrected =
-          fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways);
+          fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
       const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
       const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
       const std::string error = fmt::format(
@@ -58,7 +58,7 @@ std::vector<HalfSpaceCell> rolling_sphere_cells(const data::Table& table) {
   for (const data::TableColumn& column : table.columns) {
     const double speed = *column.coordinate;
     const double corrected =
-        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways);
+        fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3).span_ratio(sideways).value;
     const double rounded_roots = rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
     const std::string loss = fmt::format(
         "lost digits: (53b), without the c_D under its root with which it gives {:.5f}, is {:.5f}, "

@@ -40,7 +40,7 @@ class InPlaneSpans {
     });
   }
   [[nodiscard]] double corrected(double phi, double speed) const {
-    return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi));
+    return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi)).value;
   }
   [[nodiscard]] double exact(double phi, double speed) const {
     const fast::EllipticContact& ellipse = contact(speed).exact;
@@ -113,7 +113,7 @@ std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table)
       const double speed = *column.coordinate;
       const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
       const double corrected =
-          fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1});
+          fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1}).value;
       const fast::EllipticContact ellipse(surface, {1, 1});
       const std::string error = fmt::format(
           "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "

@@ -98,7 +98,7 @@ double bench_contour(BenchReport& report, const fast::SurfaceResponse& in_plane)
                 [&](std::size_t count) {
                   for (std::size_t i = 0; i < count; ++i) {
                     const auto contact = fast::sliding_for_force(in_plane, {1, 1}, 0, motion, 1);
-                    for (const Direction psi : lines) sink += contact.along(psi).leading_end();
+                    for (const Direction psi : lines) sink += contact.along(psi).leading_end().value;
                   }
                 }},
                {"fast exact ellipse", [&](std::size_t count) {

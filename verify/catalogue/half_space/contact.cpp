@@ -58,7 +58,7 @@ Quantity entry_die_span_ratio() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::sliding_span_ratio(exact_isotropic_surface(x[0], x[1]), x[2], Exact(90.0), digits);
   };
-  set_fast(entry, [](Doubles x, Accuracy) { return slide(x, x[2]).span_ratio({0, 1}); });
+  set_fast(entry, [](Doubles x, Accuracy) { return slide(x, x[2]).span_ratio({0, 1}).value; });
   entry.seed_forms = {
       {"printed", "(35) as it stands: sqrt(c_D^4 + friction^2) where friction does nothing across the motion",
        [](Doubles x) { return die_span_ratio_as_printed(x[0], x[2], x[1]); }},
@@ -109,7 +109,7 @@ Quantity entry_rolling_span_ratio() {
   entry.by_ref = [](Exacts x, int digits) {
     return ref::rolling_span_ratio(exact_isotropic_surface(x[0], x[1]), Exact(90.0), digits);
   };
-  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).span_ratio({0, 1}); });
+  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).span_ratio({0, 1}).value; });
   entry.seed_forms = {{"printed", "(53b) as it stands: a factor c_D under its second root",
                        [](Doubles x) { return rolling_span_ratio_as_printed(x[0], x[1]); }},
                       {"table", "as Table 2 was made: right, but with roots to 5 decimals", [](Doubles x) {
@@ -145,7 +145,7 @@ Quantity entry_rolling_force() {
   // Just below the Rayleigh speed the tractions pull in sum.
   entry.scale = "the value, or that of tractions of one sign";
   const auto one_sign = [](Doubles x) {
-    const fast::ViscoelasticLine line = roll(x).along({1, 0});
+    const fast::RollingLine line = roll(x).along({1, 0});
     return std::numbers::pi / 6 * line.amplitude;
   };
   entry.envelope = one_sign;
@@ -169,7 +169,7 @@ Quantity entry_rolling_creep() {
   const auto largest_span = [](Doubles x) {
     const double psi = x[3];
     const fast::RollingSphere unit = fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1e-9);
-    const fast::ViscoelasticLine line = unit.along(fast::Direction::of_degrees(psi));
+    const fast::RollingLine line = unit.along(fast::Direction::of_degrees(psi));
     return 2e-9 / (line.span * line.shear_share * line.index);
   };
   draw_isotropic(entry, nearest_critical, [](Random& random) {
@@ -191,7 +191,7 @@ Quantity entry_rolling_creep() {
   set_fast(entry, [](Doubles x, Accuracy) {
     return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], x[2])
         .along(fast::Direction::of_degrees(x[3]))
-        .creep;
+        .creep.value;
   });
   entry.seed_forms = {{"printed", "(48) as it stands: P with the wrong sign",
                        [](Doubles x) { return rolling_creep_as_printed(x[0], x[1], x[3], x[2]); }}};

@@ -147,7 +147,7 @@ Quantity entry_sphere_span_ratio() {
     return ref::sliding_span_ratio(exact_seed_contact(x), x[own_at + 1], x[own_at], digits);
   };
   set_fast(entry, [](Doubles x, Accuracy) {
-    return seed_slide(x, x[own_at + 1]).span_ratio(Direction::of_degrees(x[own_at]));
+    return seed_slide(x, x[own_at + 1]).span_ratio(Direction::of_degrees(x[own_at])).value;
   });
   entry.seed_forms = {
       {"printed",

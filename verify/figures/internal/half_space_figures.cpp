@@ -86,9 +86,9 @@ Panel contours(const SurfaceAtSpeed& surface, const std::vector<double>& speeds,
     panel.series.push_back(exact_contour(label, surface(speed)));
     for (const double friction : frictions) {
       const auto sliding = fast::sliding_for_span(surface(speed), {1, 1}, friction, forward_motion, 1);
-      panel.series.push_back(
-          contour(friction == 0 ? label : fmt::format("{}, friction {:g}", label, friction), rule,
-                  Mark::marked_line, [&](Direction line) { return sliding.along(line).leading_end(); }));
+      panel.series.push_back(contour(
+          friction == 0 ? label : fmt::format("{}, friction {:g}", label, friction), rule, Mark::marked_line,
+          [&](Direction line) { return sliding.along(line).leading_end().value; }));
     }
   }
   return panel;
@@ -156,7 +156,9 @@ Panel span_ratios_by_speed(const Replay& replay, const SurfaceAtSpeed& surface, 
     const std::string label = fmt::format("friction {:g}", friction);
     panel.series.push_back(of_surfaces(
         label, rule, Mark::marked_line, speeds, surfaces, [&](const fast::SurfaceResponse& lines) {
-          return fast::sliding_for_span(lines, {1, 1}, friction, forward_motion, 1).span_ratio(across_motion);
+          return fast::sliding_for_span(lines, {1, 1}, friction, forward_motion, 1)
+              .span_ratio(across_motion)
+              .value;
         }));
     append_cells(panel, label, replay, [&](const ReplayedCell& cell) -> std::optional<double> {
       if (key_of_row(replay.table, cell.row) != friction) return {};
@@ -195,16 +197,17 @@ std::vector<Panel> rolling_sphere() {
     const std::string label = fmt::format("c = {:g}", speed);
     const fast::RollingSphere sphere = rolling(speed);
     shapes.series.push_back(exact_contour(label, isotropic_surface(poisson, speed)));
-    shapes.series.push_back(
-        contour(label, rule, Mark::marked_line, [&](Direction line) { return sphere.span_ratio(line) / 2; }));
+    shapes.series.push_back(contour(label, rule, Mark::marked_line,
+                                    [&](Direction line) { return sphere.span_ratio(line).value / 2; }));
   }
   Panel ratios{{"speed c"}, {"span across over span along the motion"}, {}};
   const std::vector<double> speeds = evenly(0, 0.98 * fast::isotropic_rayleigh_speed(poisson), 50);
   ratios.series.push_back(computed("no friction", ellipse, Mark::line, speeds, [&](double speed) {
     return exact_span_ratio_of(isotropic_surface(poisson, speed), across_motion);
   }));
-  ratios.series.push_back(computed("rolling", rule, Mark::marked_line, speeds,
-                                   [&](double speed) { return rolling(speed).span_ratio(across_motion); }));
+  ratios.series.push_back(computed("rolling", rule, Mark::marked_line, speeds, [&](double speed) {
+    return rolling(speed).span_ratio(across_motion).value;
+  }));
   append_cells(ratios, "rolling", replay,
                [&](const ReplayedCell& cell) { return std::optional(speed_of_column(replay, cell.column)); });
   return {shapes, ratios};
@@ -273,11 +276,10 @@ std::vector<Panel> sphere_on_axis_in_plane() {
     const auto by_rule = fast::sliding_for_span(lines, {1, 1}, 0, forward_motion, 1);
     const std::vector<double> angles = evenly(-90, 90, 181);
     ratios.series.push_back(sampled(label, ellipse, Mark::line, angles, [&](double angle) {
-      return exact.radius_ratio(Direction::of_degrees(angle)).value /
-             exact.radius_ratio(forward_motion).value;
+      return exact.span_ratio(Direction::of_degrees(angle), forward_motion).value;
     }));
     ratios.series.push_back(sampled(label, rule, Mark::marked_line, angles, [&](double angle) {
-      return by_rule.span_ratio(Direction::of_degrees(angle));
+      return by_rule.span_ratio(Direction::of_degrees(angle)).value;
     }));
     append_cells(ratios, label, replay, [&](const ReplayedCell& cell) -> std::optional<double> {
       if (cell.column != column.name) return {};

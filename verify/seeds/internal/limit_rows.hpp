@@ -17,8 +17,4 @@ inline std::vector<LimitSample> halved(double first, const std::function<LimitSa
   return all;
 }
 
-inline fast::Estimate operator*(double factor, const fast::Estimate& number) {
-  return {factor * number.value, std::fabs(factor) * number.error};
-}
-
 }  // namespace nipref::verify

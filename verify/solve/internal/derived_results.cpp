@@ -41,11 +41,7 @@ struct FactorOf {
   double operator()(const data::HalfSpaceProblem&) const { return 1; }
 };
 
-Estimate multiplied(const Estimate& a, const Estimate& b) {
-  const double value = a.value * b.value;
-  return {value, std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error +
-                     0x1p-53 * std::fabs(value)};
-}
+Estimate multiplied(const Estimate& a, const Estimate& b) { return a * b; }
 
 mpq_class rational(const std::string& text) { return ref::Exact::parse(text).value(); }
 

@@ -157,7 +157,7 @@ double across_as_printed(double poisson, double speed, double degrees) {
 }
 
 double rolling_creep_as_printed(double poisson, double speed, double degrees, double span) {
-  const fast::ViscoelasticLine line = fast::rolling_sphere_for_span({1, poisson, 1}, 1, speed, span)
+  const fast::RollingLine line = fast::rolling_sphere_for_span({1, poisson, 1}, 1, speed, span)
                                           .along(fast::Direction::of_degrees(degrees));
   return line.span * (line.span / 16 * (1 - 4 * line.index * line.index) - line.index / line.shear_share);
 }

@@ -1,0 +1,25 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast::internal {
+
+/// Of compliances and couplings, relative.
+inline constexpr double response_rounding = 0x1.8p-51;
+
+/// f of the distances to both ends of a line, which are off by `distance_error` at most. f grows with both, so that its
+/// change at the ends of that range bounds the error; it is 0 outside of the contact.
+template <class Function>
+Estimate between_ends(double ahead, double behind, double distance_error, const Function& f) {
+  const auto changed = [&](double change) {
+    const double a = ahead + change, b = behind + change;
+    return a > 0 && b > 0 ? f(a, b) : 0.0;
+  };
+  const double value = changed(0);
+  return {value, std::max(changed(distance_error) - value, value - changed(-distance_error)) +
+                     response_rounding * value};
+}
+
+}  // namespace nipref::fast::internal
