@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/data/directory.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/internal/field.hpp>
 #include <nipref/data/scene/internal/half_space.hpp>
@@ -14,6 +17,8 @@
 
 namespace nipref::data {
 namespace {
+
+constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
 
 ElasticNip read_nip(const TomlTable& file) {
   const TomlTable roller = file.table("roller");
@@ -176,14 +181,27 @@ Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& 
 
 }  // namespace
 
+SceneText read_scene(const std::filesystem::path& file) {
+  std::ifstream stream = open_input_file(file, "scene");
+  std::string text(longest_scene + 1, '\0');
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > longest_scene)
+    throw BadInput("scene", file.string(), fmt::format("must be a file of at most {} bytes", longest_scene));
+  return {file.string(), std::move(text)};
+}
+
+Scene load_scene(const SceneText& given, const SceneOverrides& overrides) {
+  SceneOrigin origin(given.name);
+  return scene_of(TomlTable::parse(given.toml, origin, overrides), origin, overrides);
+}
+
 Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides) {
-  SceneOrigin origin(file.string());
-  return scene_of(TomlTable::read(file, origin, overrides), origin, overrides);
+  return load_scene(read_scene(file), overrides);
 }
 
 Scene parse_scene(const std::string& toml, const std::string& name) {
-  SceneOrigin origin(name);
-  return scene_of(TomlTable::parse(toml, origin, {}), origin, {});
+  return load_scene(SceneText{name, toml}, {});
 }
 
 std::filesystem::path example_scene(const std::string& name) {

@@ -11,6 +11,15 @@ namespace nipref::data {
 /// Keys with their values, as they are given on a command line: {"load.per_length", "200"}.
 using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 
+/// A scene that was read and is not parsed: a pipe can be read once, however many contacts its scene stands for.
+struct SceneText {
+  std::string name;  ///< of the file, which refusals tell
+  std::string toml;
+};
+
+/// BadInput for what cannot be read, as input_file.hpp has it, and for more than a mebibyte.
+[[nodiscard]] SceneText read_scene(const std::filesystem::path& file);
+
 /// Reads a scene from a TOML file and checks it. Numbers are doubles, as TOML says: both paths then take the
 /// same numbers exactly.
 ///
@@ -35,7 +44,7 @@ using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 ///                inside the sheet are wanted, if any are
 ///     [sweep]    keys with several values, see sweep.hpp: then `overrides` must have one for each
 ///
-/// Throws BadInput "FILE:LINE: KEY = VALUE: ALLOWED" for a file that cannot be read or is no TOML, for an
+/// Throws BadInput as read_scene does, "FILE:LINE: KEY = VALUE: ALLOWED" for a file that is no TOML, for an
 /// unknown or missing key (its table's line, or no line), a wrong type, and whatever Scene::check refuses.
 ///
 /// `overrides` stand for what the file has at these keys, or add to it: "TABLE.KEY" or "KEY", with a number,
@@ -43,6 +52,9 @@ using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 /// They are checked like the file; BadInput "KEY = VALUE: ALLOWED" names them as given. Refused too: a key
 /// given twice, no key, a table.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+
+/// The same of what was read already.
+[[nodiscard]] Scene load_scene(const SceneText& given, const SceneOverrides& overrides);
 
 /// The same from what a file would hold; `name` stands for the file in refusals.
 [[nodiscard]] Scene parse_scene(const std::string& toml, const std::string& name);

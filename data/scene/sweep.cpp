@@ -28,9 +28,9 @@ SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
   return sweep;
 }
 
-SceneSweep scene_sweep(const std::filesystem::path& file) {
-  SceneOrigin origin(file.string());
-  return read_sweep(TomlTable::read(file, origin, {}), origin);
+SceneSweep scene_sweep(const SceneText& scene) {
+  SceneOrigin origin(scene.name);
+  return read_sweep(TomlTable::parse(scene.toml, origin, {}), origin);
 }
 
 }  // namespace nipref::data

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
+#include <istream>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/data/table/csv.hpp>
 
 namespace nipref::data {
@@ -65,13 +66,22 @@ void add_comment(CsvFile& file, std::string_view line, std::size_t number) {
   file.comments.push_back({std::string(line.substr(2)), {number, 3}});
 }
 
+/// What spreadsheets of half the world write.
+constexpr auto other_separators = "fields are separated by commas, numbers have decimal points";
+
 void add_record(CsvFile& file, std::string_view line, std::size_t number) {
   file.records.push_back(LineReader(file.path, line, number).fields());
   const auto& record = file.records.back();
   const std::size_t expected = file.records.front().size();
-  if (record.size() == expected) return;
+  if (record.size() == expected) {
+    if (file.records.size() == 1 && expected == 1 && line.find(';') != line.npos)
+      refuse(file.path, {number, line.find(';') + 1},
+             fmt::format("must have no semicolon: {}", other_separators));
+    return;
+  }
   refuse(file.path, record[std::min(record.size(), expected + 1) - 1].position,
-         fmt::format("must have {} fields in each record, has {}", expected, record.size()));
+         fmt::format("must have {} fields in each record, has {}: {}", expected, record.size(),
+                     other_separators));
 }
 
 }  // namespace
@@ -82,6 +92,8 @@ void refuse(const std::filesystem::path& path, TextPosition position, std::strin
 }
 
 namespace {
+
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
 
 /// The next line without what ends it, if there is one.
 class Lines {
@@ -111,13 +123,13 @@ class Lines {
 
 CsvFile read_csv(const std::filesystem::path& path) {
   CsvFile file{path, {}, {}};
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(path, {1, 1}, "must be a readable file");
+  std::ifstream stream = open_input_file(path, "table file");
   Lines lines(stream, path);
   std::string line;
   for (std::size_t number = 1; lines.next(line, number); ++number) {
     if (number > most_csv_lines)
       refuse(path, {number, 1}, fmt::format("must have at most {} lines", most_csv_lines));
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (line.ends_with('\r')) line.pop_back();
     if (line.empty()) refuse(path, {number, 1}, "must have no blank lines");
     if (line.starts_with('#')) {

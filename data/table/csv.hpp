@@ -31,9 +31,10 @@ struct CsvFile {
   std::vector<std::vector<CsvField>> records;
 };
 
-/// Reads a whole file. Throws BadInput naming file, line and column for an unreadable file, an open quote,
-/// text after a closing quote, a blank line, a comment below the first record, or a record with more or fewer
-/// fields than the first.
+/// Reads a whole file, once, as a pipe wants it; a byte order mark before it is left out. Throws BadInput as
+/// input_file.hpp has it for what cannot be read, and naming file, line and column for an open quote, text after a
+/// closing quote, a blank line, a comment below the first record, a first record whose fields are separated by
+/// semicolons, or a record with more or fewer fields than the first.
 [[nodiscard]] CsvFile read_csv(const std::filesystem::path& path);
 
 /// Throws BadInput "table file = FILE:LINE:COLUMN: REQUIREMENT".

@@ -37,9 +37,9 @@ void read_options(const CommandLine& line) {
 }
 
 void read_scene(const CommandLine& line) {
-  const auto file = verify::scene_request(line, line.verb, 30).file;
-  const verify::AxesProduct scenes = verify::swept_scenes(file, line);
-  static_cast<void>(data::load_scene(file, scenes.assignments(0, &verify::AxisValue::shown)));
+  const data::SceneText text = verify::scene_request(line, line.verb, 30).scene;
+  const verify::AxesProduct scenes = verify::swept_scenes(text, line);
+  static_cast<void>(data::load_scene(text, scenes.assignments(0, &verify::AxisValue::shown)));
 }
 
 void read_arguments(const CommandLine& line) {

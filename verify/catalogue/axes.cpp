@@ -26,13 +26,35 @@ std::vector<AxisValue> values_of_range(const Range& range, std::size_t points) {
   return values;
 }
 
+/// Whether a comma between the two may be that of one number: half the world writes 1,5 for 1.5.
+bool may_be_one_number(std::string_view before, std::string_view after) {
+  before.remove_prefix(std::min(before.find_first_not_of(" +-"), before.size()));
+  after = after.substr(0, after.find_first_of("eE "));
+  const auto is_whole = [](std::string_view text) {
+    return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  };
+  return is_whole(before) && is_whole(after);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 std::vector<AxisValue> values_of_list(const std::string& name, const std::string& text) {
   std::vector<AxisValue> values;
+  std::string before;
   for (std::size_t start = 0; start <= text.size();) {
     const std::size_t comma = std::min(text.find(',', start), text.size());
-    const std::string item = text.substr(start, comma - start);
+    const std::string raw = text.substr(start, comma - start), item = trimmed(raw);
     if (item.empty()) throw BadInput(name, text, "must be a list of values with one comma between two");
+    if (may_be_one_number(before, raw))
+      throw BadInput(
+          name, text,
+          fmt::format("must be {0}.{1} if that is one number, or '{0}, {1}', with a blank, if it is two",
+                      trimmed(before), item));
     values.push_back({item, item});
+    before = raw;
     start = comma + 1;
   }
   return values;

@@ -22,9 +22,10 @@ struct Axis {
 /// Whether a text stands for more than one value: "lo..hi" with what ranges.hpp has behind it, or "a,b,c".
 bool is_swept(const std::string& text);
 
-/// The values of a list as they stand there; of a range about `points` doubles, its ends among them, each once and
-/// in order; of anything else itself. BadInput naming `name` for an empty item of a list, and as parse_range has it;
-/// naming "points" for a range by none or by more than 1e7.
+/// The values of a list as they stand there, without blanks around them; of a range about `points` doubles, its ends
+/// among them, each once and in order; of anything else itself. BadInput naming `name` for an empty item of a list, for
+/// a comma with digits alone on both sides, "1,5", as it may be a decimal one ("1, 5" and "1.0,5.0" are lists), and as
+/// parse_range has it; naming "points" for a range by none or by more than 1e7.
 Axis axis_of(const std::string& name, const std::string& text, std::size_t points);
 
 /// All combinations of the axes' values, the last axis going fastest.

@@ -41,7 +41,7 @@ Json balance_json(const EnergyBalance& balance, const std::string& path) {
 int balance_verb(const CommandLine& line, std::ostream& out) {
   const SceneRequest request = scene_request(line, "balance", 16);
   const EnergyBalance balance =
-      energy_balance(data::load_scene(request.file, line.assignments), request.digits);
+      energy_balance(data::load_scene(request.scene, line.assignments), request.digits);
   out << (line.json
               ? answer_text("balance", balance_json(balance, request.digits ? "ref" : "fast"), line.no_times)
               : balance_text(balance));

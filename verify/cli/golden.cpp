@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/interruption.hpp>
@@ -84,10 +85,11 @@ int make(const CommandLine& line, std::ostream& out) {
 fs::path file_of(const std::string& word) {
   if (const Quantity* const quantity = known_quantity(word)) return golden_path(*quantity);
   std::error_code none;
-  if (fs::is_regular_file(word, none)) return word;
-  if (word.find('/') != std::string::npos || word.ends_with(".csv"))
-    throw BadInput("file", word, "must be a file that can be read");
-  refuse_quantity(word);
+  const bool is_file =
+      fs::exists(word, none) || word.find('/') != std::string::npos || word.ends_with(".csv");
+  if (!is_file) refuse_quantity(word);
+  data::check_input_file(word, "file");
+  return word;
 }
 
 int check(const CommandLine& line, std::ostream& out) {

@@ -6,9 +6,10 @@
 #include <optional>
 #include <thread>
 
+#include <nipref/data/input_file.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/machine.hpp>
-#include <nipref/verify/golden/checksums.hpp>
+#include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -86,7 +87,7 @@ Json version_json() {
 
 Json program_json() {
   Json program = version_json().without("processor").without("cores");
-  program.set("sha256", sha256(bytes_of("/proc/self/exe")));
+  program.set("sha256", sha256(data::text_of_input_file("/proc/self/exe", "program")));
   return program;
 }
 

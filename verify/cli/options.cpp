@@ -51,7 +51,7 @@ SceneRequest scene_request(const CommandLine& line, std::string_view verb, int u
   if (path == "fast")
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
   const int digits = digits_option(line, usual_digits);
-  return {scene_file_of(line, verb), path == "ref" ? std::optional(digits) : std::nullopt};
+  return {data::read_scene(scene_file_of(line, verb)), path == "ref" ? std::optional(digits) : std::nullopt};
 }
 
 std::size_t points_option(const CommandLine& line) {

@@ -1,11 +1,11 @@
 #pragma once
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <nipref/data/scene/file.hpp>
 #include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/cli/command_line.hpp>
@@ -24,9 +24,10 @@ std::size_t scenes_option(const CommandLine& line);
 /// The text that they are drawn from, "1" if it is not said.
 std::string seed_option(const CommandLine& line);
 
-/// The file that a verb's one word names, or, where there is no such file, that of an example; and the path.
+/// What is in the file that a verb's one word names, or, where there is no such file, in that of an example; and the
+/// path.
 struct SceneRequest {
-  std::filesystem::path file;
+  data::SceneText scene;
   std::optional<int> digits;  ///< of ref; nothing: by fast
 };
 SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits);

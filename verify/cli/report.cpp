@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
@@ -139,11 +138,10 @@ std::optional<fs::path> output_folder(const CommandLine& line) {
 std::optional<std::string> older_report(const CommandLine& line) {
   const auto path = line.option("against");
   if (!path) return std::nullopt;
-  std::ostringstream text;
-  text << std::ifstream(*path).rdbuf();
-  if (!is_report(text.str()))
+  std::string text = data::text_of_input_file(*path, "against");
+  if (!is_report(text))
     throw data::BadInput("against", *path, "must be the report.json that an older report has written");
-  return text.str();
+  return text;
 }
 
 /// Says where it is and how large.

@@ -19,11 +19,11 @@ int print(const SceneSolution<Number>& solution, const CommandLine& line, std::o
 }  // namespace
 
 int solve_verb(const CommandLine& line, std::ostream& out) {
-  const auto [file, digits] = scene_request(line, "solve", 30);
-  const AxesProduct scenes = swept_scenes(file, line);
-  if (scenes.size() > 1) return solve_sweep(file, scenes, digits, line, out);
+  const auto [text, digits] = scene_request(line, "solve", 30);
+  const AxesProduct scenes = swept_scenes(text, line);
+  if (scenes.size() > 1) return solve_sweep(text, scenes, digits, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");
-  const data::Scene scene = data::load_scene(file, scenes.assignments(0, &AxisValue::shown));
+  const data::Scene scene = data::load_scene(text, scenes.assignments(0, &AxisValue::shown));
   return digits ? print(solve_by_ref(scene, *digits), line, out) : print(solve(scene), line, out);
 }
 

@@ -21,11 +21,11 @@ Axis axis_of_assignment(const std::string& key, const std::string& text, std::si
 }
 
 /// The first scene that is none to be refused; BadInput, the first one's, if all are.
-data::Scene first_scene(const std::filesystem::path& file, const AxesProduct& scenes) {
+data::Scene first_scene(const data::SceneText& text, const AxesProduct& scenes) {
   std::optional<BadInput> refused;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     try {
-      return data::load_scene(file, scenes.assignments(i, &AxisValue::shown));
+      return data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
     } catch (const BadInput& error) {
       if (!refused) refused = error;
     }
@@ -63,23 +63,23 @@ SweepRow row_of(const SceneSolution<Number>& solution) {
 
 }  // namespace
 
-AxesProduct swept_scenes(const std::filesystem::path& file, const CommandLine& line) {
-  const data::SceneSweep sweep = data::scene_sweep(file);
+AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line) {
+  const data::SceneSweep sweep = data::scene_sweep(text);
   const bool points_are_in_file = sweep.points && !line.option("points");
   const std::size_t points =
       points_are_in_file ? static_cast<std::size_t>(*sweep.points) : sweep_points_option(line);
   std::vector<Axis> axes;
-  for (const auto& [key, text] : sweep.keys) {
+  for (const auto& [key, values] : sweep.keys) {
     if (std::ranges::find(line.assignments, key, &Assignments::value_type::first) == line.assignments.end())
-      axes.push_back(axis_of(key, text, points));
+      axes.push_back(axis_of(key, values, points));
   }
-  for (const auto& [key, text] : line.assignments) axes.push_back(axis_of_assignment(key, text, points));
+  for (const auto& [key, value] : line.assignments) axes.push_back(axis_of_assignment(key, value, points));
   return AxesProduct(std::move(axes));
 }
 
-int solve_sweep(const std::filesystem::path& file, const AxesProduct& scenes, std::optional<int> digits,
+int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
                 const CommandLine& line, std::ostream& out) {
-  const data::Scene first = first_scene(file, scenes);
+  const data::Scene first = first_scene(text, scenes);
   const Sweep sweep{"solve_sweep",
                     scenes,
                     columns_of(first, digits.has_value()),
@@ -87,7 +87,7 @@ int solve_sweep(const std::filesystem::path& file, const AxesProduct& scenes, st
                     [&](std::size_t i) {
                       // A decimal, which is what TOML takes, means the same double.
                       const data::Scene scene =
-                          data::load_scene(file, scenes.assignments(i, &AxisValue::shown));
+                          data::load_scene(text, scenes.assignments(i, &AxisValue::shown));
                       return digits ? row_of(solve_by_ref(scene, *digits)) : row_of(solve(scene));
                     }};
   return write_sweep(sweep, line, out);

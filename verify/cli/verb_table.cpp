@@ -135,7 +135,8 @@ const std::array all_verbs{
         "quantity",
         "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
         "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees. name=a,b,c and "
-        "name=lo..hi[:log|:linear|:bits] give all combinations, a row each, as CSV",
+        "name=lo..hi[:log|:linear|:bits] give all combinations, a row each, as CSV; whole numbers with a blank, "
+        "'1, 2', as 1,2 may be a decimal comma",
         {path_option, digits_option, rtol_option, form_option, sweep_points_text},
         {quiet_flag, json_flag, no_times_flag},
         {"nipref eval I1 alpha=0.73", "nipref eval I6 alpha=1e-6..20:log eta=0.5,2 --points 200",
@@ -147,7 +148,7 @@ const std::array all_verbs{
         "scene",
         "a TOML file in any consistent units, or the name of an example in data/scenes; key=value pairs stand for "
         "what it has there. key=a,b,c and key=lo..hi[:log|:linear|:bits], here or in the scene's table [sweep], give "
-        "all combinations, a row each, as CSV",
+        "all combinations, a row each, as CSV; whole numbers with a blank, '1, 2', as 1,2 may be a decimal comma",
         {solve_path_option, solve_digits_option, sweep_points_text},
         {full_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref solve thick-full-friction",

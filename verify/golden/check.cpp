@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
@@ -124,7 +125,7 @@ CheckedGolden check_golden(const fs::path& path, const CheckOptions& options) {
   const auto sums = Checksums::of(path.parent_path()).by_name();
   const auto expected = sums.find(path.filename().string());
   std::optional<GoldenFailure> changed;
-  if (expected != sums.end() && sha256(bytes_of(path)) != expected->second)
+  if (expected != sums.end() && sha256(data::text_of_input_file(path, "file")) != expected->second)
     changed = {
         GoldenFault::text_changed, {}, fmt::format("{} is not what {} says", path.string(), checksums_name)};
   CheckedGolden checked;

@@ -1,26 +1,18 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/golden/checksums.hpp>
 
 namespace nipref::verify {
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw data::BadInput("file", path.string(), "must be a file that can be read");
-  return text.str();
-}
 
 Checksums Checksums::of(const std::filesystem::path& folder) {
   Checksums sums;
   const std::filesystem::path path = folder / checksums_name;
   if (!std::filesystem::exists(path)) return sums;
-  std::istringstream lines(bytes_of(path));
+  std::istringstream lines(data::text_of_input_file(path, "checksums"));
   constexpr std::size_t digits = 64;
   for (std::string line; std::getline(lines, line);) {
     // Two blanks, or a blank and the star of a file read as binary.

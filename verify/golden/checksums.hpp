@@ -8,9 +8,6 @@
 
 namespace nipref::verify {
 
-/// Every byte of a file. BadInput if it cannot be read.
-std::string bytes_of(const std::filesystem::path& path);
-
 /// The SHA256SUMS of a folder, as sha256sum writes and checks it.
 class Checksums {
  public:

@@ -98,7 +98,9 @@ double number_of(const CsvFile& file, const CsvField& field, bool is_value) {
   const double number = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0' || (!is_value && !std::isfinite(number)))
     data::refuse(file.path, field.position,
-                 is_value ? "must be a number, inf or nan" : "must be a finite number");
+                 text.find(',') != std::string::npos ? "must have a decimal point, not a comma"
+                 : is_value                          ? "must be a number, inf or nan"
+                                                     : "must be a finite number");
   return number;
 }
 

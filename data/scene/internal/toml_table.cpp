@@ -7,7 +7,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <optional>
 #include <set>
@@ -53,22 +52,7 @@ std::string TomlTable::Item::shown() const {
 
 namespace {
 
-constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
 constexpr std::size_t longest_line_told = 200;
-
-std::string contents_of(const std::filesystem::path& file, const SceneOrigin& origin) {
-  std::ifstream stream(file, std::ios::binary);
-  // A folder opens like a file.
-  if (!stream || std::filesystem::is_directory(file)) {
-    origin.refuse("scene", file.string(), "must be a file that can be read");
-  }
-  std::string text(longest_scene + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > longest_scene)
-    origin.refuse("scene", file.string(), fmt::format("must be a file of at most {} bytes", longest_scene));
-  return text;
-}
 
 /// Counted from 1; the parser may complain about the line after the last one.
 std::string line_of(const std::string& text, std::size_t number) {
@@ -150,11 +134,6 @@ void override_all(toml::table& file, const std::vector<Override>& overrides, Sce
 
 TomlTable::TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin)
     : contents_(std::move(contents)), name_(std::move(name)), origin_(&origin) {}
-
-TomlTable TomlTable::read(const std::filesystem::path& file, SceneOrigin& origin,
-                          const std::vector<Override>& overrides) {
-  return parse(contents_of(file, origin), origin, overrides);
-}
 
 TomlTable TomlTable::parse(const std::string& text, SceneOrigin& origin,
                            const std::vector<Override>& overrides) {
@@ -264,7 +243,7 @@ std::string TomlTable::text_or_list(std::string_view key) const {
     const std::string one =
         element.node->is_string() ? element.as<std::string>() : fmt::format("{}", element.as<double>());
     if (one.empty() || one.find(',') != std::string::npos) element.refuse();
-    all += (all.empty() ? "" : ",") + one;
+    all += (all.empty() ? "" : ", ") + one;
   }
   if (all.empty()) whole.refuse();
   return all;

@@ -1,5 +1,4 @@
 #pragma once
-#include <filesystem>
 #include <initializer_list>
 #include <memory>
 #include <string>
@@ -15,11 +14,8 @@ namespace nipref::data {
 /// (BadInput) names and which must live as long as this does.
 class TomlTable {
  public:
-  /// The whole file, with `overrides` (key, value) in the place of what it has there. Refuses a file that
-  /// cannot be read or is no TOML (keys given twice included), and what load_scene says of overrides.
-  static TomlTable read(const std::filesystem::path& file, SceneOrigin& origin,
-                        const std::vector<std::pair<std::string, std::string>>& overrides);
-  /// The same of what a file would hold.
+  /// What a file holds, with `overrides` (key, value) in the place of what it has there. Refuses a text that is no
+  /// TOML (keys given twice included), and what load_scene says of overrides.
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 

@@ -286,12 +286,11 @@ TEST_CASE("letters beyond ASCII are those of texts and comments") {
 }
 
 TEST_CASE("files that cannot be read") {
-  for (const std::string& path :
-       {std::string("/nowhere/scene.toml"), std::filesystem::temp_directory_path().string()}) {
-    CHECK_THROWS_WITH_AS((void)data::load_scene(path),
-                         (path + ": scene = " + path + ": must be a file that can be read").c_str(),
-                         data::BadInput);
-  }
+  CHECK_THROWS_WITH_AS((void)data::load_scene("/nowhere/scene.toml"),
+                       doctest::Contains("scene = /nowhere/scene.toml: must be a file that exists"),
+                       data::BadInput);
+  CHECK_THROWS_WITH_AS((void)data::load_scene("/"), doctest::Contains("scene = /: must be a file"),
+                       data::BadInput);
 }
 
 TEST_CASE("a scene made in C++ is refused by its keys, with no file") {

@@ -32,9 +32,8 @@ kind = "converged"
 )";
 
 std::string sweep_refusal_of(const std::string& sweep) {
-  const ScratchFile file("[sweep]\n" + sweep + "\n");
   try {
-    (void)data::scene_sweep(file.path());
+    (void)data::scene_sweep({"given", "[sweep]\n" + sweep + "\n"});
   } catch (const data::BadInput& error) {
     return error.what();
   }
@@ -44,23 +43,23 @@ std::string sweep_refusal_of(const std::string& sweep) {
 }  // namespace
 
 TEST_CASE("a sweep's keys are read with dots and in quotes, as lists or as ranges") {
-  const ScratchFile file(nip_without_load +
-                         "[sweep]\npoints = 7\nload.per_length = [50, 1e2, 0.1]\n"
-                         "\"material.poisson\" = \"0..0.5:linear\"\nfriction.model = [\"none\", \"full\"]\n");
-  const data::SceneSweep sweep = data::scene_sweep(file.path());
+  const data::SceneSweep sweep = data::scene_sweep(
+      {"given", nip_without_load +
+                    "[sweep]\npoints = 7\nload.per_length = [50, 1e2, 0.1]\n"
+                    "\"material.poisson\" = \"0..0.5:linear\"\nfriction.model = [\"none\", \"full\"]\n"});
   CHECK(sweep.points == 7);
   CHECK(sweep.keys ==
-        std::vector<std::pair<std::string, std::string>>{{"friction.model", "none,full"},
-                                                         {"load.per_length", "50,100,0.1"},
+        std::vector<std::pair<std::string, std::string>>{{"friction.model", "none, full"},
+                                                         {"load.per_length", "50, 100, 0.1"},
                                                          {"material.poisson", "0..0.5:linear"}});
-  CHECK(data::scene_sweep(ScratchFile(nip_without_load).path()).keys.empty());
+  CHECK(data::scene_sweep({"given", nip_without_load}).keys.empty());
 }
 
 TEST_CASE("a scene with a sweep is one contact only with a value for each swept key") {
   const ScratchFile file(nip_without_load + "[sweep]\nload.per_length = [50, 100]\n");
   CHECK_THROWS_WITH_AS(
       (void)data::load_scene(file.path()),
-      (file.path() + ":17: sweep.load.per_length = 50,100: must be solved by nipref solve, or "
+      (file.path() + ":17: sweep.load.per_length = 50, 100: must be solved by nipref solve, or "
                      "have one value given beside the file")
           .c_str(),
       data::BadInput);

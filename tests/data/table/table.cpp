@@ -141,8 +141,11 @@ TEST_CASE("a coordinate in a column's name is read") {
 }
 
 TEST_CASE("a malformed table is refused with file, line and column") {
-  CHECK(refusal_of(header + "W,L\n1,2\n3\n") == "t.csv:10:1: must have 2 fields in each record, has 1");
-  CHECK(refusal_of(header + "W,L\n1,2,3\n") == "t.csv:9:5: must have 2 fields in each record, has 3");
+  CHECK(refusal_of(header + "W,L\n1,2\n3\n") ==
+        "t.csv:10:1: must have 2 fields in each record, has 1: fields are separated by commas, numbers have "
+        "decimal points");
+  CHECK(
+      refusal_of(header + "W,L\n1,2,3\n").starts_with("t.csv:9:5: must have 2 fields in each record, has 3"));
   CHECK(refusal_of(header + "W,L\n1,2x\n") ==
         "t.csv:9:3: must be a plain number or have a line in errata.csv");
   CHECK(refusal_of(header + "W,L\n1,\n") == "t.csv:9:3: must be a plain number or have a line in errata.csv");
@@ -221,8 +224,22 @@ TEST_CASE("a line may be as long as is stated and no longer, with an end or with
         "t.csv:2:65537: must have lines of at most 65536 bytes");
 }
 
+TEST_CASE("a byte order mark is left out, semicolons between fields are refused as such") {
+  const Folder folder;
+  const CsvFile marked = read_csv(folder.write("t.csv", "\xef\xbb\xbf# of a spreadsheet\na,b\n1,2\n"));
+  CHECK(marked.comments.at(0).text == "of a spreadsheet");
+  CHECK(read_csv(folder.write("t.csv",
+                              "\xef\xbb\xbf"
+                              "a,b\n1,2\n"))
+            .records.at(0)
+            .at(0)
+            .text == "a");
+  CHECK(refusal(folder.write("t.csv", "a;b\n1;2\n")) ==
+        "t.csv:1:2: must have no semicolon: fields are separated by commas, numbers have decimal points");
+}
+
 TEST_CASE("a file that is not there is refused") {
   const Folder folder;
   CHECK(refusal(folder.write("t.csv", "").parent_path() / "absent.csv") ==
-        "absent.csv:1:1: must be a readable file");
+        "absent.csv: must be a file that exists: there is none of that name");
 }

@@ -39,7 +39,7 @@ TEST_CASE("both texts of a range's value are the same double, and no value comes
 }
 
 TEST_CASE("a product goes through all combinations, the last axis fastest") {
-  const verify::AxesProduct product({axis_of("a", "1,2", 0), axis_of("b", "x,y,z", 0)});
+  const verify::AxesProduct product({axis_of("a", "1, 2", 0), axis_of("b", "x,y,z", 0)});
   REQUIRE(product.size() == 6);
   std::string all;
   for (std::size_t i = 0; i < product.size(); ++i) {
@@ -47,6 +47,21 @@ TEST_CASE("a product goes through all combinations, the last axis fastest") {
     all += ' ';
   }
   CHECK(all == "a1bx a1by a1bz a2bx a2by a2bz ");
+}
+
+TEST_CASE("a comma between digits alone may be a decimal one, and is refused") {
+  for (const char* text : {"1,5", "-1,5", "+0,25", "1,5e-3", "1,000,000", "0.5,1,5", "1,5, 2,5", " 1,5 "})
+    CHECK_THROWS_AS((void)axis_of("alpha", text, 3), data::BadInput);
+  CHECK_THROWS_WITH_AS(
+      (void)axis_of("alpha", "-1,5e-3", 3),
+      "alpha = -1,5e-3: must be -1.5e-3 if that is one number, or '-1, 5e-3', with a blank, if "
+      "it is two",
+      data::BadInput);
+  CHECK(shown(axis_of("alpha", "1, 5", 3)) == std::vector<std::string>{"1", "5"});
+  for (const char* text : {"1 ,5", "1.0,5.0", "1.,5", "1,5.", "1,-5", "1e0,5", "1,0x5"}) {
+    CAPTURE(text);
+    CHECK(axis_of("alpha", text, 3).values.size() == 2);
+  }
 }
 
 TEST_CASE("axes that cannot be gone through are refused") {

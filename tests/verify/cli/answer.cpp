@@ -43,10 +43,10 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
       {"eval ti.coupling speed=0.2", "eval"},
       {"eval I4 eta=0x1p-1 --path ref", "eval"},
       {"eval rolling.span_ratio poisson=0.3 speed=0.6 form=printed", "eval"},
-      {"eval I6 alpha=1,2 eta=0.1..1 --points 2", "eval_sweep"},
+      {"eval I6 alpha=1.0,2.0 eta=0.1..1 --points 2", "eval_sweep"},
       {"eval rolling.span_ratio poisson=0.3 speed=0.1,0.6 form=printed", "eval_sweep"},
       {"solve " + scene("intermediate-frictionless"), "solve_by_fast"},
-      {"solve thick-full-friction load.per_length=50,100", "solve_sweep"},
+      {"solve thick-full-friction load.per_length=50.0,100.0", "solve_sweep"},
       {"solve --path ref --digits 16 thick-frictionless load.per_length=50..100 --points 2", "solve_sweep"},
       {"solve " + scene("thick-full-friction"), "solve_by_fast"},
       {"solve " + scene("thick-frictionless-line-loads"), "solve_by_fast"},
@@ -193,12 +193,10 @@ TEST_CASE("with --json an error is an answer too, and its line and status are as
     const char* arguments;
     json argument, value;
   };
-  const Refused calls[] = {{"eval I9 alpha=1", "quantity", "I9"},
-                           {"eval I1 alpha=0", "alpha", "0"},
-                           {"frobnicate", "verb", "frobnicate"},
-                           {"audit I1 points=0", "points", "0"},
-                           {"tables thesis-C", "table", "thesis-C"},
-                           {"solve /nowhere.toml", "/nowhere.toml: scene", "/nowhere.toml"}};
+  const Refused calls[] = {
+      {"eval I9 alpha=1", "quantity", "I9"},    {"eval I1 alpha=0", "alpha", "0"},
+      {"frobnicate", "verb", "frobnicate"},     {"audit I1 points=0", "points", "0"},
+      {"tables thesis-C", "table", "thesis-C"}, {"solve /nowhere.toml", "scene", "/nowhere.toml"}};
   for (const Refused& call : calls) {
     CAPTURE(call.arguments);
     const Outcome plain = run(call.arguments), outcome = run(std::string(call.arguments) + " --json");

@@ -49,11 +49,11 @@ TEST_CASE("a sweep's refused rows say why and make the status 1, and it is refus
   CHECK(lines[0] == "alpha,fast,fast_error,refused");
   CHECK(lines[1].ends_with(","));
   CHECK(lines[2] == "0,,,alpha = 0: must be nonzero: the kernel is infinite there");
-  const Outcome all = run("eval I1 alpha=0,0");
+  const Outcome all = run("eval I1 alpha=0.0,0.0");
   CHECK(all.status == 2);
   CHECK(all.out.empty());
   CHECK(run("eval I1 alpha=1 --points 3").status == 2);
-  CHECK(run("eval I1 alpha=1,2 eta=3").status == 2);
+  CHECK(run("eval I1 alpha=1.0,2.0 eta=3").status == 2);
 }
 
 TEST_CASE("choices can be swept, and a seed's form") {

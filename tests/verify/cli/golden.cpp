@@ -122,10 +122,10 @@ TEST_CASE("golden: bad input is refused before anything is written") {
   check_call_refused("golden make I1 --dirty", "golden make has no such option");
   check_call_refused("golden check --points 3", "golden check has no such option");
   check_call_refused("golden check --every 0", "every = 0");
-  check_call_refused("golden check nowhere.csv", "must be a file that can be read");
+  check_call_refused("golden check nowhere.csv", "must be a file that exists");
   check_call_refused("golden check " + std::string(300, 'a') + ".csv", "must be a file that can be read");
   check_call_refused("golden list --all", "golden list has no such option");
-  check_call_refused("golden update I1 --dirty", "must be a readable file");
+  check_call_refused("golden update I1 --dirty", "must be a file that exists");
   const json commit = json::parse(run("--version --json").out)["nipref"]["commit"];
   if (commit.is_null() || commit.get<std::string>().ends_with("-dirty")) {
     check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");

@@ -65,7 +65,7 @@ TEST_CASE("solve by ref gives its numbers as text, with the digits that are aske
 
 TEST_CASE("bad calls of solve: status 2, one line, nothing on standard output") {
   check_call_refused("solve", "scene = (missing)");
-  check_call_refused("solve /nowhere.toml", "/nowhere.toml: scene = /nowhere.toml");
+  check_call_refused("solve /nowhere.toml", "scene = /nowhere.toml: must be a file that exists");
   const std::string long_name(300, 'a');  // than a file's may be
   check_call_refused("solve " + long_name, "scene = " + long_name);
   check_call_refused("solve " + example("thick-frictionless") + " two.toml", "argument = two.toml");

@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -6,6 +7,7 @@
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/scratch_folder.hpp"
 
 using nlohmann::json;
 
@@ -57,19 +59,38 @@ TEST_CASE("a scene's sweep solves each combination as solve does") {
 
 TEST_CASE("a sweep by ref has its digits, and names what missed the accuracy") {
   const Outcome by_ref = run(
-      "solve thick-frictionless load.per_length=50,100 'wanted=[\"contact_length\"]' --path ref --digits 30 --json");
+      "solve thick-frictionless load.per_length=50.0,100.0 'wanted=[\"contact_length\"]' --path ref --digits 30 --json");
   REQUIRE(by_ref.status == 0);
   CHECK(json::parse(by_ref.out).at("columns").at("contact_length")[0].get<std::string>().size() > 30);
   const Outcome missed = run(
-      "solve thin-full-friction load.per_length=50,100 accuracy=1e-13 'wanted=[\"contact_length\",\"creep_ratio\"]' "
+      "solve thin-full-friction load.per_length=50.0,100.0 accuracy=1e-13 'wanted=[\"contact_length\",\"creep_ratio\"]' "
       "--json");
   CHECK(missed.status == 1);
   CHECK(json::parse(missed.out).at("columns").at("missed")[1].get<std::string>().find("creep_ratio") !=
         std::string::npos);
 }
 
+TEST_CASE("a comma that may be a decimal one is refused with both that it may be") {
+  check_call_refused(
+      "solve thick-frictionless load.per_length=1,5",
+      "load.per_length = 1,5: must be 1.5 if that is one number, or '1, 5', with a blank, if it is two");
+  check_call_refused("I1 alpha=1,5", "alpha = 1,5: must be 1.5 if");
+}
+
+TEST_CASE("a scene is read from a pipe, which can be read once only") {
+  const ScratchFile file(swept_nip);
+  const std::string swept = run("solve " + file.path()).out;
+  const ScratchFolder folder;
+  const std::string pipe = (folder.path() / "pipe").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  // What would wait for a second writer is ended.
+  CHECK(run("solve " + pipe + " & solved=$!; cat " + file.path() + " >" + pipe +
+            "; (sleep 30; kill $solved) >/dev/null 2>&1 & wait $solved")
+            .out == swept);
+}
+
 TEST_CASE("profiles, and sweeps where one contact is asked for, are refused") {
-  CHECK(run("solve thick-full-friction load.per_length=50,100 'wanted=[\"pressure\"]' profile.points=3")
+  CHECK(run("solve thick-full-friction load.per_length=50.0,100.0 'wanted=[\"pressure\"]' profile.points=3")
             .status == 2);
   CHECK(run("solve thick-full-friction --points 3").status == 2);
   const ScratchFile file(swept_nip);

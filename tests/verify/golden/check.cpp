@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/checksums.hpp>
@@ -39,7 +40,7 @@ TEST_CASE("golden values are what they were, every file to the last character, e
   CHECK(verify::check_folder(data::golden_directory()).empty());
   for (const Quantity& quantity : verify::catalogue()) {
     CAPTURE(quantity.name);
-    const std::string bytes = verify::bytes_of(verify::golden_path(quantity));
+    const std::string bytes = data::text_of_input_file(verify::golden_path(quantity), "file");
     CHECK(verify::Checksums::of(data::golden_directory()).by_name().at(quantity.name + ".csv") ==
           verify::sha256(bytes));
     verify::GoldenFile file = verify::read_golden(verify::golden_path(quantity));

@@ -85,6 +85,7 @@ TEST_CASE("an argument that has a default needs no column, and a choice is read 
 TEST_CASE("a file of points that cannot be read is refused by line and column") {
   CHECK(says(refusal("alpha,eta,value\n1,2,three\n"), ":2:5: must be a number"));
   CHECK(says(refusal("alpha,eta,value\n1,inf,3\n"), ":2:3: must be a finite number"));
+  CHECK(says(refusal("alpha,eta,value\n\"1,5\",2,3\n"), ":2:1: must have a decimal point, not a comma"));
   CHECK(says(refusal("alpha,value\n1,2\n"), "must have a column eta"));
   CHECK(says(refusal("alpha,eta,value\n"), "must have a row"));
   CHECK(says(refusal("alpha,eta,value\n1,2\n"), "must have 3 fields"));

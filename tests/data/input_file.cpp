@@ -1,0 +1,46 @@
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+
+namespace {
+
+std::string refusal_of_input(const std::string& path) {
+  try {
+    static_cast<void>(data::open_input_file(path, "scene"));
+  } catch (const data::BadInput& error) {
+    return error.what();
+  }
+  return "(opened)";
+}
+
+}  // namespace
+
+TEST_CASE("a file that is missing, a folder, and a file that may not be read are told apart") {
+  CHECK(refusal_of_input("/nowhere/x") ==
+        "scene = /nowhere/x: must be a file that exists: there is none of that name");
+  CHECK(refusal_of_input("/") == "scene = /: must be a file: this is a folder");
+  const ScratchFile file("text");
+  CHECK(refusal_of_input(file.path() + "/x")
+            .ends_with("must be a file that exists: there is none of that name"));
+  CHECK(refusal_of_input(std::string(300, 'a'))
+            .ends_with("must be a file that can be read: File name too long"));
+  std::filesystem::permissions(file.path(), std::filesystem::perms::none);
+  // Root may read all.
+  CHECK(refusal_of_input(file.path()) ==
+        (geteuid() == 0 ? "(opened)"
+                        : "scene = " + file.path() + ": must be a file that can be read: Permission denied"));
+}
+
+TEST_CASE("an input file is given whole, empty or with any bytes in it") {
+  for (const std::string& text : {std::string(), std::string("a\r\n\0b", 5)})
+    CHECK(data::text_of_input_file(ScratchFile(text).path(), "file") == text);
+}
