@@ -4,6 +4,9 @@
 # A test of CTest that grades a function or a kernel of a shared library or module: see `nipref help grade`, whose options
 # these are. SYMBOL is a double f(double, ...); KERNEL one that the library lists as nipref/kernel.h has it; with neither,
 # all its kernels of that quantity. The largest error found is a measurement of the test.
+# BASELINE is a file of the source folder, which the same call with --update-baseline writes, in whatever folder (`ctest -V`
+# shows the call): an error is compared with the entry of the same quantity, symbol or kernel, file of the library without
+# folder and version, RANGES, POINTS, compiler of nipref and instruction set. Without the file, or the entry, the test fails.
 function(nipref_add_kernel_check)
   set(values NAME QUANTITY TARGET SYMBOL KERNEL PROMISE POINTS BASELINE JUNIT TIME_LIMIT)
   cmake_parse_arguments(PARSE_ARGV 0 CHECK "THREAD_SAFE" "${values}" "RANGES")
@@ -20,6 +23,9 @@ function(nipref_add_kernel_check)
     message(FATAL_ERROR "nipref_add_kernel_check: ${CHECK_TARGET} must be a shared library or a module, is ${type}")
   endif()
 
+  if(DEFINED CHECK_BASELINE)
+    cmake_path(ABSOLUTE_PATH CHECK_BASELINE BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+  endif()
   set(options --ctest --quiet)
   if(CHECK_SYMBOL)
     list(APPEND options --symbol ${CHECK_SYMBOL} --quantity ${CHECK_QUANTITY})

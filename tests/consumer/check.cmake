@@ -86,10 +86,13 @@ expect("f of[ \n]+[^ \n]*mine.so[ \n]+as[ \n]+I2,[ \n]+its[ \n]+domain:[ \n]+kep
 set(kernel_check ${work}/kernel_check)
 run(${CMAKE_COMMAND} -S ${source}/kernel_check -B ${kernel_check} -D nipref_ROOT=${moved})
 run(${CMAKE_COMMAND} --build ${kernel_check})
+# CTest will give the whole path.
+run(${moved}/bin/nipref grade kernel_check/libmylib.so --symbol sign_kernel --quantity I2 --points 500
+  --baseline ${kernel_check}/baseline.toml --update-baseline)
 run(${CMAKE_CTEST_COMMAND} --test-dir ${kernel_check} --verbose --output-junit junit.xml)
 expect("I2 largest error found, ulp")
-expect("100% tests passed, 0 tests failed out of 3")
-foreach(file_and_says "sound.xml|failures=\"0\"" "wrong.xml|<failure message=\"largest error found" "junit.xml|tests=\"3\"")
+expect("100% tests passed, 0 tests failed out of 4")
+foreach(file_and_says "sound.xml|failures=\"0\"" "wrong.xml|<failure message=\"largest error found" "junit.xml|tests=\"4\"")
   string(REPLACE "|" ";" file_and_says "${file_and_says}")
   list(POP_FRONT file_and_says file)
   file(READ ${kernel_check}/${file} output)

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
@@ -22,7 +24,7 @@ using data::BadInput;
 
 void refuse_what_needs_a_baseline(const CommandLine& line) {
   if (line.option("baseline")) return;
-  for (const char* const name : {"update-baseline", "accept", "strict"})
+  for (const char* const name : {"update-baseline", "accept"})
     refuse_option(line, name, "must be given with --baseline");
 }
 
@@ -58,22 +60,27 @@ BaselineKey key_of(const Graded& graded) {
           compiler(),         std::string(fast::instruction_set())};
 }
 
-/// Compares with the baseline, and changes it if that is asked for. False if it may not be.
-bool settle_baseline(const CommandLine& line, Graded& graded) {
+/// The baseline, read before anything is graded. Where it is to be written there may be none yet.
+std::optional<Baseline> baseline_of(const CommandLine& line) {
   const auto path = line.option("baseline");
-  if (!path) return true;
-  Baseline baseline = Baseline::read(*path);
-  graded.against_baseline = compare_with(baseline, key_of(graded), graded.grade.found.max_error_ulp);
-  if (!line.has("update-baseline")) return true;
-  const bool updated =
-      update(baseline, key_of(graded), graded.grade.found.max_error_ulp, line.option("accept"));
-  if (!updated) {
-    graded.remarks.emplace_back("the baseline was left as it is: raising it needs --accept \"reason\"");
-    return false;
+  if (!path) return std::nullopt;
+  std::error_code unknown;
+  if (!std::filesystem::exists(*path, unknown) && !unknown) {
+    if (line.has("update-baseline")) return Baseline{};
+    throw BadInput("baseline", *path, "must be a file that exists: --update-baseline makes one");
   }
-  write_output_file(*path, baseline.text());
-  graded.against_baseline->comparison = Comparison::not_worse;
-  return true;
+  return Baseline::read(*path);
+}
+
+/// Compares with the baseline, which is changed before if that is asked for. False if it may not be.
+bool settle_baseline(const CommandLine& line, Baseline& baseline, Graded& graded) {
+  const BaselineKey key = key_of(graded);
+  const double error = graded.grade.found.max_error_ulp;
+  const bool settled = !line.has("update-baseline") || update(baseline, key, error, line.option("accept"));
+  if (!settled)
+    graded.remarks.emplace_back("the baseline was left as it is: raising it needs --accept \"reason\"");
+  graded.against_baseline = compare_with(baseline, key, error);
+  return settled;
 }
 
 /// What CTest takes from the output of a test into its report.
@@ -104,7 +111,8 @@ Graded graded_file(const CommandLine& line) {
   std::optional<AuditResult> found;
   const double seconds = seconds_of(
       [&] { found = audit_values(*measured.quantity, measured.points, measured.values, options); });
-  return {.grade = grade_of(file == "-" ? "standard input" : file, "its points", *found),
+  return {.grade = grade_of(file == "-" ? "standard input" : std::filesystem::path(file).filename().string(),
+                            "its points", *found),
           .seconds = seconds,
           .remarks = remarks_on(measured)};
 }
@@ -112,20 +120,22 @@ Graded graded_file(const CommandLine& line) {
 int grade_verb(const CommandLine& line, std::ostream& out) {
   refuse_what_needs_a_baseline(line);
   if (line.json) refuse_option(line, "ctest", "must be left out with --json");
+  std::optional<Baseline> baseline = baseline_of(line);
   std::vector<Graded> all =
       names_plugin(line) ? graded_kernels(line) : std::vector<Graded>{graded_file(line)};
-  const bool strict = line.has("strict");
-  bool kept = true;
+  bool kept = true, to_be_written = false;
   for (Graded& graded : all) {
-    const bool settled = settle_baseline(line, graded);
-    kept = kept && settled && graded.kept(strict);
+    const bool settled = !baseline || settle_baseline(line, *baseline, graded);
+    kept = kept && settled && graded.kept();
+    to_be_written |= settled && line.has("update-baseline");
   }
+  if (to_be_written) replace_output_file(*line.option("baseline"), baseline->text());
   if (const auto path = line.option("keep-worst")) {
     for (const Graded& graded : all) keep_worst(*path, graded);
   }
   if (const auto junit = line.option("junit")) {
     std::vector<JUnitCase> cases;
-    for (const Graded& graded : all) cases.push_back(junit_case(graded, strict));
+    for (const Graded& graded : all) cases.push_back(junit_case(graded));
     write_output_file(*junit, junit_text("nipref grade", cases));
   }
   if (line.json) {

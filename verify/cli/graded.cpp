@@ -97,15 +97,15 @@ std::string why_not_kept(const Graded& graded) {
                        grade.found.promise);
   if (graded.behaviour && !graded.behaviour->kept())
     return "slower than " + graded.behaviour->to_older->older;
-  return "baseline: " + graded.against_baseline->words;
+  return fmt::format("baseline: {}: {}", words_of(graded.against_baseline->comparison),
+                     graded.against_baseline->words);
 }
 
 }  // namespace
 
-bool Graded::kept(bool strict) const {
+bool Graded::kept() const {
   if (!grade.found.kept() || (behaviour && !behaviour->kept())) return false;
-  if (!against_baseline || against_baseline->comparison == Comparison::not_worse) return true;
-  return against_baseline->comparison == Comparison::not_comparable && !strict;
+  return !against_baseline || against_baseline->comparison == Comparison::not_worse;
 }
 
 std::optional<double> promise_option(const CommandLine& line) {
@@ -138,17 +138,14 @@ Json graded_json(const Graded& graded) {
   return row;
 }
 
-JUnitCase junit_case(const Graded& graded, bool strict) {
+JUnitCase junit_case(const Graded& graded) {
   const Grade& grade = graded.grade;
   JUnitCase result{fmt::format("{} as {}, {}", grade.what, grade.found.quantity->name, grade.where),
                    graded.seconds, JUnitCase::Outcome::passed, "", graded_text(graded)};
-  if (!graded.kept(strict)) {
+  if (!graded.kept()) {
     const bool error = graded.behaviour && std::ranges::any_of(graded.behaviour->faults, is_error);
     result.outcome = error ? JUnitCase::Outcome::error : JUnitCase::Outcome::failed;
     result.message = why_not_kept(graded);
-  } else if (graded.against_baseline && graded.against_baseline->comparison == Comparison::not_comparable) {
-    result.outcome = JUnitCase::Outcome::skipped;
-    result.message = "not comparable: " + graded.against_baseline->words;
   }
   return result;
 }

@@ -40,12 +40,12 @@ struct Graded {
   std::optional<Behaviour> behaviour = {};  ///< of a kernel
   std::optional<BaselineComparison> against_baseline = {};
 
-  [[nodiscard]] bool kept(bool strict) const;
+  [[nodiscard]] bool kept() const;
 };
 
 std::string graded_text(const Graded& graded);
 Json graded_json(const Graded& graded);
-JUnitCase junit_case(const Graded& graded, bool strict);
+JUnitCase junit_case(const Graded& graded);
 
 /// Values that are there already: the words are a CSV and, if it is not said there, its quantity.
 Graded graded_file(const CommandLine& line);

@@ -141,7 +141,10 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
   std::optional<AuditResult> found;
   const double seconds = seconds_of([&] { found = audit(*chosen.quantity, kernel.evaluator(), options); });
   progress.at(1, "timing");
-  const std::string what = fmt::format("{} of {}", chosen.kernel, plugin.file.string());
+  // A library's version and folder are no part of what the kernel is.
+  std::string file = plugin.file.filename().string();
+  if (const std::size_t version = file.find(".so."); version != std::string::npos) file.resize(version + 3);
+  const std::string what = chosen.kernel + " of " + file;
   return {.grade = grade_of(what, where_text(line), *found),
           .seconds = seconds,
           .seed = options.seed,

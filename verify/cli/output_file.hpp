@@ -15,4 +15,8 @@ class OutputError : public std::system_error {
 /// Replaces what is in the file. OutputError if any of it could not be written.
 void write_output_file(const std::string& path, std::string_view text);
 
+/// The same, so that whatever happens the file is the old one or the new one: the text is written beside it and takes
+/// its name. What is no regular file, a pipe or a device, is written to.
+void replace_output_file(const std::string& path, std::string_view text);
+
 }  // namespace nipref::verify

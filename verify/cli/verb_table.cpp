@@ -67,7 +67,8 @@ const OptionText promise_option{
 const OptionText column_option{
     "column", "which column holds the values (default: value, the quantity's name, or the only one left)"};
 const OptionText baseline_option{
-    "baseline", "TOML file of errors found earlier; more than 1.5 times that and 0.25 ulp fails"};
+    "baseline",
+    "TOML file of errors found earlier; more than 1.5 times that and 0.25 ulp fails, as does what is not in it"};
 const OptionText accept_option{"accept", "with --update-baseline: why an error may be larger than before"};
 const OptionText keep_worst_option{"keep-worst",
                                    "file like a golden one, to which the worst point is appended"};
@@ -88,8 +89,8 @@ const OptionText ctest_flag{"ctest", "tell the largest errors as measurements th
 const OptionText thread_safe_flag{"thread-safe",
                                   "the function of --symbol may be called from several threads, and is"};
 
-const OptionText update_baseline_flag{"update-baseline", "write what was found into the baseline"};
-const OptionText comparable_flag{"strict", "what is not in the baseline under the same key fails"};
+const OptionText update_baseline_flag{"update-baseline",
+                                      "write what was found into the baseline, which is made if need be"};
 
 const OptionText with_option{"with", "a shared object, whose kernels are timed beside fast's; see grade"};
 const OptionText older_program_option{"against", "an older nipref: both are timed in turns, in three rounds"};
@@ -243,8 +244,7 @@ const std::array all_verbs{
         {promise_option, sample_points_option, sample_seed_option, column_option, symbol_option,
          quantity_option, time_limit_option, older_object_option, max_slowdown_option, baseline_option,
          accept_option, junit_option, keep_worst_option},
-        {thread_safe_flag, update_baseline_flag, comparable_flag, ctest_flag, quiet_flag, json_flag,
-         no_times_flag},
+        {thread_safe_flag, update_baseline_flag, ctest_flag, quiet_flag, json_flag, no_times_flag},
         {"nipref grade results.csv", "nipref grade - I1 --promise 4 --junit grade.xml",
          "nipref grade ./mine.so I1 alpha=1e-3..50 --against ./old.so",
          "nipref grade ./mine.so --symbol f --quantity I1"},

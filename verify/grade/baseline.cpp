@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/data/toml_obstacle.hpp>
 #include <nipref/verify/grade/baseline.hpp>
 
@@ -86,14 +85,10 @@ std::string difference(const BaselineKey& before, const BaselineKey& now) {
 
 Baseline Baseline::read(const std::string& path) try {
   Baseline baseline;
-  std::error_code none;
-  if (!std::filesystem::exists(path, none)) return baseline;
-  if (std::filesystem::is_directory(path, none)) throw BadInput("baseline", path, "must be a file");
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  if (const auto obstacle = data::toml_obstacle(text.view()))
+  const std::string text = data::text_of_input_file(path, "baseline");
+  if (const auto obstacle = data::toml_obstacle(text))
     throw BadInput("baseline", fmt::format("{}:{}", path, obstacle->line), std::string(obstacle->allowed));
-  const toml::table file = toml::parse(text.view());
+  const toml::table file = toml::parse(text);
   for (const auto& [key, node] : file) {
     if (key.str() != list_name || !node.is_array_of_tables())
       refuse_entry(path, node, fmt::format("must hold [[{}]] alone", list_name));
@@ -126,7 +121,9 @@ BaselineComparison compare_with(const Baseline& baseline, const BaselineKey& key
     return entry.key.what == key.what && entry.key.quantity == key.quantity && entry.key.where == key.where;
   });
   return {Comparison::not_comparable,
-          other == baseline.entries.end() ? "not in the baseline" : difference(other->key, key)};
+          other == baseline.entries.end()
+              ? fmt::format("{} as {}, {}, is not in the baseline", key.what, key.quantity, key.where)
+              : difference(other->key, key)};
 }
 
 bool update(Baseline& baseline, const BaselineKey& key, double max_error_ulp,

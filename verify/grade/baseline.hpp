@@ -6,9 +6,9 @@
 
 namespace nipref::verify {
 
-/// What two measurements must share to be comparable.
+/// What two measurements must share to be comparable. Folders are no part of it: a checkout may be anywhere.
 struct BaselineKey {
-  std::string what;  ///< that was graded
+  std::string what;  ///< that was graded: a file's name, of a kernel its own name and that of its file
   std::string quantity;
   std::string where;  ///< the ranges, or a file of points
   std::string seed;
@@ -29,7 +29,7 @@ struct Baseline {
   };
   std::vector<Entry> entries;
 
-  /// Empty if there is no such file. BadInput naming file, line and key for what cannot be read.
+  /// BadInput for a file that cannot be read, as input_file.hpp has it, and naming line and key for what is not so.
   static Baseline read(const std::string& path);
   [[nodiscard]] std::string text() const;
 };

@@ -6,7 +6,7 @@ namespace nipref::verify {
 
 /// One thing that was tested, as continuous integration shows it.
 struct JUnitCase {
-  enum class Outcome { passed, failed, error, skipped };
+  enum class Outcome { passed, failed, error };
   std::string name;
   double seconds;
   Outcome outcome;

@@ -35,7 +35,8 @@ struct Call {
   std::string definition;
 };
 
-std::vector<Call> quick_calls(const std::string& with_profile, const std::string& values) {
+std::vector<Call> quick_calls(const std::string& with_profile, const std::string& values,
+                              const std::string& baseline) {
   const auto scene = [](const char* name) { return "'" + data::example_scene(name).string() + "'"; };
   return {
       {"list", "list"},
@@ -64,7 +65,7 @@ std::vector<Call> quick_calls(const std::string& with_profile, const std::string
       {"grade '" + plugin_file("kernels") + "' all_sound --points 100 --against '" + plugin_file("kernels") +
            "' --max-slowdown 1e9",
        "grade"},
-      {"grade '" + values + "' I1 --promise 1e17 --baseline /nowhere/baseline.toml", "grade"},
+      {"grade '" + values + "' I1 --promise 1e17 --update-baseline --baseline '" + baseline + "'", "grade"},
       {"golden check I2 --every 100", "golden_check"},
       {"golden list I2", "golden_list"},
       {"limits limit.hertz.load", "limits"},
@@ -114,7 +115,8 @@ TEST_CASE("every verb's answer is as the schema has it") {
       "[friction]\nmodel = \"none\"\n[method]\nkind = \"converged\"\n[profile]\npoints = 3\n");
   const ScratchFile values(
       "alpha,value\n0.5,0.45361862\n");  // any number: graded with a promise that is wide
-  for (const Call& call : quick_calls(with_profile.path(), values.path())) {
+  const ScratchFile baseline;
+  for (const Call& call : quick_calls(with_profile.path(), values.path(), baseline.path())) {
     CAPTURE(call.arguments);
     const Outcome outcome = run(call.arguments + " --json");
     CAPTURE(outcome.err);

@@ -2,6 +2,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -9,6 +10,8 @@
 
 #include "support/run_nipref.hpp"
 #include "support/scratch_file.hpp"
+#include "support/scratch_folder.hpp"
+#include "support/unfolded.hpp"
 
 using nlohmann::json;
 
@@ -85,10 +88,11 @@ TEST_CASE("a baseline is made, kept, and not raised without a reason") {
   const ScratchFile sound(with_values(points_of_I1(), [](double alpha) { return nipref::fast::I1(alpha); }));
   const ScratchFile baseline("");
   const std::string against = " --baseline '" + baseline.path() + "'";
-  CHECK(run("grade '" + sound.path() + "'" + against + " --strict").status == 1);
-  CHECK(run("grade '" + sound.path() + "'" + against).status == 0);
+  const Outcome not_there = run("grade '" + sound.path() + "'" + against);
+  CHECK(not_there.status == 1);
+  CHECK(unfolded(not_there.out).find("as I1, its points, is not in the baseline") != std::string::npos);
   CHECK(run("grade '" + sound.path() + "'" + against + " --update-baseline").status == 0);
-  CHECK(run("grade '" + sound.path() + "'" + against + " --strict").status == 0);
+  CHECK(run("grade '" + sound.path() + "'" + against).status == 0);
   // The same file with values that are worse, within a promise that is wide.
   std::ofstream(sound.path()) << with_values(
       points_of_I1(), [](double alpha) { return nipref::fast::I1(alpha) * (1 + 0x1p-48); });
@@ -101,6 +105,30 @@ TEST_CASE("a baseline is made, kept, and not raised without a reason") {
       run("grade '" + sound.path() + "'" + against + wide + " --update-baseline --accept 'shorter'").status ==
       0);
   CHECK(baseline.text().find("shorter") != std::string::npos);
+}
+
+TEST_CASE(
+    "a baseline knows a file by its name, in whatever folder, and must be there unless it is to be made") {
+  const ScratchFolder folder;
+  for (const char* const checkout : {"one", "other"})
+    std::filesystem::create_directory(folder.path() / checkout);
+  const std::string baseline = (folder.path() / "baseline.toml").string(),
+                    junit = folder.path() / "junit.xml";
+  const std::string one = (folder.path() / "one/mine.csv").string(), other = folder.path() / "other/mine.csv";
+  const std::string against = " --promise 1000 --baseline '" + baseline + "'";
+  std::ofstream(one) << with_values(points_of_I1(), [](double alpha) { return nipref::fast::I1(alpha); });
+  std::ofstream(other) << with_values(points_of_I1(),
+                                      [](double alpha) { return nipref::fast::I1(alpha) * (1 + 0x1p-48); });
+  check_call_refused("grade '" + one + "'" + against,
+                     "must be a file that exists: --update-baseline makes one");
+  CHECK_FALSE(std::filesystem::exists(baseline));
+  REQUIRE(run("grade '" + one + "'" + against + " --update-baseline").status == 0);
+  const Outcome worse = run("grade '" + other + "'" + against + " --junit '" + junit + "'");
+  CHECK(worse.status == 1);
+  CHECK(worse.out.find("baseline: WORSE") != std::string::npos);
+  std::ostringstream told;
+  told << std::ifstream(junit).rdbuf();
+  CHECK(told.str().find("name=\"mine.csv as I1, its points\"") != std::string::npos);
 }
 
 TEST_CASE("JUnit tells the outcome of a grade") {
@@ -121,5 +149,5 @@ TEST_CASE("what cannot be graded is refused") {
   const ScratchFile points(points_of_I1());
   check_call_refused("grade '" + points.path() + "'", "must have the values in a column");
   check_call_refused("grade '" + points.path() + "' --promise 0", "promise = 0");
-  check_call_refused("grade '" + points.path() + "' --strict", "strict = (given)");
+  check_call_refused("grade '" + points.path() + "' --accept x", "must be given with --baseline");
 }

@@ -33,7 +33,8 @@ TEST_CASE("another key is not comparable, and says in what it is another") {
     CHECK(compared.comparison == Comparison::not_comparable);
     return compared.words;
   };
-  CHECK(words([](BaselineKey& other) { other.quantity = "I2"; }) == "not in the baseline");
+  CHECK(words([](BaselineKey& other) { other.quantity = "I2"; }) ==
+        "mine.csv as I2, its domain, is not in the baseline");
   CHECK(words([](BaselineKey& other) { other.compiler = "GNU 14"; }).starts_with("compiler was"));
   CHECK(words([](BaselineKey& other) { other.points = 7; }).starts_with("points was"));
   CHECK(words([](BaselineKey& other) { other.instruction_set = "v4"; }).starts_with("instruction set was"));
@@ -69,7 +70,7 @@ TEST_CASE("a baseline is read back as it was written") {
     CHECK(back.entries[i].max_error_ulp == baseline.entries[i].max_error_ulp);
     CHECK(back.entries[i].reason == baseline.entries[i].reason);
   }
-  CHECK(Baseline::read(file.path() + ".missing").entries.empty());
+  CHECK_THROWS_AS(static_cast<void>(Baseline::read(file.path() + ".missing")), BadInput);
 }
 
 TEST_CASE("what is no baseline is refused by file and line") {
@@ -83,7 +84,8 @@ TEST_CASE("what is no baseline is refused by file and line") {
   refused("not toml");
   refused("[[graded]]\n\xc3\xa9 = 1\n");  // what toml++ must not be given
   refused("[[graded]]\na.b.c.d.e.f.g.h.i.j.k.l.m.n.o.p.q = 1\n");
-  CHECK_THROWS_WITH_AS(static_cast<void>(Baseline::read("/")), "baseline = /: must be a file", BadInput);
+  CHECK_THROWS_WITH_AS(static_cast<void>(Baseline::read("/")),
+                       doctest::Contains("baseline = /: must be a file"), BadInput);
   std::string negative = with_entry(1.5).text();
   negative.replace(negative.find("1.5"), 3, "-1.");
   refused(negative + "\n");
