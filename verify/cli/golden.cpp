@@ -31,13 +31,70 @@ std::vector<const Quantity*> quantities_of(const CommandLine& line) {
   return select_quantities({line.words.begin() + 1, line.words.end()});
 }
 
-void write_with_checksum(const fs::path& path, const std::string& text) {
-  fs::create_directories(path.parent_path());
-  Checksums sums = Checksums::of(path.parent_path());
-  sums.set(path.filename().string(), text);
-  write_output_file(path.string(), text);
-  write_output_file((path.parent_path() / checksums_name).string(), sums.text());
-}
+/// Where new values go: one file, or a folder with a file for each quantity and the checksums of all.
+class Destination {
+ public:
+  /// BadInput if the command line says nothing of it.
+  Destination(const CommandLine& line, std::size_t quantities) : in_place_(line.has("in-place")) {
+    const auto output = line.option("output");
+    if (in_place_) {
+      refuse_option(line, "output", "must be left out, or --in-place");
+      path_ = own_;
+      return;
+    }
+    std::error_code none;
+    if (!output || output->empty())
+      throw BadInput(
+          "output", output ? "" : "(missing)",
+          fmt::format("must be a file or a folder, or --in-place given, which writes to {}", own_.string()));
+    path_ = fs::absolute(*output);
+    is_file_ = quantities == 1 && path_.has_filename() && !fs::is_directory(path_, none);
+    if (!is_file_ && fs::exists(path_, none) && !fs::is_directory(path_, none))
+      throw BadInput("output", *output, "must be a folder: there are several quantities");
+  }
+
+  [[nodiscard]] fs::path file_of(const Quantity& quantity) const {
+    return is_file_ ? path_ : path_ / (quantity.name + ".csv");
+  }
+
+  /// BadInput if the file is there and is none of the quantity's or has more rows, or is nipref's own and is not to be
+  /// written.
+  void check(const Quantity& quantity, std::size_t rows) const {
+    const fs::path file = file_of(quantity);
+    std::error_code none;
+    if (!in_place_ && fs::weakly_canonical(file, none).parent_path() == fs::weakly_canonical(own_, none))
+      throw BadInput("output", file.string(), "must be elsewhere: --in-place writes to nipref's own files");
+    if (!fs::is_regular_file(file, none)) return;
+    const GoldenFile there = read_golden(file);
+    if (there.entry("quantity") != quantity.name)
+      throw BadInput("golden file", file.string(),
+                     fmt::format("must be one of {}, or none yet: it has values of {}", quantity.name,
+                                 there.entry("quantity")));
+    if (there.rows.size() > rows)
+      throw BadInput("golden file", file.string(),
+                     fmt::format("must not lose rows: it has {} and would get {}", there.rows.size(), rows));
+  }
+
+  /// A single file's checksum is kept only where there is one.
+  void write(const Quantity& quantity, const GoldenFile& values) const {
+    const fs::path file = file_of(quantity), folder = file.parent_path();
+    const std::string text = golden_text(quantity, values);
+    check(quantity, values.rows.size());
+    std::error_code error;
+    fs::create_directories(folder, error);  // writing says what is wrong
+    Checksums sums = Checksums::of(folder);
+    replace_output_file(file.string(), text);
+    if (is_file_ && !sums.by_name().contains(file.filename().string())) return;
+    sums.set(file.filename().string(), text);
+    replace_output_file((folder / checksums_name).string(), sums.text());
+  }
+
+ private:
+  fs::path own_ = data::golden_directory();
+  bool in_place_;
+  fs::path path_;
+  bool is_file_ = false;
+};
 
 int answer(const CommandLine& line, std::ostream& out, const std::string& text, const Json& json, bool kept) {
   if (line.json) {
@@ -59,6 +116,9 @@ GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
 
 int make(const CommandLine& line, std::ostream& out) {
   const auto quantities = quantities_of(line);
+  const Destination destination(line, quantities.size());
+  for (const Quantity* quantity : quantities)
+    destination.check(*quantity, options_for(*quantity, line).points);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   progress.begin("golden make", quantities.size());
@@ -71,9 +131,8 @@ int make(const CommandLine& line, std::ostream& out) {
     try {
       MadeGolden made = make_golden(*quantity, options, provenance());
       kept = kept && made.refused.empty();
-      const fs::path path = golden_path(*quantity);
-      write_with_checksum(path, golden_text(*quantity, made.file));
-      files.push_back({quantity->name, path.string(), std::move(made)});
+      destination.write(*quantity, made.file);
+      files.push_back({quantity->name, destination.file_of(*quantity).string(), std::move(made)});
     } catch (const Interrupted&) {
       break;
     }
@@ -134,6 +193,7 @@ int update(const CommandLine& line, std::ostream& out) {
         "must be given: this program was built from a tree that differs from its commit, or is of none");
   }
   const auto quantities = quantities_of(line);
+  const Destination destination(line, quantities.size());
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   progress.begin("golden update", quantities.size());
@@ -143,8 +203,10 @@ int update(const CommandLine& line, std::ostream& out) {
     const fs::path path = golden_path(*quantity);
     if (!fs::exists(path) && line.words.size() == 1) continue;
     try {
-      files.push_back({quantity->name, path.string(),
-                       update_golden(*quantity, read_golden(path), line.has("all"), made_with,
+      const GoldenFile before = read_golden(path);
+      destination.check(*quantity, before.rows.size());
+      files.push_back({quantity->name, destination.file_of(*quantity).string(),
+                       update_golden(*quantity, before, line.has("all"), made_with,
                                      [&](double part) { progress.at(part); })});
     } catch (const Interrupted&) {
       files.clear();
@@ -156,8 +218,7 @@ int update(const CommandLine& line, std::ostream& out) {
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
   const int status = answer(line, out, updated_text(files), updated_json(files), kept);
   for (const UpdatedFile& file : files) {
-    if (!file.updated.changed.empty())
-      write_with_checksum(file.path, golden_text(find_quantity(file.quantity), file.updated.file));
+    if (!file.updated.changed.empty()) destination.write(find_quantity(file.quantity), file.updated.file);
   }
   return status;
 }
@@ -183,6 +244,7 @@ void refuse_options_of_others(const CommandLine& line, const std::string& action
     for (const std::string& name : names)
       refuse_option(line, name, fmt::format("golden {} has no such option", action));
   };
+  only({"output", "in-place"}, {"make", "update"});
   only({"points", "digits", "seed"}, {"make"});
   only({"every"}, {"check"});
   only({"all"}, {"check", "update"});

@@ -103,9 +103,15 @@ const OptionText golden_points_option{
     "points", "values of each quantity, 1 to 1e8 (default 250, 200 where they take seconds)"};
 const OptionText golden_digits_option{"digits",
                                       "decimal digits, 16 to 1000 (default 50, 30 where they take seconds)"};
+const OptionText golden_output_option{
+    "output",
+    "make, update: the file to be written, or the folder, as it is for several quantities; made if need be",
+    "o"};
 const OptionText every_option{"every", "check: look at every so many-th row only (default 1)"};
 const OptionText all_flag{"all",
                           "check: recompute every row by ref, slow ones too; update: change every row"};
+const OptionText in_place_flag{"in-place",
+                               "make, update: write the files that golden check reads, nipref's own"};
 const OptionText dirty_flag{"dirty", "update: though the program was built from no clean commit"};
 
 const OptionText figure_csv_option{"csv", "file for its numbers, a line for each point"};
@@ -249,14 +255,16 @@ const std::array all_verbs{
          "nipref grade ./mine.so I1 alpha=1e-3..50 --against ./old.so",
          "nipref grade ./mine.so --symbol f --quantity I1"},
         true},
-    VerbText{"golden",
-             "Values that are kept, each confirmed by a second method: make, check, update or list them.",
-             "action",
-             "make, check, update or list, and names of quantities (default: all); check takes files too",
-             {golden_points_option, golden_digits_option, seed_option, every_option},
-             {all_flag, dirty_flag, quiet_flag, json_flag, no_times_flag},
-             {"nipref golden check", "nipref golden check I1 mine.csv --all",
-              "nipref golden make I1 --points 1000", "nipref golden update Un"}},
+    VerbText{
+        "golden",
+        "Values that are kept, each confirmed by a second method: make, check, update or list them.",
+        "action",
+        "make, check, update or list, and names of quantities (default: all); check takes files too. What make and "
+        "update write must be said, by -o or --in-place, and no file gets fewer rows than it has",
+        {golden_output_option, golden_points_option, golden_digits_option, seed_option, every_option},
+        {in_place_flag, all_flag, dirty_flag, quiet_flag, json_flag, no_times_flag},
+        {"nipref golden check", "nipref golden check I1 mine.csv --all",
+         "nipref golden make I1 --points 1000 -o I1.csv", "nipref golden update Un --in-place"}},
     VerbText{
         "bench",
         "Speed against error, beside other libraries.",

@@ -10,6 +10,7 @@
 #include "support/golden_folder.hpp"
 #include "support/json_schema.hpp"
 #include "support/run_nipref.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace {
 
@@ -51,7 +52,8 @@ json answer(const std::string& arguments, const std::string& definition, int sta
 
 TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   const GoldenFolder folder;
-  const json made = answer("golden make I2 root.re --points 6 --digits 30 --seed 5", "golden_make", 0);
+  const json made =
+      answer("golden make I2 root.re --points 6 --digits 30 --seed 5 --in-place", "golden_make", 0);
   CHECK(made["files"].size() == 2);
   CHECK(made["files"][0]["rows"] == 6);
   CHECK(std::system(("cd '" + folder.path().string() + "' && sha256sum -c SHA256SUMS >/dev/null").c_str()) ==
@@ -76,7 +78,7 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
 
     edit(folder.file("I2.csv"), "# scale: ", "# scale: formerly ");
     const std::string before = text_of(folder.file("I2.csv"));
-    const json updated = answer("golden update I2 --dirty", "golden_update", 0);
+    const json updated = answer("golden update I2 --dirty --in-place", "golden_update", 0);
     REQUIRE(updated["files"][0]["changed"].size() == 1);
     CHECK(updated["files"][0]["changed"][0]["why"] == "another value");
     CHECK(run("golden check root.re I2").status == 0);
@@ -84,9 +86,9 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
     CHECK(after != before);
     CHECK(after.find("# updated: 1 rows by ") != std::string::npos);
     CHECK(after.find("formerly") == std::string::npos);
-    CHECK(run("golden update I2 --dirty").out.find("0 of 6 rows changed") != std::string::npos);
+    CHECK(run("golden update I2 --dirty --in-place").out.find("0 of 6 rows changed") != std::string::npos);
     CHECK(text_of(folder.file("I2.csv")) == after);
-    const Outcome all = run("golden update I2 --dirty --all");
+    const Outcome all = run("golden update I2 --dirty --in-place --all");
     CHECK(all.out.find("\n- ") != std::string::npos);
     CHECK(all.out.find("\n+ ") != std::string::npos);
     CHECK(all.out.find("6 of 6 rows changed") != std::string::npos);
@@ -112,20 +114,58 @@ TEST_CASE("golden: what is made is kept, what is changed is told and mended") {
   }
 }
 
+TEST_CASE("golden: where new values go is said, and no file that is there gets fewer rows") {
+  const GoldenFolder folder;
+  const ScratchFolder elsewhere;
+  const std::filesystem::path file = elsewhere.path() / "mine.csv";
+  const std::string six = "golden make I2 --points 6 --digits 30", to_file = " -o '" + file.string() + "'";
+  check_call_refused(six, "output = (missing): must be a file or a folder, or --in-place given");
+  check_call_refused("golden update I2 --dirty", "output = (missing)");
+  check_call_refused(six + to_file + " --in-place", "must be left out, or --in-place");
+  check_call_refused(six + " -o '" + folder.path().string() + "'", "--in-place writes to nipref's own files");
+  check_call_refused("golden list" + to_file, "golden list has no such option");
+  CHECK(std::filesystem::is_empty(folder.path()));
+
+  CHECK(run(six + " --in-place").status == 0);
+  const std::string own = text_of(folder.file("I2.csv"));
+  const std::string five = "golden make I2 --points 5 --digits 30";
+  check_call_refused(five + " --in-place", "must not lose rows: it has 6 and would get 5");
+  CHECK(text_of(folder.file("I2.csv")) == own);
+
+  CHECK(run(six + to_file).status == 0);
+  CHECK(text_of(file) == own);
+  check_call_refused(five + to_file, "must not lose rows: it has 6 and would get 5");
+  check_call_refused("golden make I3 --points 7" + to_file,
+                     "must be one of I3, or none yet: it has values of I2");
+  check_call_refused("golden make I2 I3" + to_file, "must be a folder: there are several quantities");
+  CHECK(text_of(file) == own);
+  // Nothing but the file is there, and of a folder all.
+  CHECK(std::distance(std::filesystem::directory_iterator(elsewhere.path()), {}) == 1);
+  CHECK(run(six + " -o '" + (elsewhere.path() / "all/").string() + "'").status == 0);
+  CHECK(text_of(elsewhere.path() / "all/I2.csv") == own);
+  CHECK(std::system(("cd '" + (elsewhere.path() / "all").string() + "' && sha256sum --quiet -c SHA256SUMS")
+                        .c_str()) == 0);
+  edit(folder.file("I2.csv"), "1.5707963267948966192313216916", "1.5707963267948966192313216917");
+  const std::string changed = text_of(folder.file("I2.csv"));
+  CHECK(run("golden update I2 --dirty" + to_file).status == 0);
+  CHECK(text_of(folder.file("I2.csv")) == changed);
+  CHECK(text_of(file).find("# updated: 1 rows by ") != std::string::npos);
+}
+
 TEST_CASE("golden: bad input is refused before anything is written") {
   const GoldenFolder folder;
   check_call_refused("golden", "must be make, check, update or list");
   check_call_refused("golden forge I1", "must be make, check, update or list");
   check_call_refused("golden make I9", "I9");
-  check_call_refused("golden make I1 --digits 5", "digits = 5");
-  check_call_refused("golden make I1 --points 0", "points = 0");
+  check_call_refused("golden make I1 --in-place --digits 5", "digits = 5");
+  check_call_refused("golden make I1 --in-place --points 0", "points = 0");
   check_call_refused("golden make I1 --dirty", "golden make has no such option");
   check_call_refused("golden check --points 3", "golden check has no such option");
   check_call_refused("golden check --every 0", "every = 0");
   check_call_refused("golden check nowhere.csv", "must be a file that exists");
   check_call_refused("golden check " + std::string(300, 'a') + ".csv", "must be a file that can be read");
   check_call_refused("golden list --all", "golden list has no such option");
-  check_call_refused("golden update I1 --dirty", "must be a file that exists");
+  check_call_refused("golden update I1 --dirty --in-place", "must be a file that exists");
   const json commit = json::parse(run("--version --json").out)["nipref"]["commit"];
   if (commit.is_null() || commit.get<std::string>().ends_with("-dirty")) {
     check_call_refused("golden update I1", "must be given: this program was built from a tree that differs");
