@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/internal/met_text.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -100,10 +101,28 @@ void append_field(const typename SceneSolution<Number>::Result& result, const da
   }
 }
 
+/// What the errors are the distance to.
+template <class Number>
+std::string_view truth_of(const SceneSolution<Number>& solution) {
+  const bool is_of_ref = std::is_same_v<Number, LongEstimate>;
+  return solution.is_discrete && is_of_ref ? "discrete system" : "continuous contact";
+}
+
 Json field_json(const data::FieldPlaces& field) {
   if (field.positions.empty()) return {};
   return {{"positions", json_list(field.positions, std::identity())},
           {"depths", json_list(field.depths, std::identity())}};
+}
+
+/// Whether the accuracy is met, and what the errors of line loads are the distance to.
+template <class Number>
+std::string accuracy_text(const SceneSolution<Number>& solution) {
+  const std::optional<bool> met = solution.met();
+  std::string text = met ? met_text(solution.accuracy, *met) : "no accuracy is asked of line loads";
+  if (met == false) text += fmt::format(" by {}: the best there is", fmt::join(solution.missed(), ", "));
+  text += "\n";
+  if (solution.is_discrete) text += fmt::format("errors are the distance to the {}\n", truth_of(solution));
+  return text;
 }
 
 }  // namespace
@@ -116,13 +135,7 @@ std::string error_text(const LongEstimate& number) { return number.error; }
 template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution, bool full) {
   std::string text = solution.title + "\n";
-  const auto missed = solution.missed();
-  if (missed.empty()) {
-    text += good(fmt::format("accuracy {:g} is met", solution.accuracy)) + "\n";
-  } else {
-    text += bad(fmt::format("accuracy {:g} is missed", solution.accuracy)) +
-            fmt::format(" by {}: the best there is\n", fmt::join(missed, ", "));
-  }
+  text += accuracy_text(solution);
   for (const auto& result : solution.results) {
     if (result.what->is_field) {
       append_field<Number>(result, solution.field, text);
@@ -153,6 +166,7 @@ Json solution_json(const SceneSolution<Number>& solution) {
   const auto& positions = solution.positions;
   return {{"title", solution.title},
           {"path", std::is_same_v<Number, LongEstimate> ? "ref" : "fast"},
+          {"distance_to", truth_of(solution)},
           {"results", results},
           {"positions", positions.empty() ? Json() : json_list(positions, std::identity())},
           {"field", field_json(solution.field)},

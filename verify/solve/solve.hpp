@@ -39,7 +39,9 @@ struct SceneSolution {
   };
 
   std::string title;
-  long double accuracy = 0;       ///< that was asked for, by the scene or in digits
+  long double accuracy = 0;  ///< that was asked for, by the scene or in digits
+  /// By line loads: fast's errors are the distance to the continuous contact, ref's are those of the discrete system.
+  bool is_discrete = false;
   std::vector<Result> results;    ///< in the order of the scene's `wanted`
   std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
   data::FieldPlaces field;        ///< of the fields; empty if none is wanted
@@ -51,9 +53,15 @@ struct SceneSolution {
   [[nodiscard]] std::vector<std::string_view> missed() const {
     std::vector<std::string_view> names;
     for (const Result& result : results) {
-      if (!result.met().value_or(true)) names.push_back(result.what->name);
+      if (result.met() == false) names.push_back(result.what->name);
     }
     return names;
+  }
+  /// Whether all results are as accurate as was asked; nothing if an accuracy was asked of none.
+  [[nodiscard]] std::optional<bool> met() const {
+    if (std::ranges::none_of(results, [](const Result& result) { return result.met().has_value(); }))
+      return {};
+    return missed().empty();
   }
 
   /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted `name`.

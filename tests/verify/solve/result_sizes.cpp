@@ -98,6 +98,30 @@ TEST_CASE(
   CHECK(by_ref.missed().size() == 1);
 }
 
+TEST_CASE(
+    "an accuracy that is not asked of line loads is not called met, and their errors say what they are about") {
+  for (const char* name : {"intermediate-full-friction-line-loads", "thick-frictionless-line-loads",
+                           "thin-frictionless-line-loads", "viscoelastic-thesis-line-loads"}) {
+    CAPTURE(name);
+    const auto solution = verify::solve(data::load_scene(data::example_scene(name)));
+    CHECK_FALSE(solution.met().has_value());
+    const std::string text = unfolded(verify::plain(verify::solution_text(solution)));
+    CHECK(text.find("is met") == std::string::npos);
+    CHECK(
+        text.find("no accuracy is asked of line loads errors are the distance to the continuous contact ") !=
+        std::string::npos);
+    CHECK(nlohmann::json::parse(verify::solution_json(solution).text())["distance_to"] ==
+          "continuous contact");
+  }
+  const auto by_ref =
+      verify::solve_by_ref(data::load_scene(data::example_scene("thin-frictionless-line-loads")));
+  CHECK(by_ref.met() == true);
+  CHECK(unfolded(verify::plain(verify::solution_text(by_ref)))
+            .find("accuracy 1e-30 is met errors are the distance to the discrete system ") !=
+        std::string::npos);
+  CHECK(nlohmann::json::parse(verify::solution_json(by_ref).text())["distance_to"] == "discrete system");
+}
+
 TEST_CASE("what double cannot give is given as well as it can, and the status says so") {
   // Rounding of a gripped sheet as thin as this is far more than what is asked.
   std::string text = scene("full", 0.9, 1e-6);

@@ -39,6 +39,13 @@ const data::FieldPlaces& field_places(const data::Scene& scene) {
   return *std::visit(OfProblem(), scene.system);
 }
 
+bool is_by_line_loads(const data::Scene& scene) {
+  const auto* elastic = std::get_if<data::ElasticNipProblem>(&scene.system);
+  const auto* rolling = std::get_if<data::ViscoelasticNipProblem>(&scene.system);
+  return (elastic != nullptr && std::holds_alternative<data::LineLoads>(elastic->method)) ||
+         (rolling != nullptr && std::holds_alternative<data::ViscoelasticLineLoads>(rolling->method));
+}
+
 void refuse_result(const data::Scene& scene, std::size_t wanted) {
   scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", scene.wanted[wanted],
                       "must be left out: in this scene it leaves the range of doubles");

@@ -23,6 +23,9 @@ inline bool is_finite(const fast::Estimate& number) {
 /// These have a range that no scene leaves.
 inline bool is_finite(const LongEstimate&) { return true; }
 
+/// Whether the scene is solved by line loads.
+bool is_by_line_loads(const data::Scene& scene);
+
 /// Throws BadInput that names the wanted result.
 [[noreturn]] void refuse_result(const data::Scene& scene, std::size_t wanted);
 
@@ -61,6 +64,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   SceneSolution<Number> solution;
   solution.title = scene.title;
   solution.accuracy = accuracy;
+  solution.is_discrete = is_by_line_loads(scene);
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);
