@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
@@ -28,6 +29,25 @@ TEST_CASE(
   check(thin.indentation, contact.indentation());
   check(thin.creep_ratio, contact.creep_ratio());
   check(thin.peak_pressure, contact.peak_pressure());
+}
+
+TEST_CASE(
+    "the pressure in the middle of a long contact is that of springs, but for waves that its error covers") {
+  const data::ElasticNip nip{1024, 1, {1, 0.3}};
+  // Between the lengths that it is known from, at the last of them, and beyond.
+  for (const auto& [length, most] :
+       {std::pair(11.0, 1e-13), std::pair(16.0, 1e-20), std::pair(20.0, 1e-23)}) {
+    CAPTURE(length);
+    const ref::Estimated found = ref::thin_nip_of_length(nip, length, 21).peak_pressure;
+    const ref::Enclosure truth = ref::converged_for_length(nip, length, 26).peak_pressure();
+    ref::Real distance(64);
+    mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
+    mpfr_abs(distance.get(), distance.get(), MPFR_RNDA);
+    mpfr_add(distance.get(), distance.get(), truth.error_bound.get(), MPFR_RNDU);
+    const double error = mpfr_get_d(found.error.get(), MPFR_RNDU);
+    CHECK(mpfr_get_d(distance.get(), MPFR_RNDU) <= error);
+    CHECK(error <= most * truth.to_double());
+  }
 }
 
 TEST_CASE("contacts are long from where their ends no longer feel each other") {

@@ -21,6 +21,8 @@ using NipArguments = std::span<const double>;
 
 // Longer ones take the reference longer than an audit has time for, until they are so long that they come from shorter ones.
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
+// Shorter ones feel their ends in the middle, in the last of the digits that come from shorter ones.
+constexpr double shortest_from_shorter = 16;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
 
 // What the reference does in ten seconds. Without friction: so many digits of a polynomial's samples, or of the contact
@@ -125,7 +127,7 @@ NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, 
     return results_of(contact, contact.peak_shear());
   }
   const Reference nothing = ref::exact_zero(digits);
-  if (length < longest_direct || digits > most_digits_of_thin) {
+  if (length < shortest_from_shorter || digits > most_digits_of_thin) {
     check_work(length, digits);
     return results_of(ref::converged_for_length(nip, length, digits), nothing);
   }
