@@ -8,6 +8,7 @@
 #include <nipref/nipref.h>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/internal/met.hpp>
 
 using namespace nipref;
 using data::BadInput;
@@ -149,7 +150,8 @@ int nipref_fast_batch(const nipref_quantity* quantity, std::size_t points, const
 
 int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, int digits, char* value,
                std::size_t value_size, char* error, std::size_t error_size, int* proven) {
-  return fast::c_call([&] {
+  bool met = true;
+  const int status = fast::c_call([&] {
     const verify::Quantity& wanted = given(quantity);
     refuse_null("value", value);
     refuse_null("error", error);
@@ -160,8 +162,10 @@ int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, in
     const std::string value_text = found.value_text(), error_text = found.error_text();
     check_room("value_size", value_text, value_size);
     check_room("error_size", error_text, error_size);
+    met = verify::is_met(wanted, exact, found, digits);
     std::memcpy(value, value_text.c_str(), value_text.size() + 1);
     std::memcpy(error, error_text.c_str(), error_text.size() + 1);
     *proven = found.proven ? 1 : 0;
   });
+  return status == 0 && !met ? nipref_missed : status;
 }

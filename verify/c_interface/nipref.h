@@ -7,7 +7,8 @@
    does not link libnipref_fast, or the second of the two would not be heard by nipref_last_error().
 
    Functions that return int return 0 and write their results; or they return nipref_bad_input or nipref_failed, write
-   nothing, and nipref_last_error() says why. Every function may be called from several threads at once. */
+   nothing, and nipref_last_error() says why. nipref_ref alone may return nipref_missed, too. Every function may be
+   called from several threads at once. */
 
 #include <stddef.h>
 
@@ -16,6 +17,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+enum {
+  nipref_missed = 3 /* results are written, but *error is more than 10^-digits of the quantity's scale */
+};
 
 /* A quantity; valid as long as the library is loaded. */
 typedef struct nipref_quantity nipref_quantity;
@@ -53,7 +58,9 @@ int nipref_fast_batch(const nipref_quantity* quantity, size_t points, const doub
 /* The reference at exact decimal (or hexadecimal) texts, one for each argument, null for one's default; choices by
    their names. `digits` 16 to 1000. *value and *error become decimal texts, the error absolute, unit of the value;
    *proven 1 if it is a proven bound, 0 if an estimate. value_size and error_size are the sizes of the buffers; digits +
-   40 are enough for the one and 40 for the other, less is refused if the text does not fit. */
+   40 are enough for the one and 40 for the other, less is refused if the text does not fit. nipref_missed: the digits
+   are not all there, as *error tells; the scale is the value, or what `nipref list QUANTITY` says where that is more.
+   nipref_last_error() is not about it. */
 int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, int digits, char* value,
                size_t value_size, char* error, size_t error_size, int* proven);
 

@@ -13,6 +13,7 @@
 #include <nipref/verify/cli/eval_sweep.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/support/internal/met_text.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -40,6 +41,7 @@ Json answer_json(const EvalAnswer& answer) {
           {"error", answer.error ? number_json(answer.path, *answer.error) : Json()},
           {"proven", answer.proven},
           {"digits", answer.digits},
+          {"met", answer.met},
           {"times", {{"seconds", answer.seconds}}}};
 }
 
@@ -70,6 +72,7 @@ std::string answers_text(const EvalRequest& request, const ParsedArguments& argu
                         answer.seconds, answer.value);
     if (answer.error)
       text += fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
+    if (answer.met) text += fmt::format("  {}\n", met_text(answer.accuracy, *answer.met));
   }
   const Scale scale = scale_of(request, arguments, answers.front());
   if (scale.size)
@@ -94,7 +97,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   } else {
     out << answers_text(request, arguments, answers);
   }
-  return 0;
+  return std::ranges::any_of(answers, [](const EvalAnswer& answer) { return answer.met == false; }) ? 1 : 0;
 }
 
 }  // namespace nipref::verify

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <utility>
 
 #include <nipref/verify/cli/eval_sweep.hpp>
@@ -27,15 +30,20 @@ std::vector<SweepColumn> columns_of(const EvalRequest& request) {
     columns.push_back({path, path == "ref"});
     if (request.form == nullptr) columns.push_back({path + "_error", path == "ref"});
   }
+  if (request.form == nullptr) columns.push_back({"missed", true});
   return columns;
 }
 
 SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
   SweepRow row;
+  std::vector<std::string> missed;
   for (EvalAnswer& answer : answers_to(request, arguments)) {
     row.cells.push_back(std::move(answer.value));
     if (answer.error) row.cells.push_back(std::move(*answer.error));
+    if (answer.met == false) missed.push_back(answer.path);
   }
+  if (request.form == nullptr) row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
+  row.fell_short = !missed.empty();
   return row;
 }
 

@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/internal/met.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/cli/evaluation.hpp>
 #include <nipref/verify/cli/options.hpp>
@@ -69,7 +70,14 @@ EvalAnswer answer_of_ref(const EvalRequest& request, const ParsedArguments& argu
   std::optional<Reference> found;
   const double seconds =
       seconds_of([&] { found = request.quantity->by_ref(arguments.exact, request.digits); });
-  return {"ref", found->value_text(), found->error_text(), found->proven, request.digits, seconds};
+  return {"ref",
+          found->value_text(),
+          found->error_text(),
+          found->proven,
+          request.digits,
+          std::pow(10.0L, -request.digits),
+          is_met(*request.quantity, arguments, *found, request.digits),
+          seconds};
 }
 
 EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arguments) {
@@ -82,7 +90,13 @@ EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arg
   const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
   const double promised = quantity.fast_error ? quantity.fast_error(point, request.accuracy)
                                               : std::max(quantity.promise * ulp_of(scale), tolerated);
-  return {"fast", fmt::format("{}", value), upward_text(promised), false, static_cast<int>(-std::log10(rtol)),
+  return {"fast",
+          fmt::format("{}", value),
+          upward_text(promised),
+          false,
+          static_cast<int>(-std::log10(rtol)),
+          rtol,
+          request.rtol_is_asked ? std::optional(is_met(promised, scale, rtol)) : std::nullopt,
           seconds};
 }
 
@@ -99,6 +113,8 @@ EvalAnswer answer_of_seed(const EvalRequest& request, const ParsedArguments& arg
           std::nullopt,
           false,
           std::numeric_limits<double>::digits10,
+          0,
+          std::nullopt,
           seconds};
 }
 
@@ -114,7 +130,8 @@ EvalRequest request_of(const CommandLine& line) {
           form == nullptr && path != "fast",
           form == nullptr && path != "ref",
           digits_for(quantity, line),
-          accuracy_option(line)};
+          accuracy_option(line),
+          line.option("rtol").has_value()};
 }
 
 const char* caveat_of(const EvalRequest& request) {

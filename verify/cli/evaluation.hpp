@@ -17,6 +17,8 @@ struct EvalAnswer {
   std::optional<std::string> error;  ///< none of the seed's forms
   bool proven;                       ///< that error, as a bound
   int digits;                        ///< ref: as asked for; fast: as promised
+  long double accuracy;              ///< that was asked for: 10^-digits, or rtol
+  std::optional<bool> met;           ///< none where no accuracy was asked for; see catalogue/internal/met.hpp
   double seconds;
 };
 
@@ -28,6 +30,7 @@ struct EvalRequest {
   bool by_fast;
   int digits;
   fast::Accuracy accuracy;
+  bool rtol_is_asked;
 };
 
 /// BadInput for options that do not go together, and for what is no quantity.

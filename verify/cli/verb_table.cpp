@@ -143,7 +143,8 @@ const std::array all_verbs{
         "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
         "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees. name=a,b,c and "
         "name=lo..hi[:log|:linear|:bits] give all combinations, a row each, as CSV; whole numbers with a blank, "
-        "'1, 2', as 1,2 may be a decimal comma",
+        "'1, 2', as 1,2 may be a decimal comma. The accuracy that was asked, 10^-digits of ref or rtol of fast, is "
+        "met by an error of no more than that part of the scale; status 1 if it is missed",
         {path_option, digits_option, rtol_option, form_option, sweep_points_text},
         {quiet_flag, json_flag, no_times_flag},
         {"nipref eval I1 alpha=0.73", "nipref eval I6 alpha=1e-6..20:log eta=0.5,2 --points 200",

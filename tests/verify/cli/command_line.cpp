@@ -225,6 +225,49 @@ TEST_CASE("fast's estimated error follows rtol") {
   CHECK(error("rtol=1e-3") <= 1e-3);
 }
 
+TEST_CASE(
+    "eval says of an accuracy that was asked whether it is met, with status 1 if not, and nothing of another") {
+  const auto met = [](const std::string& options, int status) {
+    const Outcome outcome = run("eval nip.load L_over_B=5 poisson=0.3 path=fast --json " + options);
+    CHECK(outcome.status == status);
+    return json::parse(outcome.out)["results"]["fast"].at("met");
+  };
+  CHECK(met("rtol=1e-6", 0) == true);
+  CHECK(met("rtol=1e-15", 1) == false);  // less than the rounding of what is solved
+  CHECK(met("", 0).is_null());
+  CHECK(
+      run("eval nip.load L_over_B=5 poisson=0.3 path=fast rtol=1e-15").out.find("accuracy 1e-15 is missed") !=
+      std::string::npos);
+  CHECK(run("eval I1 alpha=0.73").out.find("accuracy 1e-50 is met") != std::string::npos);
+  CHECK(run("eval I1 alpha=0.73 path=fast").out.find("accuracy") == std::string::npos);
+  CHECK(json::parse(run("eval rolling.span_ratio poisson=0.3 speed=0.6 form=printed --json")
+                        .out)["results"]["printed"]["met"]
+            .is_null());
+}
+
+TEST_CASE("eval by ref has the digits that were asked for, or says that it misses them, with status 1") {
+  struct Case {
+    std::string arguments;
+    int digits;
+    bool met;
+  };
+  for (const auto& [arguments, digits, met] :
+       {Case{"nip.peak_pressure L_over_B=12 poisson=0.3", 20, true},
+        // Of a long gripped sheet that hardly is compressible the slow waves tell no more in a minute.
+        Case{"nip.peak_pressure L_over_B=14.25 poisson=0.499 friction=full", 16, false},
+        // Nearly elastic: the resistance is as small as the softening, and its digits are of 1/10.
+        Case{"rolling_nip.resistance L_over_B=1 memory_over_L=0.1 softening=1.0000001", 16, true}}) {
+    CAPTURE(arguments);
+    const Outcome outcome =
+        run("eval " + arguments + " --path ref --json --digits " + std::to_string(digits));
+    CHECK(outcome.status == (met ? 0 : 1));
+    const json answer = json::parse(outcome.out), &ref = answer["results"]["ref"];
+    CHECK(ref.at("met") == met);
+    CHECK((std::stod(ref["error"].get<std::string>()) <=
+           std::pow(10.0, -digits) * answer["scale"].get<double>()) == met);
+  }
+}
+
 TEST_CASE("an error in two digits is never less than the error") {
   CHECK(verify::upward_text(0) == "0.0e+00");
   CHECK(verify::upward_text(1e-3) == "1.0e-03");

@@ -46,9 +46,9 @@ TEST_CASE("a sweep's refused rows say why and make the status 1, and it is refus
   CHECK(some.status == 1);
   const std::vector<std::string> lines = csv_lines_of(some.out);
   REQUIRE(lines.size() == 4);
-  CHECK(lines[0] == "alpha,fast,fast_error,refused");
+  CHECK(lines[0] == "alpha,fast,fast_error,missed,refused");
   CHECK(lines[1].ends_with(","));
-  CHECK(lines[2] == "0,,,alpha = 0: must be nonzero: the kernel is infinite there");
+  CHECK(lines[2] == "0,,,,alpha = 0: must be nonzero: the kernel is infinite there");
   const Outcome all = run("eval I1 alpha=0.0,0.0");
   CHECK(all.status == 2);
   CHECK(all.out.empty());
@@ -64,4 +64,18 @@ TEST_CASE("choices can be swept, and a seed's form") {
   const Outcome printed = run("eval rolling.span_ratio poisson=0.3 speed=0.1,0.6 form=printed");
   CHECK(printed.status == 0);
   CHECK(csv_lines_of(printed.out).front() == "poisson,speed,printed,refused");
+}
+
+TEST_CASE("a sweep names in each row the paths that missed the accuracy, and its status is 1") {
+  const std::string nip = "eval nip.load L_over_B=5 poisson=0.4999 friction=none,full --path fast ";
+  const Outcome some = run(nip + "rtol=2e-13 --json");
+  CHECK(some.status == 1);
+  const json columns = json::parse(some.out).at("columns");
+  CHECK(columns["missed"] == json{nullptr, "fast"});
+  for (const std::size_t row : {0U, 1U})
+    CHECK((columns["fast_error"][row] > 2e-13 * columns["fast"][row].get<double>()) == (row == 1));
+  CHECK(csv_lines_of(run(nip + "rtol=2e-13").out)[2].ends_with(",fast,"));
+  const Outcome nothing_asked = run(nip + "--json");
+  CHECK(nothing_asked.status == 0);
+  CHECK(json::parse(nothing_asked.out)["columns"]["missed"] == json{nullptr, nullptr});
 }
