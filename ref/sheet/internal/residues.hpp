@@ -33,6 +33,18 @@ bool residues_are_cheaper(double x, double nats);
 /// e^{-pi x}) <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 
+/// What the poles z_k of G below the line Im z = 4 pi lines add to the trapezoidal rule with step h, transform(), so
+/// that only the aliasing from that line is left as its error. The rule's sum is the integral of G(z) cos(x z)
+/// cot(pi z/h)/(2i) around the real axis. Its upper half, moved up over the poles, and its lower half, moved down,
+/// leave their residues behind. With r_k, the residue of G (c_n at a root; -4/(3 z_k) at the poles z_k = (2k + 1)
+/// 2 pi i/3 of `normal`),
+///
+///     -2 pi i sum_k r_k cos(x z_k)/(e^{-2 pi i z_k/h} - 1),    odd: sin(x z_k),
+///
+/// undoes that. A root and its image -conj(z_n) together make 4 pi Im of what the root makes. The terms are in interval
+/// arithmetic; the half-width is about e^{-nats} where 2 pi/h >= nats/(4 pi lines) + x.
+Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, double nats);
+
 /// The part of the roots in int_x^inf e^{-rate (w - x)} I(w) dw, the memory of a kernel (I1, I3, I4 or I5 for
 /// the symbol of its name), |x| >= 1, rate > 0, all else as above:
 ///

@@ -25,8 +25,15 @@ enum class Parity { even, odd };
 /// The value is the order of the pole.
 enum class OriginPole { none = 0, simple = 1, twofold = 2 };
 
-/// Constants that bound a symbol in the strip |Im z| <= 2, each proven on an interval mesh by
-/// tests/ref/sheet/symbols.cpp.
+/// Constants that bound a symbol, each proven on an interval mesh by tests/ref/sheet/symbols.cpp.
+///
+/// On the lines Im z = Y = 4 pi m, m = 1, 2, ..., it is enough to prove them for m = 1: at each x, sinh z = sinh x and
+/// cosh z = cosh x do not depend on m, while |z| and |S| = |sinh 2x + 2x + 2 i Y| rise with it, so that |G| falls. For
+/// `normal` a bound of |G| falls: tanh(3z/4) is t = tanh(3x/4) there, and as |z| >= Y,
+///
+///     |2 sinh^2 z - t S|/|z S| <= |2 sinh^2 x - t (sinh 2x + 2x)|/|z S| + 2 |t|/|S|.
+///
+/// |z| rises no faster than Y, and so does the integral of |z G|.
 struct SymbolBounds {
   std::string_view name;
   Parity parity;
@@ -35,8 +42,8 @@ struct SymbolBounds {
   double amplitude;     ///< C: min(1, x)^k |G(x)| <= C e^{-r x} for x >= 0, k the order of the pole at 0
   double origin_value;  ///< G_0 in G = 1/(2 z^2) + G_0 + ... (twofold pole), or G(0) of an even symbol
                         ///< without pole
-  double integral;      ///< M >= int_R |G(x + 2i)| dx
-  double moment;        ///< M' >= int_R |z G(z)| |dz| along Im z = 2; odd symbols
+  double integral;      ///< M >= int_R |G(x + iY)| dx, Y = 2 or 4 pi m
+  double moment;        ///< M' Y/2 >= int_R |z G(z)| |dz| along Im z = Y, the same; odd symbols
 };
 
 const SymbolBounds& bounds(Symbol symbol);

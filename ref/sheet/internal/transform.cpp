@@ -3,20 +3,21 @@
 #include <numbers>
 
 #include <nipref/ref/sheet/internal/clenshaw.hpp>
+#include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
 
 namespace nipref::ref {
 namespace {
 
 constexpr double ln2 = std::numbers::ln2;
-constexpr double top = 2;
+constexpr double step_limit = 0.25;
 constexpr mpfr_prec_t bound_precision = 64;
 
 /// Largest double m 2^-k <= limit with m = 4 .. 7, at most 1/4: few steps, so that many arguments share their
 /// nodes.
 double round_step(double limit) {
   int exponent = 0;
-  const double fraction = std::frexp(std::min(limit, 0.25), &exponent);
+  const double fraction = std::frexp(std::min(limit, step_limit), &exponent);
   return std::ldexp(std::floor(fraction * 8), exponent - 3);
 }
 
@@ -26,12 +27,27 @@ long round_bits(double bits) {
   return static_cast<long>(std::ceil(bits / grain) * grain);
 }
 
+/// m of the line Im z = 4 pi m that the aliasing is moved to, see transform(); 0 is Im z = 2, which is measured to cost
+/// less up to some hundred digits. Beyond them m is so large that the step can be the largest for x up to 5: the
+/// number of nodes then grows as nats, not as their square.
+long lines_passed(double nats) {
+  constexpr double few = 300, most_frequency = 2 * std::numbers::pi / step_limit - 5;
+  if (nats <= few) return 0;
+  return static_cast<long>(std::ceil(nats / (4 * std::numbers::pi * most_frequency)));
+}
+
+/// Im z of the line that the aliasing is bounded on.
+double top_of(long lines) { return lines == 0 ? 2 : 4 * std::numbers::pi * static_cast<double>(lines); }
+
+/// >= int |z G(z)| |dz| along Im z = top.
+double moment(const SymbolBounds& symbol, double top) { return symbol.moment * top / 2; }
+
 /// Step and fraction bits that bring each part of the error below about e^{-nats}, of min(1, x) for odd
 /// symbols.
-NodeKey node_key(Symbol symbol, double x, double nats) {
+NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   const SymbolBounds& constants = bounds(symbol);
   const bool odd = constants.parity == Parity::odd;
-  const double integral = odd && x < 1 ? constants.moment : constants.integral;
+  const double integral = odd && x < 1 ? moment(constants, top) : constants.integral;
   const double frequency = std::max(1.0, (nats + std::log(8 * integral) + top * x) / top);
   const double step = round_step(2 * std::numbers::pi / frequency);
   const double count = (nats + 40) / (constants.decay * step);
@@ -43,22 +59,24 @@ NodeKey node_key(Symbol symbol, double x, double nats) {
 // changes their log2 by less than 1e-9; `slack` covers that, and sums are bounded by their largest term.
 constexpr double slack = 1e-6;
 
-/// log2 of cosh(2x)/(e^{4 pi/h} - 1): the denominator is at least e^{4 pi/h}/4.
-double log2_image(double x, double step) { return (top * x - 2 * std::numbers::pi * top / step) / ln2 + 2; }
+/// log2 of cosh(Y x)/(e^{2 pi Y/h} - 1), Y = top: the denominator is at least e^{2 pi Y/h}/4.
+double log2_image(double x, double step, double top) {
+  return (top * x - 2 * std::numbers::pi * top / step) / ln2 + 2;
+}
 
-double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x) {
-  const double aliasing = std::log2(symbol.integral) + log2_image(x, nodes.key.step);
+double log2_even_error(const SymbolBounds& symbol, const Nodes& nodes, double x, double top) {
+  const double aliasing = std::log2(symbol.integral) + log2_image(x, nodes.key.step, top);
   const long units = truncation_units + rounding_units * (nodes.last + 3);
   const double sum = std::log2(static_cast<double>(units)) - static_cast<double>(nodes.key.fraction_bits);
   return std::max(aliasing, sum) + 1 + slack;
 }
 
-double log2_odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Exact& exact_x) {
+double log2_odd_error(const SymbolBounds& symbol, const Nodes& nodes, const Exact& exact_x, double top) {
   const NodeKey& key = nodes.key;
   const double x = exact_x.approximate();
   const double log2_x = exact_x.log2_magnitude();
-  const double aliasing =
-      std::min(std::log2(symbol.integral), std::log2(symbol.moment) + log2_x) + log2_image(x, key.step);
+  const double aliasing = std::min(std::log2(symbol.integral), std::log2(moment(symbol, top)) + log2_x) +
+                          log2_image(x, key.step, top);
   const double log2_count = std::log2(static_cast<double>(nodes.last + 3));
   const double log2_theta = log2_x + std::log2(key.step);
   const double one_minus_ratio = -std::expm1(-symbol.decay * key.step);
@@ -96,15 +114,18 @@ Interval with_origin_terms(const Interval& sum, const SymbolBounds& symbol, cons
 Interval transform(Symbol symbol, const Exact& x, double nats) {
   const SymbolBounds& constants = bounds(symbol);
   const double size = x.approximate();
-  const NodeKey key = node_key(symbol, size, nats);
+  const long lines = lines_passed(nats);
+  const double top = top_of(lines);
+  const NodeKey key = node_key(symbol, size, nats, top);
   const auto set = nodes(key);
   const Angle angle(x.value() * key.step, angle_precision(*set));
   const bool odd = constants.parity == Parity::odd;
   const Real sum = odd ? sine_sum(*set, angle) : cosine_sum(*set, angle);
   Interval value(sum, sum, sum.precision());
   value = with_origin_terms(value, constants, key, Interval(x, sum.precision()));
-  return value.widened(
-      power_of_two(odd ? log2_odd_error(constants, *set, x) : log2_even_error(constants, *set, size)));
+  if (lines > 0) value = value + passed_poles(symbol, x, key.step, lines, nats);
+  return value.widened(power_of_two(odd ? log2_odd_error(constants, *set, x, top)
+                                        : log2_even_error(constants, *set, size, top)));
 }
 
 }  // namespace nipref::ref

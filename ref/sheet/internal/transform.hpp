@@ -15,9 +15,10 @@ namespace nipref::ref {
 ///
 /// by the trapezoidal rule with step h: h sum' G(j h) cos(x j h), or with sin(x j h). Its error is the sum of
 ///
-///     aliasing    M cosh(2x)/(e^{4 pi/h} - 1), odd: min(M, x M') times the same, as |sin w| <= min(1, |w|)
-///                 cosh(Im w) (Poisson summation, each image moved to an edge Im z = +-2 of the strip; M, M'
-///                 the integrals of |G| and |z G| along it, SymbolBounds)
+///     aliasing    M cosh(Y x)/(e^{2 pi Y/h} - 1), odd: min(M, x M' Y/2) times the same, as |sin w| <= min(1, |w|)
+///                 cosh(Im w) (Poisson summation, each image moved to a line Im z = +-Y; M and M' Y/2 bound the
+///                 integrals of |G| and |z G| along it, SymbolBounds). Y = 2 lies below all poles. For many digits
+///                 that would take too small an h: Y = 4 pi m, and passed_poles() is added to the sum
 ///     truncation  2^8 units of 2^-F (times min(1, theta (N+1)/(1-q)) for odd symbols), see Nodes
 ///     rounding    see cosine_sum and sine_sum
 ///

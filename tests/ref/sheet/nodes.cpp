@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include <nipref/ref/number/caches.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 #include <nipref/ref/sheet/internal/transform.hpp>
+#include <nipref/ref/sheet/kernels.hpp>
 
 #include "support/all_symbols.hpp"
 
@@ -78,10 +80,22 @@ TEST_CASE("transforms asked for with different accuracy enclose the same number"
       CAPTURE(bounds(symbol).name);
       CAPTURE(text);
       const Exact x = Exact::parse(text);
-      const Interval coarse = transform(symbol, x, 40 + 2.2 * x.approximate());
-      const Interval fine = transform(symbol, x, 150 + 2.2 * x.approximate());
-      CHECK(mpfr_cmp(coarse.lower(), fine.lower()) <= 0);
-      CHECK(mpfr_cmp(coarse.upper(), fine.upper()) >= 0);
+      const Interval finest = transform(symbol, x, 600 + 2.2 * x.approximate());
+      for (const double nats : {40.0, 150.0, 350.0}) {
+        const Interval coarse = transform(symbol, x, nats + 2.2 * x.approximate());
+        CHECK(mpfr_cmp(coarse.lower(), finest.lower()) <= 0);
+        CHECK(mpfr_cmp(coarse.upper(), finest.upper()) >= 0);
+      }
     }
   }
+}
+
+TEST_CASE("twice the digits take twice as many nodes of twice the length, not four times as many") {
+  const auto bytes = [](int digits) {
+    clear_caches();
+    I1(Exact::parse("0.73"), digits);
+    return static_cast<double>(cached_bytes());
+  };
+  const double half = bytes(500);
+  CHECK(bytes(1000) < 5 * half);
 }
