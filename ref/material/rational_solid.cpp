@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -103,10 +105,17 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
     return starts_at_0 ? exact_zero(digits)
                        : exactly_known(mpq_class(numerator.back() / denominator.back()), digits);
   }
-  constexpr double longest = 7e8;
-  if (slowest_rate(denominator) * t.approximate() > longest)
+  constexpr double longest = 7e8, most_growth = 2300;
+  const double rate = slowest_rate(denominator);
+  if (rate * t.approximate() > longest)
     throw data::BadInput("t", t.text(),
                          "must be at most 7e8 relaxation times, beyond which there is no such number");
+  if (-rate * t.approximate() > most_growth)
+    throw data::BadInput(
+        "t", t.text(),
+        fmt::format("must be at most {:.3g}: the material is unstable, what it answers grows "
+                    "e-fold in {:.3g} and then has over 1000 digits before the point",
+                    -most_growth / rate, -1 / rate));
   const double spare = 128 + bits_of_rates(denominator, t.value());
   return enclose(digits, 0, [&](double nats) {
     return inverse_transform(numerator, denominator, t.value(),

@@ -37,7 +37,8 @@ ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, cons
                                      int theta2_rate_factor);
 
 // As fast's namesakes are defined, `modulus` being shear or dilatation; t, omega >= 0, digits 16 to 1000. Proven: common
-// factors are cancelled exactly, then see inverse_transform(). A value that has faded below e^-7e8 is refused as "t".
+// factors are cancelled exactly, then see inverse_transform(). A value that has faded below e^-7e8, or
+// in an unstable material has grown above e^2300 (1000 digits before the point), is refused as "t".
 
 Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);

@@ -70,15 +70,18 @@ Enclosure enclose(int digits, double first_nats, const std::function<Interval(do
   check_digits(digits);
   const double first = first_nats + (digits + spare_digits) * std::numbers::ln10;
   double nats = first;
+  bool is_large = false;
   for (int attempt = 0; attempt < most_attempts && nats < first + most_further_nats; ++attempt) {
     Enclosure result = enclosure_of(interval_at(nats), digits);
     const double lacking = shortfall(result);
     if (lacking <= 0) return result;
+    is_large = std::isfinite(lacking) && mpfr_cmpabs_ui(result.value.get(), 1) > 0;
     nats = std::isfinite(lacking) ? nats + lacking + 2 * std::numbers::ln10 : 2 * nats;
   }
   throw data::BadInput("arguments", "(as given)",
-                       "must not be so near to a zero of the quantity that " + std::to_string(digits) +
-                           " digits of it cannot be proven");
+                       (is_large ? "must not make the quantity so large that "
+                                 : "must not be so near to a zero of the quantity that ") +
+                           std::to_string(digits) + " digits of it cannot be proven");
 }
 
 }  // namespace nipref::ref

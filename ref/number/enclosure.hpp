@@ -40,7 +40,8 @@ Enclosure enclosure_of(const Interval& interval, int digits);
 /// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
 /// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
 /// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked. BadInput
-/// for digits out of range, and naming "arguments" where e^{-30000} more does not tell the value from 0.
+/// for digits out of range, and naming "arguments" where e^{-30000} more does not tell the value from 0, or where
+/// the value is above e^{30000}.
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at);
 
 }  // namespace nipref::ref

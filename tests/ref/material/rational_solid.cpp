@@ -97,6 +97,18 @@ TEST_CASE("rational solids: the thesis's misprint, and an elastic one in disguis
   CHECK(number(relaxation(disguised.dilatation, exact("2"), digits)) == 2);
 }
 
+TEST_CASE("rational solids: creep that grows is a number up to 1000 digits, then refused as what it is") {
+  // theta1 = 1 and theta2 = 6/(p + 1) make 6K = (p - 1)/2 and the creep 12 (e^t - 1).
+  const auto unstable =
+      exact_prony({exact("1"), exacts({"0"}), exacts({"1"})}, {exact("0"), exacts({"6"}), exacts({"1"})});
+  check_holds(creep(unstable.dilatation, exact("3"), digits), 12 * (exp(Float60(3)) - 1));
+  CHECK(mpfr_get_exp(creep(unstable.dilatation, exact("2299"), digits).value.get()) ==
+        3321);  // 2299/ln 2 + log2 12
+  CHECK_THROWS_WITH_AS(creep(unstable.dilatation, exact("2301"), digits),
+                       doctest::Contains("t = 2301: must be at most 2.3e+03: the material is unstable"),
+                       BadInput);
+}
+
 TEST_CASE("rational solids: bad constants are refused by name") {
   const ExactSeries good{exact("1"), exacts({"1"}), exacts({"1"})};
   const auto prony_with = [&](const std::string& instantaneous, const std::string& rate) {

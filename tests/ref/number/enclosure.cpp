@@ -172,6 +172,8 @@ TEST_CASE("what cannot be told from zero is refused, not looked at for ever") {
     return exp(Interval(-11'000L, 20'000)).widened(exp(Interval(-nats, 64)));
   };
   CHECK(enclose(20, 0, small).digits == 20);
+  const auto large = [](double) { return exp(Interval(40'000L, 200)); };
+  CHECK_THROWS_WITH_AS(enclose(20, 0, large), doctest::Contains("so large that 20 digits"), BadInput);
 }
 
 TEST_CASE("a proven bound is an estimate, too, but an estimate no proven bound") {

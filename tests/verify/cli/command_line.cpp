@@ -58,6 +58,12 @@ constexpr BadCall bad_calls[] = {
     {"eval root.re n=1.5", "n", "must be"},
     {"eval F1 eta=1 poisson=0.6", "poisson", "0.6"},
     {"eval un alpha=1 poisson=0.3 young=-1", "young", "-1"},
+    {"eval material.creep_bulk t=0x1.3f0a063a105ccp-6 --digits 40 material=prony "
+     "theta1_amplitude=0x1.300815c905b5cp+19 "
+     "theta1_rate=0x1.3e1b6c2b697b5p-3 theta1_amplitude_2=0x1.63fe6885f1b45p-34 theta1_rate_2=0x0p+0 "
+     "theta2_instantaneous=0x0p+0 theta2_amplitude=0x1.e0e8f69b9cdc6p+51 theta2_rate=0x1.3e2390eb21848p-3 "
+     "theta2_amplitude_2=0x1.11003698cc0b0p+36 theta2_rate_2=0x1.3e1b6c6150b45p-3",
+     "t = 0.01947260482871176", "must be at most 1.63e-12: the material is unstable"},
     {"audit I9", "quantity", "I9"},
     {"audit contact", "quantity = contact: did you mean contacts?", "or one of contacts"},
     {"audit I1 points=0", "points", "0"},
