@@ -45,6 +45,10 @@ struct BenchReport {
   std::vector<BenchRatio> ratios;
 };
 
+/// Of the promised ratios those that can be formed from these rows: where one of the two ways is not as right as the
+/// ratio asks, there is none.
+std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows);
+
 /// True if the promised ratios are met: all if `strict`, otherwise those of errors.
 bool all_met(const BenchReport& report, bool strict);
 

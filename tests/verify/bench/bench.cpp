@@ -88,6 +88,20 @@ TEST_CASE("a ratio is met only by a number") {
   CHECK_FALSE(verify::BenchRatio{"", std::nan(""), 3}.met());
 }
 
+TEST_CASE("a promised ratio is formed only of ways that are both as right as it asks") {
+  const auto ratios = [](const char* range, std::optional<double> error_of_rule) {
+    return verify::promised_ratios(
+        {{"I1", range, "fast full", 10, 0.5, 1e-16, 1},
+         {"I1", range, "Boost ooura_fourier_cos", 6000, error_of_rule, error_of_rule, {}}});
+  };
+  REQUIRE(ratios("alpha in [1e-3,1]", 1e-14).size() == 1);
+  CHECK(ratios("alpha in [1e-3,1]", 1e-14).front().measured == 600);
+  CHECK(ratios("alpha in [1e-3,1]", 28).empty());
+  CHECK(ratios("alpha in [1e-3,1]", std::nan("")).empty());
+  CHECK(ratios("alpha in [1e-3,1]", {}).empty());
+  CHECK(ratios("alpha in [1e-6,20] log-uniform", 28).empty());
+}
+
 TEST_CASE("the bench of a kernel compares scalar and batch with ref") {
   const auto report = verify::bench({&verify::find_quantity("I7")}, {});
   REQUIRE(report.rows.size() == 2);

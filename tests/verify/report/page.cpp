@@ -227,6 +227,12 @@ TEST_CASE("the report's page tells what the report holds") {
   CHECK(in_page(page, "elastic nip &lt;converged&gt;"));
   CHECK(in_page(page, "nipref report -o 'a &amp; b'"));
   CHECK(in_page(page, "\u2717 MISSED"));
+  std::size_t left_out = 0, unexplained = 0;
+  for (const AuditResult& result : small_report().quantities) left_out += result.left_out;
+  for (const Replay& replay : small_report().tables) unexplained += replay.count(Verdict::unexplained);
+  CHECK(in_page(page, "<b>1 missed</b>"));                               // the ratio of something other
+  CHECK(in_page(page, fmt::format("<b>{} skipped</b>", left_out + 1)));  // a hard case without a truth
+  CHECK(in_page(page, fmt::format("<b>{} unexplained</b>", unexplained)));
   // Each cell that is judged has its verdict in words.
   for (const Verdict verdict :
        {Verdict::match, Verdict::misprint, Verdict::seed_error, Verdict::unexplained}) {
@@ -257,6 +263,7 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   const std::string text = plain(report_text(report, "somewhere"));
   CHECK(in_page(text, "audit      all 3 quantities kept; closest to its promise: "));
   CHECK(in_page(text, "1 of 2 promised ratios met"));
+  CHECK(in_page(text, "short      1 missed promises: 0 of 3 quantities, 1 of 2 ratios"));
   CHECK(in_page(text, "page       somewhere\n"));
   CHECK(report.kept(false) == false);  // the limit is missed
   report.limits.clear();

@@ -20,6 +20,15 @@ std::size_t kept_in(const std::vector<AuditResult>& results);
 /// The promised ratios of fast's times to those of other libraries.
 std::vector<const BenchRatio*> headline_ratios(const BenchReport& speed);
 
+/// What a run has missed, skipped or left unexplained.
+struct Shortfall {
+  std::string count;  ///< "3 missed"
+  std::string what;   ///< of how many, and what these are
+  std::string id;     ///< where more about it stands on the page
+};
+
+std::vector<Shortfall> shortfalls(const Report& report);
+
 /// 68441 as 68000, 33.2 as 33, 1e12 as 1e+12
 std::string two_digits(double number);
 

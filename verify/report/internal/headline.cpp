@@ -50,6 +50,7 @@ Markup headline_section(const Report& report) {
                                        ratio->what, ratio->target) +
                                met_mark(ratio->met()),
                            "speed");
+  for (const Shortfall& one : shortfalls(report)) items += headline_item(one.count, one.what + ".", one.id);
   for (const SeedError& error : seed_errors(report.tables))
     items += headline_item(
         off_text(error.relative),

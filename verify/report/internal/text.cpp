@@ -38,6 +38,13 @@ std::string speed_line(const Report& report) {
   return text + judged(met, report.speed.ratios.size(), "promised ratios met");
 }
 
+std::string shortfalls_line(const Report& report) {
+  std::string text;
+  for (const Shortfall& one : shortfalls(report))
+    text += (text.empty() ? "" : "; ") + one.count + " " + one.what;
+  return text;
+}
+
 std::string contacts_line(const Report& report) {
   std::size_t scenes = 0, numbers = 0, uncovered = 0;
   for (const SceneTally& tally : report.scenes) {
@@ -130,10 +137,10 @@ std::string report_text(const Report& report, const std::string& where_more_is) 
       static_cast<std::size_t>(std::ranges::count_if(report.limits, &LimitRow::approached));
   std::string text = built_text(report.version);
   text += "\n";
-  return text + paragraph("audit", audit_line(report)) + paragraph("speed", speed_line(report)) +
-         paragraph("contacts", contacts_line(report)) + paragraph("witness", witness_line(report.witness)) +
-         paragraph("tables", tables_line(report)) + paragraph("seeds", seeds_line(report)) +
-         paragraph("claims", claims_line(report)) +
+  return text + paragraph("audit", audit_line(report)) + paragraph("short", shortfalls_line(report)) +
+         paragraph("speed", speed_line(report)) + paragraph("contacts", contacts_line(report)) +
+         paragraph("witness", witness_line(report.witness)) + paragraph("tables", tables_line(report)) +
+         paragraph("seeds", seeds_line(report)) + paragraph("claims", claims_line(report)) +
          paragraph("limits",
                    judged(approached, report.limits.size(), "closed forms approached as they must be")) +
          paragraph("errata", judged(settled, report.errata.size(), "misprinted formulas settled")) +
