@@ -5,6 +5,7 @@
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
+#include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -13,12 +14,12 @@ namespace {
 
 std::string balance_text(const EnergyBalance& balance) {
   return folded(fmt::format(
-      "{}\n{}\n  work W mu_R  {:.16g}\n  loss         {:.16g}\n  difference {:.1e}, errors {}; force per unit "
+      "{}\n{}\n{}  work W mu_R  {:.16g}\n  loss         {:.16g}\n  difference {:.1e}, errors {}; force per unit "
       "width\n{:.2g} s\n",
       balance.title,
       verdict(balance.meets(), balance.meets() ? "they meet" : "they differ by more than their errors"),
-      balance.work.value, balance.loss.value, balance.difference(), upward_text(balance.allowed()),
-      balance.seconds));
+      warnings_text(balance.warnings), balance.work.value, balance.loss.value, balance.difference(),
+      upward_text(balance.allowed()), balance.seconds));
 }
 
 Json estimate_json(const fast::Estimate& number) {
@@ -30,6 +31,7 @@ Json balance_json(const EnergyBalance& balance, const std::string& path) {
           {"path", path},
           {"work", estimate_json(balance.work)},
           {"loss", estimate_json(balance.loss)},
+          {"warnings", warnings_json(balance.warnings)},
           {"difference", balance.difference()},
           {"allowed", balance.allowed()},
           {"met", balance.meets()},

@@ -45,6 +45,7 @@ std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
     columns.push_back({name + "_error", by_ref});
   }
   columns.push_back({"missed", true});
+  columns.push_back({"warnings", true});
   return columns;
 }
 
@@ -57,6 +58,9 @@ SweepRow row_of(const SceneSolution<Number>& solution) {
   }
   const auto missed = solution.missed();
   row.cells.push_back(fmt::format("{}", fmt::join(missed, " ")));
+  std::vector<std::string_view> warnings;
+  for (const BeyondTheory& one : solution.warnings) warnings.push_back(one.quantity);
+  row.cells.push_back(fmt::format("{}", fmt::join(warnings, " ")));
   row.fell_short = !missed.empty();
   return row;
 }

@@ -13,9 +13,9 @@ namespace nipref::verify {
 /// and AxesProduct have it.
 AxesProduct swept_scenes(const data::SceneText& text, const CommandLine& line);
 
-/// solve of a scene for each combination: a row each with its results and errors and with the names of those that missed
-/// the accuracy. digits: of ref; nothing: by fast. 1 if a scene was refused or missed its accuracy. BadInput if all
-/// are refused, and if a profile is wanted.
+/// solve of a scene for each combination: a row each with its results and errors, with the names of those that missed
+/// the accuracy, and with what is beyond linear theory. digits: of ref; nothing: by fast. 1 if a scene was refused or
+/// missed its accuracy. BadInput if all are refused, and if a profile is wanted.
 int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::optional<int> digits,
                 const CommandLine& line, std::ostream& out);
 

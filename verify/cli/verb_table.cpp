@@ -152,7 +152,8 @@ const std::array all_verbs{
         true},
     VerbText{
         "solve",
-        "What a scene wants of its contact, or of many.",
+        "What a scene wants of its contact, or of many. A nip whose rollers would meet is refused; strains of its sheet "
+        "and slopes of its rollers above 0.1, more than linear theory bears, are warned of.",
         "scene",
         "a TOML file in any consistent units, or the name of an example in data/scenes; key=value pairs stand for "
         "what it has there. key=a,b,c and key=lo..hi[:log|:linear|:bits], here or in the scene's table [sweep], give "

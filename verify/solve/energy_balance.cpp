@@ -5,6 +5,7 @@
 
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/linear_theory.hpp>
 #include <nipref/verify/solve/internal/loss_integral.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
@@ -27,8 +28,10 @@ fast::Estimate product(const fast::Estimate& x, const fast::Estimate& y) {
 }
 
 template <class Number>
-EnergyBalance balance_of(const data::ViscoelasticNip& nip, const SolvedContact<Number>& contact) {
+EnergyBalance balance_of(const data::Scene& scene, const data::ViscoelasticNip& nip,
+                         const SolvedContact<Number>& contact) {
   EnergyBalance balance;
+  balance.warnings = beyond_theory(scene, contact);
   balance.work = product(in_double(contact.number("load")), in_double(contact.number("rolling_resistance")));
   balance.loss = loss_integral(nip, contact.profile_extent(),
                                [&](double y) { return in_double(contact.at("pressure", y)); });
@@ -54,13 +57,16 @@ EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
   EnergyBalance balance;
-  const double seconds = seconds_of([&] {
+  const auto solved = [&](const auto& solver, auto how_well) {
     try {
-      balance = digits ? balance_of(problem.nip, *solve_ref_rolling(problem, *digits))
-                       : balance_of(problem.nip, *solve_viscoelastic(problem, scene.accuracy));
+      return solver(problem, how_well);
     } catch (const data::BadInput& error) {
       refuse_rolling(scene, problem, error);
     }
+  };
+  const double seconds = seconds_of([&] {
+    balance = digits ? balance_of(scene, problem.nip, *solved(solve_ref_rolling, *digits))
+                     : balance_of(scene, problem.nip, *solved(solve_viscoelastic, scene.accuracy));
   });
   balance.title = scene.title;
   balance.seconds = seconds;

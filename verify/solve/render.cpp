@@ -127,6 +127,20 @@ std::string accuracy_text(const SceneSolution<Number>& solution) {
 
 }  // namespace
 
+std::string warnings_text(const std::vector<BeyondTheory>& warnings) {
+  std::string text;
+  for (const auto& [quantity, value, limit] : warnings)
+    text += fmt::format("{}: {} is {:.2g}, above {:g}: linear theory is off by a part of about that size\n",
+                        bad("warning"), quantity, value, limit);
+  return text;
+}
+
+Json warnings_json(const std::vector<BeyondTheory>& warnings) {
+  return json_list(warnings, [](const BeyondTheory& one) -> Json {
+    return {{"quantity", one.quantity}, {"value", one.value}, {"limit", one.limit}};
+  });
+}
+
 std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
 std::string error_text(const fast::Estimate& number) { return upward_text(number.error); }
 std::string value_text(const LongEstimate& number) { return number.value; }
@@ -136,6 +150,7 @@ template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution, bool full) {
   std::string text = solution.title + "\n";
   text += accuracy_text(solution);
+  text += warnings_text(solution.warnings);
   for (const auto& result : solution.results) {
     if (result.what->is_field) {
       append_field<Number>(result, solution.field, text);
@@ -168,6 +183,7 @@ Json solution_json(const SceneSolution<Number>& solution) {
           {"path", std::is_same_v<Number, LongEstimate> ? "ref" : "fast"},
           {"distance_to", truth_of(solution)},
           {"results", results},
+          {"warnings", warnings_json(solution.warnings)},
           {"positions", positions.empty() ? Json() : json_list(positions, std::identity())},
           {"field", field_json(solution.field)},
           {"work", work_json(solution.work)},

@@ -1,10 +1,15 @@
 #pragma once
 #include <string>
+#include <vector>
 
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
+
+/// What is beyond linear theory, a line each.
+std::string warnings_text(const std::vector<BeyondTheory>& warnings);
+Json warnings_json(const std::vector<BeyondTheory>& warnings);
 
 /// A number, and its error rounded upwards, as decimals.
 std::string value_text(const fast::Estimate& number);

@@ -22,6 +22,18 @@ struct LongEstimate {
   bool proven;  ///< that error, as a bound
 };
 
+/// A measure of a nip that is beyond what linear theory bears: its solution stands, but says little of a sheet.
+struct BeyondTheory {
+  std::string_view
+      quantity;  ///< compressive_strain: indentation/half-thickness; roller_slope: at an end of the contact
+  double value;
+  double limit;  ///< linear_theory_limit
+};
+
+/// Strains of the sheet and slopes of the roller's face up to which the theory's small ones are taken for small: what
+/// it leaves out is as large a part of the results as they are of 1, to their order.
+inline constexpr double linear_theory_limit = 0.1;
+
 /// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or LongEstimate.
 template <class Number>
 struct SceneSolution {
@@ -42,12 +54,13 @@ struct SceneSolution {
   long double accuracy = 0;  ///< that was asked for, by the scene or in digits
   /// By line loads: fast's errors are the distance to the continuous contact, ref's are those of the discrete system.
   bool is_discrete = false;
-  std::vector<Result> results;    ///< in the order of the scene's `wanted`
-  std::vector<double> positions;  ///< of the profiles, unit of length; empty if none is wanted
-  data::FieldPlaces field;        ///< of the fields; empty if none is wanted
-  fast::Work work;                ///< that the results have cost
-  fast::Work error_work;          ///< that the error estimates of line loads have cost, nothing otherwise
-  double seconds = 0;             ///< wall clock, for all of it
+  std::vector<Result> results;         ///< in the order of the scene's `wanted`
+  std::vector<double> positions;       ///< of the profiles, unit of length; empty if none is wanted
+  data::FieldPlaces field;             ///< of the fields; empty if none is wanted
+  std::vector<BeyondTheory> warnings;  ///< what is beyond linear theory; empty for half-spaces
+  fast::Work work;                     ///< that the results have cost
+  fast::Work error_work;  ///< that the error estimates of line loads have cost, nothing otherwise
+  double seconds = 0;     ///< wall clock, for all of it
 
   /// Names of the results that are not as accurate as was asked.
   [[nodiscard]] std::vector<std::string_view> missed() const {
@@ -74,6 +87,8 @@ struct SceneSolution {
   }
 };
 
+inline double value_of(const fast::Estimate& number) { return number.value; }
+inline double value_of(const LongEstimate& number) { return std::strtod(number.value.c_str(), nullptr); }
 inline long double error_of(const fast::Estimate& number) { return number.error; }
 inline long double error_of(const LongEstimate& number) {
   return std::strtold(number.error.c_str(), nullptr);
@@ -91,7 +106,8 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// are set against that contact solved to 1e-5: the estimate is the difference; of a rolling nip against the
 /// steady motion, so that it holds what is left of the start as well. BadInput, naming the scene's
 /// key and its place, for what Scene::check refuses, and for a contact whose length is not allowed
-/// (fast/elastic_nip/converged.hpp), which shows only when it is solved.
+/// (fast/elastic_nip/converged.hpp) or whose faces meet, as the indentation is half of the sheet or more, which shows
+/// only when it is solved.
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the

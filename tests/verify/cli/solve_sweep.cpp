@@ -89,6 +89,20 @@ TEST_CASE("a scene is read from a pipe, which can be read once only") {
             .out == swept);
 }
 
+TEST_CASE("a sweep's rows say what of each nip is beyond linear theory, and which cannot be") {
+  // In half of 0.005: the parabola goes in L^2/(8R), 0.0001, 0.0019 and 0.0026.
+  const Outcome swept =
+      run("solve thin-given-length contact.length=0.07,0.3,0.35 'wanted=[\"load\"]' --json");
+  CHECK(swept.status == 1);
+  const json answer = json::parse(swept.out), warnings = answer.at("columns").at("warnings");
+  CHECK(warnings[0].is_null());
+  CHECK(warnings[1] == "compressive_strain");
+  CHECK(warnings[2].is_null());
+  CHECK(answer.at("refused")[1].is_null());
+  CHECK(answer.at("refused")[2].get<std::string>().find("the faces of the rollers would meet") !=
+        std::string::npos);
+}
+
 TEST_CASE("profiles, and sweeps where one contact is asked for, are refused") {
   CHECK(run("solve thick-full-friction load.per_length=50.0,100.0 'wanted=[\"pressure\"]' profile.points=3")
             .status == 2);

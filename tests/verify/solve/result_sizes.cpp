@@ -24,7 +24,7 @@ double size_of(const std::string& name, double y = 0, double accuracy = 1e-6) {
 
 std::string scene(const std::string& friction, double length, double accuracy) {
   return "title = \"thin\"\nwanted = [\"contact_length\", \"load\", \"peak_shear\", \"pressure\"]\naccuracy = " +
-         std::to_string(accuracy) + "\n[roller]\nradius = 1.0\n[sheet]\nthickness = 1e-4\n[material]\n" +
+         std::to_string(accuracy) + "\n[roller]\nradius = 1e4\n[sheet]\nthickness = 1e-4\n[material]\n" +
          "model = \"elastic\"\nyoung = 1.0\npoisson = 0.3\n[contact]\nlength = " + std::to_string(length) +
          "\n[friction]\nmodel = \"" + friction +
          "\"\n[method]\nkind = \"converged\"\n[profile]\npositions = [0.0]\n";

@@ -18,7 +18,7 @@ std::string elastic(const std::string& friction, double length_over_thickness, d
 wanted = ["load", "indentation", "creep_ratio", "peak_pressure", "peak_shear"]
 accuracy = {}
 [roller]
-radius = 500.0
+radius = 50000.0
 [sheet]
 thickness = 1.0
 [material]

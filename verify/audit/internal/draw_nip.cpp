@@ -17,7 +17,9 @@ struct Size {
 Size draw_size(Random& random) {
   const double ratio = random.log_uniform(1e-4, 1e3);
   const double thickness = random.log_uniform(1e-3, 10);
-  return {thickness, thickness * random.log_uniform(std::max(1.0, 1.01 * ratio), 1e4), thickness * ratio};
+  // The parabola alone goes in L^2/(8R): rollers so large that their faces stay apart.
+  const double least = std::max({1.0, 1.01 * ratio, ratio * ratio});
+  return {thickness, thickness * random.log_uniform(least, std::max(1e4, 100 * least)), thickness * ratio};
 }
 
 double draw_poisson(Random& random) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <nipref/verify/solve/internal/linear_theory.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
@@ -57,7 +58,7 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
 
-/// Asks the contact for everything that the scene wants, and for nothing else. `accuracy`: what was asked for.
+/// Asks the contact for everything that the scene wants, and a nip for its indentation: see linear_theory.hpp. `accuracy`: what was asked for.
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const SolvedContact<Number>& contact, long double accuracy) {
@@ -65,6 +66,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   solution.title = scene.title;
   solution.accuracy = accuracy;
   solution.is_discrete = is_by_line_loads(scene);
+  solution.warnings = beyond_theory(scene, contact);
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* what = data::find_scene_result(name);

@@ -2,7 +2,6 @@
 #include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <variant>
 
 #include <nipref/ref/number/estimated.hpp>
@@ -100,9 +99,6 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   return sum;
 }
 
-double approximate(const Estimate& number) { return number.value; }
-double approximate(const LongEstimate& number) { return std::strtod(number.value.c_str(), nullptr); }
-
 }  // namespace
 
 bool is_product(std::string_view name) { return product_of(name) != nullptr; }
@@ -154,15 +150,14 @@ std::optional<double> WithDerivedResults<Number>::least_size(std::string_view na
   if (is_moment(name)) {
     if (!contact_.least_size("rolling_resistance", y)) return {};
     const double half =
-        (approximate(contact_.number("leading_length")) + approximate(contact_.number("trailing_length"))) /
-        2;
-    return half * approximate(contact_.number("load"));
+        (value_of(contact_.number("leading_length")) + value_of(contact_.number("trailing_length"))) / 2;
+    return half * value_of(contact_.number("load"));
   }
   const Product* const product = product_of(name);
   if (product == nullptr) return contact_.least_size(name, y);
   auto size = contact_.least_size("rolling_resistance", y);
   if (!size) return {};
-  const double load = product->has_load ? approximate(contact_.number("load")) : 1;
+  const double load = product->has_load ? value_of(contact_.number("load")) : 1;
   return *size * load * std::fabs(std::visit(FactorOf{*product}, scene_.system));
 }
 

@@ -30,6 +30,16 @@ void refuse_given(const data::Scene& scene, const data::Given& given, const data
   scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }
 
+void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
+                          double half_thickness) {
+  const auto [key, value, argument] = std::visit(NameGiven{}, given);
+  scene.origin.refuse(
+      key, value,
+      fmt::format("must be smaller: the faces of the rollers would meet, each {:.3g} into the sheet, of "
+                  "which half is {:g}",
+                  indentation, half_thickness));
+}
+
 void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
                     const data::BadInput& error) {
   if (error.argument() == "digits") throw data::BadInput(error);

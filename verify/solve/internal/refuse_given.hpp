@@ -11,5 +11,8 @@ namespace nipref::verify {
 /// The same of a rolling nip, whose material and digits can be refused too.
 [[noreturn]] void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
                                  const data::BadInput& error);
+/// Refuses what was given since the rollers' faces would meet.
+[[noreturn]] void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
+                                       double half_thickness);
 
 }  // namespace nipref::verify
