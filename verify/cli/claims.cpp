@@ -8,7 +8,6 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/seeds/render.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -20,11 +19,11 @@ std::string claim_text(const CheckedClaim& checked) {
                                  verdict(outcome.verdict != ClaimVerdict::fails, name_of(outcome.verdict)),
                                  claim.id, claim.seed, claim.place, claim.statement);
   if (!outcome.why.empty()) text += "  " + outcome.why + "\n";
-  for (const ClaimNumber& number : outcome.numbers)
-    text += fmt::format(
-        "    {:<28} {}\n",
-        fmt::format("{:.9g}{}", number.value, number.error ? " +- " + upward_text(*number.error) : ""),
-        number.what);
+  for (const ClaimNumber& one : outcome.numbers) {
+    const std::string number = stated_text(one.number);
+    text += fmt::format("    {:<28} {}\n",
+                        one.number.error() == 0 && !one.is_printed ? number + ", exactly" : number, one.what);
+  }
   return text;
 }
 

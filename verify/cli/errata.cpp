@@ -15,11 +15,11 @@ namespace {
 std::string erratum_text(const SettledErratum& one) {
   const auto& [erratum, settlement] = one;
   return fmt::format(
-      "{}, {} {}\n  printed: {}\n  right:   {}\n  {}: {}\n    printed {}, right {:.12g}, truth {:.12g} by {}\n",
+      "{}, {} {}\n  printed: {}\n  right:   {}\n  {}: {}\n    printed {}, right {}, truth {} by {}\n",
       erratum.id, erratum.seed, erratum.equation, erratum.printed, erratum.right,
       verdict(settlement.settled(), settlement.settled() ? "settled" : "NOT SETTLED"), settlement.at,
-      settlement.printed ? fmt::format("{:.12g}", *settlement.printed) : "no number", settlement.right,
-      settlement.truth, erratum.proof);
+      settlement.printed ? stated_text(*settlement.printed) : "no number", stated_text(settlement.right),
+      stated_text(settlement.truth), erratum.proof);
 }
 
 }  // namespace

@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/select_by_id.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/seeds/limits.hpp>
 #include <nipref/verify/seeds/render.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -21,14 +19,14 @@ std::string order_text(const LimitRow& row) {
 std::string row_text(const LimitRow& row) {
   std::string text = fmt::format("{}: {}\n  {}\n", row.name, row.statement, row.source);
   for (const LimitSample& sample : row.samples)
-    text += fmt::format("  {} = {:<9g} {:<18.12g} limit {:<18.12g} distance {:.1e}\n", row.size, sample.size,
-                        sample.found.value, sample.limit, sample.distance());
-  const double measured = row.measured_order();
+    text += fmt::format("  {} = {:g}: {}, limit {}, distance {:.1e}\n", row.size, sample.size,
+                        stated_text(sample.found), stated_text(sample.limit), sample.distance().value());
+  const auto measured = row.measured_order();
   return text + fmt::format("  {}: the distance must fall {}, and {}\n",
                             verdict(row.approached(), row.approached() ? "approached" : "MISSED"),
                             order_text(row),
-                            std::isinf(measured) ? "is below the solver's error at last"
-                                                 : fmt::format("falls with {:.3f}", measured));
+                            measured ? "falls with " + stated_text(*measured)
+                                     : "is below the solver's error at last");
 }
 
 }  // namespace

@@ -34,6 +34,11 @@ std::string_view name_of(ClaimVerdict verdict) {
   return "holds in a range";
 }
 
+std::string_view ClaimNumber::origin() const {
+  if (is_printed) return "printed";
+  return number.error() == 0 ? "exact" : "computed";
+}
+
 std::vector<Claim> claims() {
   const data::CsvFile file = data::read_csv(data::statements_directory() / "claims.csv");
   std::vector<Claim> all;

@@ -1,16 +1,20 @@
 #pragma once
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nipref/verify/seeds/with_error.hpp>
 
 namespace nipref::verify {
 
-/// A number computed for a claim.
+/// A number that decides about a claim.
 struct ClaimNumber {
   std::string what;
-  double value;
-  /// The solver's estimate; none of what the seed printed, and of what is exact to rounding.
-  std::optional<double> error = {};
+  WithError number;
+  bool is_printed = false;  ///< by the seed
+
+  /// "printed", "exact", "computed"
+  [[nodiscard]] std::string_view origin() const;
 };
 
 enum class ClaimVerdict { holds, fails, holds_in_a_range };

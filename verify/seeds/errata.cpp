@@ -23,7 +23,11 @@ const Settlements& settlements() {
 }  // namespace
 
 bool Settlement::settled() const {
-  return std::fabs(right - truth) <= allowed && (!printed || std::fabs(*printed - truth) > allowed);
+  const auto are_apart = [&](const WithError& other) {
+    const double allowed = other.error() + truth.error();
+    return !(std::fabs(other.value() - truth.value()) <= allowed);
+  };
+  return !are_apart(right) && (!printed || are_apart(*printed));
 }
 
 std::vector<FormulaErratum> formula_errata() {

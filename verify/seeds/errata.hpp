@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <nipref/verify/seeds/with_error.hpp>
+
 namespace nipref::verify {
 
 /// A formula that a seed prints wrong, of data/statements/formulas.csv.
@@ -17,13 +19,12 @@ struct FormulaErratum {
 
 /// The formula as printed and as it must be, at one place, against something that is neither.
 struct Settlement {
-  std::string at;                 ///< where, and what is computed
-  std::optional<double> printed;  ///< none: what is printed stands for nothing
-  double right;
-  double truth;
-  double allowed;  ///< distance from the truth that rounding explains
+  std::string at;                    ///< where, and what is computed
+  std::optional<WithError> printed;  ///< none: what is printed stands for nothing
+  WithError right;
+  WithError truth;
 
-  /// The right one is the truth and the printed one is not.
+  /// The right one is the truth and the printed one is not, to the sum of both errors.
   [[nodiscard]] bool settled() const;
 };
 

@@ -1,22 +1,21 @@
 #pragma once
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <nipref/fast/number/estimate.hpp>
+#include <nipref/verify/seeds/with_error.hpp>
 
 namespace nipref::verify {
 
 /// The converged contact at one place on the way to a limit.
 struct LimitSample {
-  double size;           ///< what goes to 0
-  fast::Estimate found;  ///< by the solver
-  double limit;          ///< by the closed form, which knows nothing of the solver
+  double size;      ///< what goes to 0; exact
+  WithError found;  ///< by the solver
+  WithError limit;  ///< by the closed form, which knows nothing of the solver
 
   /// |found - limit|/|limit|
-  [[nodiscard]] double distance() const;
-  /// The solver's error on that scale.
-  [[nodiscard]] double error() const;
+  [[nodiscard]] WithError distance() const;
 };
 
 /// How the solver's contact approaches one of the known limits.
@@ -30,8 +29,8 @@ struct LimitRow {
   double order;
   std::vector<LimitSample> samples;  ///< sizes falling by halves
 
-  /// The exponent between the last two samples; infinite where the last distance is no more than the error.
-  [[nodiscard]] double measured_order() const;
+  /// The exponent between the last two samples; none where the last distance is no more than its error.
+  [[nodiscard]] std::optional<WithError> measured_order() const;
   /// Whether distances fall with that exponent, to 0.1, or faster than with exponent 4 where it is 0; and errors are so
   /// small that this can be told.
   [[nodiscard]] bool approached() const;

@@ -1,10 +1,22 @@
+#include <optional>
+
 #include <nipref/verify/seeds/render.hpp>
 
 namespace nipref::verify {
 namespace {
 
-Json claim_number_json(const ClaimNumber& number) {
-  return {{"what", number.what}, {"value", number.value}, {"error", number.error}};
+/// Of the decimals that are stated.
+struct StatedJson {
+  Json value, error;
+
+  explicit StatedJson(const WithError& number) : StatedJson(stated(number)) {}
+  explicit StatedJson(const Stated& number)
+      : value(Json::number(number.value)), error(Json::number(number.error)) {}
+};
+
+Json claim_number_json(const ClaimNumber& one) {
+  const StatedJson number(one.number);
+  return {{"what", one.what}, {"value", number.value}, {"error", number.error}, {"origin", one.origin()}};
 }
 
 Json claim_json(const CheckedClaim& checked) {
@@ -19,26 +31,35 @@ Json claim_json(const CheckedClaim& checked) {
 }
 
 Json sample_json(const LimitSample& sample) {
+  const StatedJson found(sample.found), limit(sample.limit), distance(sample.distance());
   return {{"size", sample.size},
-          {"found", sample.found.value},
-          {"found_error", sample.found.error},
-          {"limit", sample.limit},
-          {"distance", sample.distance()}};
+          {"found", found.value},
+          {"found_error", found.error},
+          {"limit", limit.value},
+          {"limit_error", limit.error},
+          {"distance", distance.value},
+          {"distance_error", distance.error}};
 }
 
 Json limit_json(const LimitRow& row) {
+  std::optional<StatedJson> measured;
+  if (const auto order = row.measured_order()) measured.emplace(*order);
   return {{"name", row.name},
           {"statement", row.statement},
           {"source", row.source},
           {"size", row.size},
           {"order", row.order == 0 ? Json() : Json(row.order)},
-          {"measured_order", row.measured_order()},
+          {"measured_order", measured ? measured->value : Json()},
+          {"measured_order_error", measured ? measured->error : Json()},
           {"approached", row.approached()},
           {"samples", json_list(row.samples, sample_json)}};
 }
 
 Json erratum_json(const SettledErratum& one) {
   const auto& [erratum, settlement] = one;
+  std::optional<StatedJson> printed;
+  if (settlement.printed) printed.emplace(*settlement.printed);
+  const StatedJson right(settlement.right), truth(settlement.truth);
   return {{"id", erratum.id},
           {"seed", erratum.seed},
           {"equation", erratum.equation},
@@ -46,10 +67,12 @@ Json erratum_json(const SettledErratum& one) {
           {"right", erratum.right},
           {"proof", erratum.proof},
           {"at", settlement.at},
-          {"printed_value", settlement.printed ? Json(*settlement.printed) : Json()},
-          {"right_value", settlement.right},
-          {"truth", settlement.truth},
-          {"allowed", settlement.allowed},
+          {"printed_value", printed ? printed->value : Json()},
+          {"printed_error", printed ? printed->error : Json()},
+          {"right_value", right.value},
+          {"right_error", right.error},
+          {"truth", truth.value},
+          {"truth_error", truth.error},
           {"settled", settlement.settled()}};
 }
 

@@ -1,17 +1,23 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/render.hpp>
 
 using namespace nipref;
 using verify::Claim;
 using verify::ClaimOutcome;
 using verify::ClaimVerdict;
+using verify::Json;
 
 namespace {
 
@@ -27,10 +33,33 @@ const std::map<std::string, ClaimOutcome>& outcomes() {
 /// The number of a claim whose words begin so.
 double number(const std::string& id, const std::string& beginning) {
   for (const verify::ClaimNumber& one : outcomes().at(id).numbers) {
-    if (one.what.starts_with(beginning)) return one.value;
+    if (one.what.starts_with(beginning)) return one.number.value();
   }
   FAIL("no such number: ", beginning);
   return 0;
+}
+
+/// What the last digit of a double's shortest decimal stands for.
+double unit_of(double value) {
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific);
+  const std::string decimal(text.data(), end.ptr);
+  const std::size_t power = decimal.find('e'), decimals = decimal.starts_with('-') ? 3 : 2;
+  return std::pow(
+      10.0, std::stod(decimal.substr(power + 1)) - static_cast<double>(std::max(power, decimals) - decimals));
+}
+
+/// In JSON: `error` is a number, and the value has no digit far below it.
+void check_stated(const Json& value, const Json& error) {
+  CAPTURE(value.line());
+  CAPTURE(error.line());
+  REQUIRE_FALSE(error.is_null());
+  const double number = std::stod(value.line()), size = std::stod(error.line());
+  CHECK(std::isfinite(number));
+  CHECK(size >= 0);
+  // The last digit's unit is the first digit's of the error, which rounding the number enlarges by half of that at most.
+  CHECK((number == 0 || unit_of(number) > size / 20));
 }
 
 bool near(double value, double truth, double unit) { return std::fabs(value - truth) <= unit; }
@@ -76,7 +105,7 @@ TEST_CASE(
   CHECK(near(number("thesis-creep-with-friction", "chi_0, B = 0.25 in, W = 100"), -2.157e-4, 1e-7));
   CHECK(near(number("thesis-creep-with-friction", "chi_inf, B = 0.25 in, W = 100"), 1.609e-4, 1e-7));
   CHECK(near(number("thesis-one-reversal", "2Y/L"), 0.828, 1e-3));
-  CHECK(near(number("thesis-sign-of-creep", "L/B at which the creep vanishes, nu = 0.3333, full"), 0.466923,
+  CHECK(near(number("thesis-sign-of-creep", "L/B at which the creep vanishes, nu = 1/3, full"), 0.466923,
              1e-6));
   CHECK(near(number("thesis-largest-resistance", "F0 tau/L of the largest mu_R, B = 0.005 in, W = 50"), 0.408,
              1e-3));
@@ -88,4 +117,31 @@ TEST_CASE(
   CHECK(near(number("brock2012-strip", "exp(-pi/2P), nu = 1/3, c = 0.3"), 2.0e-8, 1e-9));
   CHECK(near(number("brock2013-no-root", "Rayleigh root"), 0.42835, 1e-5));
   CHECK(near(number("brock2013-limit-at-45", "smallest speed"), 0.4989960517, 1e-8));
+}
+
+TEST_CASE("every number of claims, limits and errata has an error, and no more digits than it bears out") {
+  std::vector<verify::CheckedClaim> checked;
+  for (const Claim& claim : verify::claims()) checked.push_back({claim, outcomes().at(claim.id)});
+  for (const Json& claim : verify::claims_json(checked).items()) {
+    CAPTURE(claim.at("id").as_text());
+    for (const Json& number : claim.at("numbers").items()) {
+      check_stated(number.at("value"), number.at("error"));
+      CHECK((std::stod(number.at("error").line()) > 0 || number.at("origin").as_text() != "computed"));
+    }
+  }
+  for (const Json& row : verify::limits_json(verify::limits()).items()) {
+    CAPTURE(row.at("name").as_text());
+    if (!row.at("measured_order").is_null())
+      check_stated(row.at("measured_order"), row.at("measured_order_error"));
+    for (const Json& sample : row.at("samples").items()) {
+      for (const char* name : {"found", "limit", "distance"})
+        check_stated(sample.at(name), sample.at(std::string(name) + "_error"));
+    }
+  }
+  for (const Json& row : verify::errata_json(verify::settle_all(verify::formula_errata())).items()) {
+    CAPTURE(row.at("id").as_text());
+    check_stated(row.at("right_value"), row.at("right_error"));
+    check_stated(row.at("truth"), row.at("truth_error"));
+    if (!row.at("printed_value").is_null()) check_stated(row.at("printed_value"), row.at("printed_error"));
+  }
 }

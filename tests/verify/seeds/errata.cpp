@@ -11,6 +11,7 @@
 using namespace nipref;
 using verify::FormulaErratum;
 using verify::Settlement;
+using verify::WithError;
 
 TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
   std::set<std::string_view> settled, listed;
@@ -26,21 +27,26 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
     for (const std::string& text : {erratum.equation, erratum.printed, erratum.right, erratum.proof})
       CHECK_FALSE(text.empty());
     const Settlement settlement = verify::settle(erratum);
-    CAPTURE(settlement.printed.value_or(0));
-    CAPTURE(settlement.right);
-    CAPTURE(settlement.truth);
+    CAPTURE(verify::stated_text(settlement.right));
+    CAPTURE(verify::stated_text(settlement.truth));
     CHECK(settlement.settled());
     // Not by a hair, or the truth would have to be known better.
-    if (settlement.printed)
-      CHECK(std::fabs(*settlement.printed - settlement.truth) > 100 * settlement.allowed);
+    if (settlement.printed) {
+      const WithError apart = verify::fabs(*settlement.printed - settlement.truth);
+      CAPTURE(verify::stated_text(*settlement.printed));
+      CHECK(apart.value() > 100 * apart.error());
+    }
   }
   CHECK(settled == listed);
 }
 
 TEST_CASE("an erratum is open if the right formula is not the truth or the printed one is") {
-  CHECK(Settlement{"", 2, 1, 1, 0.1}.settled());
-  CHECK(Settlement{"", {}, 1, 1, 0.1}.settled());
-  CHECK_FALSE(Settlement{"", 2, 1.5, 1, 0.1}.settled());
-  CHECK_FALSE(Settlement{"", 1, 1, 1, 0.1}.settled());
-  CHECK_FALSE(Settlement{"", 2, std::numeric_limits<double>::quiet_NaN(), 1, 0.1}.settled());
+  const WithError one(1, 0.05), two(2, 0.05);
+  CHECK(Settlement{"", two, one, one}.settled());
+  CHECK(Settlement{"", {}, one, one}.settled());
+  CHECK(Settlement{"", two, {1.09, 0.05}, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {1.11, 0.05}, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {1.11, 0.05}, {1, 0}}.settled());
+  CHECK_FALSE(Settlement{"", one, one, one}.settled());
+  CHECK_FALSE(Settlement{"", two, {std::numeric_limits<double>::quiet_NaN(), 0.05}, one}.settled());
 }

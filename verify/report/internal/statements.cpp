@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include <nipref/verify/report/internal/sections.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
 
 // Claims, limits and errata of formulas.
 
@@ -24,9 +21,8 @@ Markup claim_verdict(ClaimVerdict verdict) {
 
 Markup claim_numbers(const ClaimOutcome& outcome) {
   Markup items;
-  for (const ClaimNumber& number : outcome.numbers)
-    items += element("li", fmt::format("{}: {:.9g}{}", number.what, number.value,
-                                       number.error ? " \u00b1 " + upward_text(*number.error) : ""));
+  for (const ClaimNumber& one : outcome.numbers)
+    items += element("li", fmt::format("{}: {}", one.what, stated_text(one.number)));
   return items.html().empty()
              ? Markup()
              : details(fmt::format("{} numbers", outcome.numbers.size()), element("ul", items));
@@ -61,13 +57,13 @@ Markup limits_section(const Report& report) {
                     {"limit", "verdict", "closed form", "as what goes to 0", "#distance at the last",
                      "#falls with the power", "#must fall with", "source"});
   for (const LimitRow& row : report.limits) {
-    const double measured = row.measured_order();
+    const auto measured = row.measured_order();
     table.row({{std::string(row.name), false, "keep"},
                {approached_mark(row.approached()), false, "keep"},
                {std::string(row.statement), false, "wide"},
                {fmt::format("{}, to {:g}", row.size, row.samples.back().size), false, "wide"},
-               number_cell(fmt::format("{:.1e}", row.samples.back().distance())),
-               number_cell(std::isinf(measured) ? "below the error" : fmt::format("{:.3f}", measured)),
+               number_cell(fmt::format("{:.1e}", row.samples.back().distance().value())),
+               number_cell(measured ? stated_text(*measured) : "below the error"),
                number_cell(row.order == 0 ? "more than any" : fmt::format("{:g}", row.order)),
                {std::string(row.source), false, "wide"}});
   }
@@ -84,9 +80,9 @@ Markup errata_section(const Report& report) {
                {erratum.printed, false, "wide"},
                {erratum.right, false, "wide"},
                {settlement.at, false, "wide"},
-               number_cell(settlement.printed ? fmt::format("{:.9g}", *settlement.printed) : "no number"),
-               number_cell(fmt::format("{:.9g}", settlement.right)),
-               number_cell(fmt::format("{:.9g}", settlement.truth)),
+               number_cell(settlement.printed ? stated_text(*settlement.printed) : "no number"),
+               number_cell(stated_text(settlement.right)),
+               number_cell(stated_text(settlement.truth)),
                {erratum.proof, false, "wide"}},
               "erratum-" + erratum.id);
   return section("errata", "Errata of formulas", table.markup());

@@ -2,30 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/settled_row.hpp>
 
 // What the papers on half-spaces say, by the catalogue's quantities, whose formulas are the corrected ones.
 
 namespace nipref::verify {
 namespace {
 
-/// A quantity in double with what fast promises, for a claim.
+/// A quantity by the reference, for a claim.
 ClaimNumber row(const std::string& name, const Assignments& given, const std::string& what) {
-  const Quantity& quantity = find_quantity(name);
-  const Point point = parse_arguments(quantity, given).nearest(quantity);
-  const double value = quantity.by_fast(point, {});
-  return {what, value, quantity.promise * ulp_of(std::max(std::fabs(value), quantity.envelope(point)))};
+  return {what, SettledRow(name, given).by_ref};
 }
+
+/// To more digits than a result has.
+constexpr const char* one_third = "0.3333333333333333333333333";
 
 ClaimOutcome circle_without_friction() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   for (const char* speed : {"0.1", "0.6"}) {
-    const Assignments here{{"poisson", "0.3333333333333333"}, {"speed", speed}};
+    const Assignments here{{"poisson", one_third}, {"speed", speed}};
     Assignments smooth = here;
     smooth.emplace_back("friction", "0");
     outcome.numbers.push_back(
@@ -33,8 +30,9 @@ ClaimOutcome circle_without_friction() {
     outcome.numbers.push_back(
         row("ellipse.axis_ratio", here, fmt::format("axes of the exact contact, nu = 1/3, c = {}", speed)));
   }
-  const bool kept = std::ranges::all_of(
-      outcome.numbers, [](const ClaimNumber& n) { return std::fabs(n.value - 1) <= *n.error; });
+  const bool kept = std::ranges::all_of(outcome.numbers, [](const ClaimNumber& one) {
+    return std::fabs(one.number.value() - 1) <= one.number.error();
+  });
   outcome.why =
       kept ? "at c = 0.1 and 0.6" : "at rest only: the paper's own rule (35) and the exact contact say so";
   if (!kept) outcome.verdict = ClaimVerdict::holds_in_a_range;
@@ -47,9 +45,9 @@ ClaimOutcome ellipse_at_rest() {
   outcome.numbers.push_back(row("ellipse.axis_ratio",
                                 {{"poisson", "0.3"}, {"speed", "0"}, {"curvature_ratio", "4"}},
                                 "axes of the exact contact, curvatures 4 to 1"));
-  outcome.numbers.push_back({"axes of the profile's section", std::sqrt(1 / curvature_ratio)});
-  outcome.numbers.push_back({"L2/L1 = C1/C2 of (35)", 1 / curvature_ratio});
-  const double exact = outcome.numbers[0].value, section = outcome.numbers[1].value;
+  outcome.numbers.push_back({"axes of the profile's section", sqrt(1 / WithError(curvature_ratio))});
+  outcome.numbers.push_back({"L2/L1 = C1/C2 of (35)", 1 / WithError(curvature_ratio)});
+  const double exact = outcome.numbers[0].number.value(), section = outcome.numbers[1].number.value();
   const bool more_slender = exact < section, as_printed = std::fabs(exact * curvature_ratio - 1) < 1e-3;
   if (!more_slender) {
     outcome.verdict = ClaimVerdict::fails;
@@ -64,16 +62,17 @@ ClaimOutcome speed_makes_slender() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   for (const char* speed : {"0", "0.3", "0.6", "0.9"}) {
     outcome.numbers.push_back(
-        row("ellipse.axis_ratio", {{"poisson", "0.3333333333333333"}, {"speed", speed}},
+        row("ellipse.axis_ratio", {{"poisson", one_third}, {"speed", speed}},
             fmt::format("axes of the exact contact of a sphere, nu = 1/3, c = {}", speed)));
   }
-  const bool falls = std::ranges::is_sorted(outcome.numbers, std::greater(), &ClaimNumber::value);
+  const bool falls = std::ranges::is_sorted(outcome.numbers, std::greater(),
+                                            [](const ClaimNumber& one) { return one.number.value(); });
   if (!falls) outcome.verdict = ClaimVerdict::fails;
   const ClaimNumber by_rule =
-      row("die.span_ratio", {{"poisson", "0.3333333333333333"}, {"speed", "0.6"}, {"friction", "0"}},
+      row("die.span_ratio", {{"poisson", one_third}, {"speed", "0.6"}, {"friction", "0"}},
           "L2/L1 by the paper's rule, c = 0.6");
   outcome.why = fmt::format("the paper's rule overstates 1 - L2/L1 {:.1f} times at c = 0.6",
-                            (1 - by_rule.value) / (1 - outcome.numbers[2].value));
+                            (1 - by_rule.number.value()) / (1 - outcome.numbers[2].number.value()));
   outcome.numbers.push_back(by_rule);
   return outcome;
 }
@@ -85,12 +84,11 @@ ClaimOutcome friction_and_symmetry() {
       {}};
   for (const char* psi : {"0", "45", "89"}) {
     outcome.numbers.push_back(
-        row("die.exponent",
-            {{"poisson", "0.3333333333333333"}, {"speed", "0"}, {"friction", "0.3"}, {"psi_deg", psi}},
+        row("die.exponent", {{"poisson", one_third}, {"speed", "0"}, {"friction", "0.3"}, {"psi_deg", psi}},
             fmt::format("Omega, nu = 1/3, c = 0, friction 0.3, {} degrees from the motion", psi)));
   }
   // Symmetric about the axis across it would be -1/2.
-  const bool skewed = std::fabs(outcome.numbers[0].value + 0.5) > *outcome.numbers[0].error;
+  const bool skewed = fabs(outcome.numbers[0].number + 0.5).is_positive();
   if (!skewed) {
     outcome.verdict = ClaimVerdict::fails;
     outcome.why = "it is symmetric about both axes";
@@ -103,12 +101,11 @@ ClaimOutcome strip_of_oscillation() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   std::string last_true;
   for (const char* speed : {"0.01", "0.1", "0.2", "0.3", "0.5", "0.9"}) {
-    const double index =
-        row("rolling.index", {{"poisson", "0.3333333333333333"}, {"speed", speed}, {"psi_deg", "0"}}, "P")
-            .value;
-    const double strip = std::exp(-std::numbers::pi / (2 * index));
+    const WithError index =
+        row("rolling.index", {{"poisson", one_third}, {"speed", speed}, {"psi_deg", "0"}}, "P").number;
+    const WithError strip = exp(-WithError::pi() / (2 * index));
     outcome.numbers.push_back({fmt::format("exp(-pi/2P), nu = 1/3, c = {}", speed), strip});
-    if (strip < order_of_magnitude * said)
+    if (strip.value() < order_of_magnitude * said)
       last_true = speed;
     else
       outcome.verdict = ClaimVerdict::holds_in_a_range;
@@ -123,7 +120,7 @@ ClaimOutcome rayleigh_roots() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   outcome.numbers.push_back(row("ti.rayleigh", {{"axis", "normal"}}, "root of M, the graphite epoxy"));
   outcome.numbers.push_back(row("halfspace.rayleigh", {{"poisson", "0.29529"}}, "root of M0, the steel"));
-  const double of_m = outcome.numbers[0].value, of_m0 = outcome.numbers[1].value;
+  const double of_m = outcome.numbers[0].number.value(), of_m0 = outcome.numbers[1].number.value();
   constexpr double near = 1e-3;
   if (rounds_to(of_m, 0.9268, near) && rounds_to(of_m0, 0.6387, near)) return outcome;
   outcome.verdict = ClaimVerdict::fails;
@@ -135,13 +132,13 @@ ClaimOutcome rayleigh_roots() {
 /// c0 of steel's shear waves to m/s, as the paper has it.
 constexpr double steel_shear_speed = 3133.99;
 
-ClaimOutcome subcritical_limit(const Assignments& where, double said, const std::string& why_not) {
+ClaimOutcome subcritical_limit(const Assignments& where, const WithError& said, const std::string& why_not) {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   outcome.numbers.push_back(row("ti.critical", where, "smallest speed at which some line is critical, c0"));
-  const double limit = outcome.numbers[0].value;
+  const WithError limit = outcome.numbers[0].number;
   outcome.numbers.push_back({"the same, m/s", limit * steel_shear_speed});
-  outcome.numbers.push_back({"said, c0", said});
-  if (!rounds_to(limit, said, 1e-3)) {
+  outcome.numbers.push_back({"said, c0", said, true});
+  if (!rounds_to(limit.value(), said.value(), 1e-3)) {
     outcome.verdict = ClaimVerdict::fails;
     outcome.why = why_not;
   }
@@ -150,13 +147,13 @@ ClaimOutcome subcritical_limit(const Assignments& where, double said, const std:
 
 ClaimOutcome limit_with_normal_axis() {
   return subcritical_limit(
-      {{"axis", "normal"}}, 0.4595,
+      {{"axis", "normal"}}, WithError::exact(0.4595),
       "the branch point is that of waves which have no part in the normal displacement; the limit is "
       "the surface wave's");
 }
 
 ClaimOutcome limit_at_45() {
-  return subcritical_limit({{"axis", "in-plane"}, {"theta_deg", "45"}}, 1769 / steel_shear_speed,
+  return subcritical_limit({{"axis", "in-plane"}, {"theta_deg", "45"}}, 1769 / WithError(steel_shear_speed),
                            "other lines than the one of the motion are critical before");
 }
 
@@ -165,7 +162,7 @@ ClaimOutcome no_root_below_branch() {
   outcome.numbers.push_back(
       row("ti.rayleigh", {{"axis", "in-plane"}}, "Rayleigh root at theta = psi = 0, c0"));
   outcome.numbers.push_back(row("ti.branch", {{"which", "56"}}, "(c0)56 at theta = 0"));
-  if (outcome.numbers[0].value < outcome.numbers[1].value) {
+  if ((outcome.numbers[1].number - outcome.numbers[0].number).is_positive()) {
     outcome.verdict = ClaimVerdict::fails;
     outcome.why = "the motion is in a plane of isotropy there, with a Rayleigh wave below the shear wave";
   }

@@ -1,6 +1,3 @@
-#include <cmath>
-#include <numbers>
-
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/seeds/internal/settled_row.hpp>
@@ -8,6 +5,9 @@
 
 namespace nipref::verify {
 namespace {
+
+/// 1/3 to more digits than a result has.
+constexpr const char* many_thirds = "0.3333333333333333333333333";
 
 Settlement die_span_ratio() {
   return settled_by_form("die.span_ratio",
@@ -29,41 +29,41 @@ Settlement in_plane_compliance() {
 
 /// cos pi Omega from the exponent of the other equation, (26a), which is right: tan pi (Omega + 1/2) = ratio.
 Settlement cosine_of_exponent() {
-  const SettledRow row(
-      "die.exponent",
-      {{"poisson", "0.3333333333333333"}, {"speed", "0.5"}, {"friction", "0.5"}, {"psi_deg", "60"}});
-  const double cosine = std::cos(std::numbers::pi / 3);
+  const SettledRow row("die.exponent",
+                       {{"poisson", many_thirds}, {"speed", "0.5"}, {"friction", "0.5"}, {"psi_deg", "60"}});
+  const WithError cosine = 0.5;
   // gamma S cos psi/sqrt(K^2 + (gamma S cos psi)^2), K and S of the half-space; printed with one cosine more.
-  const Assignments line{{"poisson", "0.3333333333333333"}, {"speed", "0.5"}, {"psi_deg", "60"}};
-  const double compliance = SettledRow("halfspace.compliance", line).by_fast,
-               coupling = SettledRow("halfspace.coupling", line).by_fast;
-  const double gamma = 0.5 * cosine * coupling, right = gamma / std::hypot(compliance, gamma);
+  const Assignments line{{"poisson", many_thirds}, {"speed", "0.5"}, {"psi_deg", "60"}};
+  const WithError compliance = SettledRow("halfspace.compliance", line).by_fast,
+                  coupling = SettledRow("halfspace.coupling", line).by_fast;
+  const WithError gamma = 0.5 * cosine * coupling, right = gamma / hypot(compliance, gamma);
   return {"cos pi Omega, nu = 1/3, c = 0.5, friction 0.5, psi = 60 degrees", right * cosine, right,
-          std::cos(std::numbers::pi * row.by_ref), 1e-14};
+          cos(WithError::pi() * row.by_ref)};
 }
 
 Settlement branch_radicand() {
   const data::TransverselyIsotropicSolid& solid = data::seed::graphite_epoxy;
   const data::IsotropicSolid& steel = data::seed::steel;
+  const WithError speed_scale = sqrt(WithError(solid.density) / steel.density);
   const ScaledModuli moduli{solid.c11 / steel.shear,
                             solid.c33 / steel.shear,
                             solid.c13 / steel.shear,
                             solid.c44 / steel.shear,
                             solid.c66 / steel.shear,
-                            std::sqrt(solid.density / steel.density),
+                            speed_scale.value(),
                             0};
   const SettledRow branch("ti.branch", {{"theta_deg", "45"}, {"which", "minus"}});
-  const auto radicand = [&](double speed) { return 2 * std::pow(speed * moduli.speed_scale, 2); };
+  const auto radicand = [&](const WithError& speed) { return 2 * square(speed * speed_scale); };
   return {"2 c_minus^2 at theta = 45 degrees",
-          branch_radicand_as_printed(moduli, fast::Direction::of_degrees(45)), radicand(branch.by_fast),
-          radicand(branch.by_ref), 1e-14};
+          printed_form(branch_radicand_as_printed(moduli, fast::Direction::of_degrees(45))),
+          radicand(branch.by_fast), radicand(branch.by_ref)};
 }
 
 /// At rest with friction: the seed gives the limit of no friction.
 Settlement die_span_ratio_at_rest() {
-  const Assignments at{{"poisson", "0.3333333333333333"}, {"speed", "0"}, {"friction", "0.3"}};
+  const Assignments at{{"poisson", many_thirds}, {"speed", "0"}, {"friction", "0.3"}};
   const SettledRow row("die.span_ratio", at);
-  return {"C2 L2/(C1 L1) at rest, nu = 1/3, friction 0.3", 1, row.by_fast, row.by_ref, row.promised};
+  return {"C2 L2/(C1 L1) at rest, nu = 1/3, friction 0.3", WithError::exact(1), row.by_fast, row.by_ref};
 }
 
 Settlement in_line_response() {

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/thesis_nip.hpp>
 #include <nipref/verify/seeds/internal/thin_standard_solid.hpp>
 
@@ -23,33 +23,40 @@ fast::ConvergedViscoelasticNip thesis_rolling(double thickness, double load, dou
   return fast::converged_for_load({thesis_radius, thickness, solid, 1}, load, claims_accuracy);
 }
 
+/// What f is at a place, which it changes with all one way.
+WithError at_place(const Function& f, const WithError& place) {
+  const WithError below = f(place.value() - place.error()), above = f(place.value() + place.error());
+  return below.value() < above.value() ? WithError::between(below, above) : WithError::between(above, below);
+}
+
 ClaimOutcome largest_resistance() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   double least = 1, most = 0;
   for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
     for (const double load : {50.0, 200.0}) {
-      const auto negative = [&](double log_memory) {
-        return -thesis_rolling(thickness, load, std::exp(log_memory)).rolling_resistance().value;
-      };
-      constexpr int binary_digits = 16;
-      const double memory = std::exp(
-          boost::math::tools::brent_find_minima(negative, std::log(1e-3), std::log(1.0), binary_digits)
-              .first);
-      const double length = thesis_rolling(thickness, load, memory).contact_length().value;
+      const WithError memory =
+          largest([&](double at) { return thesis_rolling(thickness, load, at).rolling_resistance(); }, 1e-3,
+                  1)
+              .place;
+      const WithError share = at_place(
+          [&](double at) {
+            return WithError::exact(at) / thesis_rolling(thickness, load, at).contact_length();
+          },
+          memory);
       const std::string where = fmt::format("of the largest mu_R, B = {} in, W = {} lbf/in", thickness, load);
       outcome.numbers.push_back({"F0 tau " + where + ", in", memory});
-      outcome.numbers.push_back({"F0 tau/L " + where, memory / length});
-      least = std::min(least, memory);
-      most = std::max(most, memory);
+      outcome.numbers.push_back({"F0 tau/L " + where, share});
+      least = std::min(least, memory.value());
+      most = std::max(most, memory.value());
     }
   }
-  const double thinnest =
-      boost::math::tools::brent_find_minima(
-          [](double memory) { return -thin_standard_solid(memory).resistance; }, 0.1, 1.0, 40)
-          .first;
-  outcome.numbers.push_back({"F0 tau/L of the largest mu_R, B/L to 0", thinnest});
-  outcome.numbers.push_back({"largest mu_R R/L, B/L to 0", thin_standard_solid(thinnest).resistance});
-  outcome.numbers.push_back({"L1/L there", thin_standard_solid(thinnest).leading_share});
+  const Largest thinnest =
+      largest([](double memory) { return thin_standard_solid(memory).resistance; }, 0.1, 1);
+  outcome.numbers.push_back({"F0 tau/L of the largest mu_R, B/L to 0", thinnest.place});
+  outcome.numbers.push_back({"largest mu_R R/L, B/L to 0", thinnest.value});
+  outcome.numbers.push_back(
+      {"L1/L there",
+       at_place([](double memory) { return thin_standard_solid(memory).leading_share; }, thinnest.place)});
   outcome.why = fmt::format("it is largest at F0 tau between {:.4f} and {:.4f} in", least, most);
   if (least < 1e-2 || most > 1e-1) outcome.verdict = ClaimVerdict::holds_in_a_range;
   return outcome;
@@ -57,7 +64,7 @@ ClaimOutcome largest_resistance() {
 
 ClaimOutcome resistance_of_short_memory() {
   constexpr double memory = 1e-4;
-  const double limit = memory / (2 * thesis_radius);
+  const WithError limit = memory / WithError(2 * thesis_radius);
   ClaimOutcome outcome{ClaimVerdict::holds, "", {{"F0 tau/(2R), the limit of a short memory", limit}}};
   double farthest = 0;
   struct Case {
@@ -67,14 +74,15 @@ ClaimOutcome resistance_of_short_memory() {
   for (const Case& one :
        {Case{"thesis-XXIII", 50}, {"thesis-XXIV", 100}, {"thesis-XXV", 150}, {"thesis-XXVI", 200}}) {
     const data::Table table = data::load_table_by_id(one.table);
-    const fast::Estimate found = thesis_rolling(0.005, one.load, memory).rolling_resistance();
-    outcome.numbers.push_back(number_of(fmt::format("mu_R, B = 0.005 in, W = {} lbf/in", one.load), found));
+    const WithError found = thesis_rolling(0.005, one.load, memory).rolling_resistance();
+    outcome.numbers.push_back({fmt::format("mu_R, B = 0.005 in, W = {} lbf/in", one.load), found});
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       const auto& key = table.cell(row, "F0_tau").number;
       const auto& printed = table.cell(row, "muR").number;
       if (!key || !printed || std::fabs(key->value / memory - 1) > 1e-6) continue;
-      outcome.numbers.push_back({fmt::format("printed in {}", one.table), printed->value});
-      farthest = std::max(farthest, std::fabs(printed->value / found.value - 1));
+      outcome.numbers.push_back(
+          {fmt::format("printed in {}", one.table), WithError::exact(printed->value), true});
+      farthest = std::max(farthest, std::fabs(printed->value / found.value() - 1));
     }
   }
   outcome.why = fmt::format("the tables are off by up to {:.0f} %", 100 * farthest);
@@ -88,10 +96,10 @@ ClaimOutcome elastic_extremes() {
   for (const double thickness : {1.0, 0.005}) {
     for (const double memory : {1e3, 1e-6}) {
       const auto nip = thesis_rolling(thickness, 100, memory);
-      const double share = nip.leading_length().value / nip.contact_length().value;
+      const WithError share = WithError(nip.leading_length()) / nip.contact_length();
       outcome.numbers.push_back(
           {fmt::format("L1/L, B = {} in, W = 100 lbf/in, F0 tau = {} in", thickness, memory), share});
-      farthest = std::max(farthest, std::fabs(share - 0.5));
+      farthest = std::max(farthest, std::fabs(share.value() - 0.5));
     }
   }
   constexpr double printed_digits = 1e-3;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
@@ -30,32 +29,37 @@ data::ViscoelasticMaterial two_times(double scale) {
                            {0.5, {0.1 / scale, 0.3 / scale}, {1 / scale, 3 / scale}});
 }
 
+/// What the material's own functions are rounded by: sums of a few products.
+WithError of_material(double value) { return {value, 0x1p-48 * std::fabs(value)}; }
+
 /// F0 sum(gamma/lambda^2)/(R N(infinity)): what a short memory leaves of the resistance.
-double short_memory_resistance(const data::ViscoelasticMaterial& material) {
+WithError short_memory_resistance(const data::ViscoelasticMaterial& material) {
   const data::MaterialFunction n = material.normal_compliance();
-  double sum = 0;
-  for (const data::RelaxationTerm& term : n.terms) sum += (term.amplitude / (term.rate * term.rate)).real();
-  return sum / (rolling_radius * n.long_time());
+  WithError sum = 0;
+  for (const data::RelaxationTerm& term : n.terms)
+    sum = sum + of_material((term.amplitude / (term.rate * term.rate)).real());
+  return sum / (rolling_radius * of_material(n.long_time()));
 }
 
 /// mu_R of a long memory: the elastic contact of the compliance at once, over all of which the amplitudes act: sum(gamma)
 /// (d0 - int p Y^2/(2 R W))/(F0 N(0)).
-double long_memory_resistance(const data::ViscoelasticMaterial& material, double length) {
+WithError long_memory_resistance(const data::ViscoelasticMaterial& material, double length) {
   const data::MaterialFunction n = material.normal_compliance();
   const data::ElasticNip nip{rolling_radius, 2, {2 / n.instantaneous, 0}};
   const auto contact = fast::converged_for_length(nip, data::Friction::none, length, rolling_accuracy);
   constexpr int nodes = 200;
-  double second_moment = 0;
+  const WithError half = WithError::exact(length / 2), step = WithError::pi() / (nodes + 1);
+  WithError second_moment = 0;
   for (int i = 1; i <= nodes; ++i) {  // Gauss's rule for the ends' square roots
-    const double angle = i * std::numbers::pi / (nodes + 1), t = std::cos(angle);
-    second_moment += contact.pressure(length / 2 * t).value * t * t * std::sin(angle);
+    const WithError angle = i * step, t = cos(angle);
+    second_moment = second_moment + contact.pressure((half * t).value()) * square(t) * sin(angle);
   }
-  second_moment *= std::pow(length / 2, 3) * std::numbers::pi / (nodes + 1);
-  double amplitudes = 0;
-  for (const data::RelaxationTerm& term : n.terms) amplitudes += term.amplitude.real();
-  const double lost =
-      contact.indentation().value - second_moment / (2 * rolling_radius * contact.load().value);
-  return amplitudes * lost / n.instantaneous;
+  second_moment = second_moment * half * square(half) * step;
+  WithError amplitudes = 0;
+  for (const data::RelaxationTerm& term : n.terms)
+    amplitudes = amplitudes + of_material(term.amplitude.real());
+  const WithError lost = contact.indentation() - second_moment / (2 * rolling_radius * contact.load());
+  return amplitudes * lost / of_material(n.instantaneous);
 }
 
 constexpr double memory_length = 2;  // L/B = 1
@@ -72,7 +76,7 @@ std::vector<LimitRow> memory_limits() {
               [](double size) {
                 return LimitSample{
                     size, rolling(one_time(size * memory_length), memory_length).rolling_resistance(),
-                    size * memory_length / (2 * rolling_radius)};
+                    WithError::exact(size) * memory_length / (2 * rolling_radius)};
               })},
       {"limit.short_memory.prony_resistance",
        "mu_R = F0 sum(gamma/lambda^2)/(R N(infinity)), two relaxation times",
@@ -107,13 +111,15 @@ std::vector<LimitRow> thin_limits() {
       {"limit.thin_memory.resistance", "mu_R R/L", source, "B/L", 1,
        halved(first,
               [&](double size) {
-                return LimitSample{size, rolling_radius * size / 2 * nip(size).rolling_resistance(),
-                                   limit.resistance};
+                return LimitSample{
+                    size, WithError::exact(rolling_radius * size / 2) * nip(size).rolling_resistance(),
+                    limit.resistance};
               })},
       {"limit.thin_memory.leading_share", "L1/L", source, "B/L", 1,
        halved(first,
               [&](double size) {
-                return LimitSample{size, size / 2 * nip(size).leading_length(), limit.leading_share};
+                return LimitSample{size, WithError::exact(size / 2) * nip(size).leading_length(),
+                                   limit.leading_share};
               })},
   };
 }

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
+#include <optional>
 
 #include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/internal/thesis_nip.hpp>
 
 // How shear goes along an elastic nip with full friction, by the converged contact.
@@ -13,6 +17,8 @@ namespace {
 
 using data::Friction;
 using fast::ConvergedElasticNip;
+
+constexpr double shear_poisson = 1.0 / 3;
 
 /// Nearer to an end than one step the end's own oscillation, r^(1/2) cos(eps ln r), may turn the shear once more, but at
 /// a size that nobody sees.
@@ -51,29 +57,43 @@ bool ratio_rises(const std::vector<Station>& all) {
                                 [](const Station& here) { return std::fabs(here.shear) / here.pressure; });
 }
 
-/// Distance from the end over L.
-double place_of_largest_shear(const std::vector<Station>& all) {
-  const auto largest =
-      std::ranges::max_element(all, {}, [](const Station& here) { return std::fabs(here.shear); });
-  return (1 - largest->share) / 2;
-}
+using Property = std::function<bool(const std::vector<Station>&)>;
 
-/// Steps of a twentieth through L/B from 0.5 to 20 at nu = 1/3: the first and the last at which `is_so`.
-std::pair<double, double> range_where(const std::function<bool(const std::vector<Station>&)>& is_so) {
-  std::pair<double, double> range{0, 0};
-  for (double length = 0.5; length < 20; length *= 1.05) {
-    if (!is_so(stations(nip_of_length(length, Friction::full, 1.0 / 3)))) continue;
-    if (range.first == 0) range.first = length;
-    range.second = length;
+/// L/B between one where `is_so` and one where it is not.
+WithError border_between(const Property& is_so, double with, double without) {
+  constexpr int halvings = 7;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::midpoint(with, without);
+    (is_so(stations(nip_of_length(middle, Friction::full, shear_poisson))) ? with : without) = middle;
   }
-  return range;
+  return WithError::between(WithError::exact(std::min(with, without)),
+                            WithError::exact(std::max(with, without)));
 }
 
-ClaimOutcome outcome_outside(const std::pair<double, double>& broken, const char* what) {
-  if (broken.first == 0) return {ClaimVerdict::holds, "at nu = 1/3 for L/B from 0.5 to 20", {}};
+/// From the first to the last L/B at which `is_so`, nu = 1/3, of those looked at in steps of a twentieth from 0.5 to 20.
+struct Range {
+  WithError first, last;
+};
+std::optional<Range> range_where(const Property& is_so) {
+  constexpr double lowest = 0.5, highest = 20, factor = 1.05;
+  double first = 0, last = 0;
+  for (double length = lowest; length < highest * factor; length *= factor) {
+    const double here = std::min(length, highest);
+    if (!is_so(stations(nip_of_length(here, Friction::full, shear_poisson)))) continue;
+    if (first == 0) first = here;
+    last = here;
+  }
+  if (first == 0) return {};
+  return Range{first == lowest ? WithError::exact(lowest) : border_between(is_so, first, first / factor),
+               last == highest ? WithError::exact(highest) : border_between(is_so, last, last * factor)};
+}
+
+ClaimOutcome outcome_outside(const std::optional<Range>& broken, const char* what) {
+  if (!broken) return {ClaimVerdict::holds, "at nu = 1/3 for L/B from 0.5 to 20", {}};
   return {ClaimVerdict::holds_in_a_range,
-          fmt::format("at nu = 1/3 {} for L/B from {:.2f} to {:.2f}", what, broken.first, broken.second),
-          {}};
+          fmt::format("at nu = 1/3 {} for L/B from {:.2g} to {:.2g}, of 0.5 to 20", what,
+                      broken->first.value(), broken->last.value()),
+          {{"L/B from which it is so", broken->first}, {"L/B to which it is so", broken->last}}};
 }
 
 ClaimOutcome one_reversal() {
@@ -83,11 +103,10 @@ ClaimOutcome one_reversal() {
   const ConvergedElasticNip nip = thesis_nip(0.0625, 100, Friction::full);
   const double half = nip.contact_length().value / 2;
   for (const double share : {0.45, 0.95})
-    outcome.numbers.push_back(number_of(
-        fmt::format("q at 2Y/L = {}, B = 0.0625 in, W = 100 lbf/in, psi", share), nip.shear(share * half)));
+    outcome.numbers.push_back(
+        {fmt::format("q at 2Y/L = {}, B = 0.0625 in, W = 100 lbf/in, psi", share), nip.shear(share * half)});
   outcome.numbers.push_back(
-      {"2Y/L at which q vanishes there",
-       sign_change([&](double share) { return nip.shear(share * half).value; }, 0.45, 0.95)});
+      {"2Y/L at which q vanishes there", 2 * WithError(nip.shear_zeros().at(1)) / nip.contact_length()});
   return outcome;
 }
 
@@ -98,7 +117,7 @@ ClaimOutcome shear_over_pressure() {
   const double half = nip.contact_length().value / 2;
   for (const double share : {0.45, 0.8})
     outcome.numbers.push_back({fmt::format("|q|/p at 2Y/L = {}, B = 0.0625 in, W = 100 lbf/in", share),
-                               std::fabs(nip.shear(share * half).value) / nip.pressure(share * half).value});
+                               fabs(nip.shear(share * half)) / nip.pressure(share * half)});
   return outcome;
 }
 
@@ -109,13 +128,13 @@ ClaimOutcome place_of_largest() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   double least = 1, most = 0;
   for (const Sheet& sheet : {Sheet{1, 100}, {0.25, 100}, {0.005, 25}, {0.005, 100}, {0.005, 200}}) {
-    const double place =
-        place_of_largest_shear(stations(thesis_nip(sheet.thickness, sheet.load, Friction::full)));
+    const ConvergedElasticNip nip = thesis_nip(sheet.thickness, sheet.load, Friction::full);
+    const WithError place = 0.5 - WithError(nip.peak_shear_position()) / nip.contact_length();
     outcome.numbers.push_back(
         {fmt::format("distance from the end over L, B = {} in, W = {} lbf/in", sheet.thickness, sheet.load),
          place});
-    least = std::min(least, place);
-    most = std::max(most, place);
+    least = std::min(least, place.value());
+    most = std::max(most, place.value());
   }
   outcome.why = fmt::format(
       "it lies between {:.3f} and {:.3f} of L; the tables' twenty elements can say 1/8 or its neighbours",
@@ -127,16 +146,16 @@ ClaimOutcome place_of_largest() {
 
 ClaimOutcome intermediate_shear() {
   ClaimOutcome outcome{ClaimVerdict::holds, "smallest over the peak pressure on the sheet in between", {}};
-  std::vector<double> shares;
+  std::vector<WithError> shares;
   for (const double thickness : {1.0, 0.0625, 0.005}) {
     const ConvergedElasticNip nip = thesis_nip(thickness, 25, Friction::full);
-    shares.push_back(nip.peak_shear().value / nip.peak_pressure().value);
+    shares.push_back(WithError(nip.peak_shear()) / nip.peak_pressure());
     outcome.numbers.push_back(
         {fmt::format("peak shear over peak pressure, B = {} in, W = 25 lbf/in", thickness), shares.back()});
   }
-  outcome.numbers.push_back(number_of("peak shear, B = 0.0625 in, W = 25 lbf/in, psi",
-                                      thesis_nip(0.0625, 25, Friction::full).peak_shear()));
-  const bool smallest = shares[1] < shares[0] && shares[1] < shares[2];
+  outcome.numbers.push_back(
+      {"peak shear, B = 0.0625 in, W = 25 lbf/in, psi", thesis_nip(0.0625, 25, Friction::full).peak_shear()});
+  const bool smallest = (shares[0] - shares[1]).is_positive() && (shares[2] - shares[1]).is_positive();
   if (!smallest) {
     outcome.verdict = ClaimVerdict::fails;
     outcome.why = "it is not the smallest of the three sheets'";

@@ -1,13 +1,7 @@
 #pragma once
-#include <functional>
-#include <string>
-#include <utility>
-
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/seeds/claims.hpp>
 
 namespace nipref::verify {
 
@@ -27,12 +21,5 @@ inline fast::ConvergedElasticNip nip_of_length(double length_over_thickness, dat
   const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, poisson}};
   return fast::converged_for_length(nip, friction, 2 * length_over_thickness, claims_accuracy);
 }
-
-inline ClaimNumber number_of(std::string what, const fast::Estimate& number) {
-  return {std::move(what), number.value, number.error};
-}
-
-/// Where `function` changes its sign between two places at which its signs differ, to ten digits.
-double sign_change(const std::function<double(double)>& function, double lower, double upper);
 
 }  // namespace nipref::verify
