@@ -251,10 +251,10 @@ struct GrippedElasticNip::Implementation {
     return number(units.pressure, value, middle);
   }
 
-  /// `inside` in the contact, where it has a closed form; else by quadrature.
+  /// `inside` in the contact, where it has a closed form; else by quadrature. Measured by `least` at least.
   template <class Inside>
-  [[nodiscard]] Estimated displacement(double y, Float GripDisplacement::*part, bool odd,
-                                       const Inside& inside) {
+  [[nodiscard]] Estimated displacement(double y, const mpq_class& unit, const Float& least,
+                                       Float GripDisplacement::*part, bool odd, const Inside& inside) {
     if (!std::isfinite(y) || abs(exactly(y)) > farthest_grip * units.length)
       throw data::BadInput("y", y,
                            "must be within 450 sheet thicknesses of the middle on the reference path");
@@ -264,13 +264,13 @@ struct GrippedElasticNip::Implementation {
       const Float place = before_end(y, contact);
       if (!(place < 0)) return inside(contact, place);
       const Float enough = pow(Float(10), -precision.digits - 3);
-      const GripDisplacement outside = contact.displacement_outside(place, enough, kernels);
-      further = std::max(further, outside.error);
-      return outside.*part;
+      const GripOutside outside = contact.displacement_outside(place, enough, kernels);
+      further = std::max(further, outside.error.*part);
+      return outside.value.*part;
     };
     const Float rough = value(*coarse), finer = value(*fine);
     const int sign = odd && y < 0 ? -1 : 1;
-    return estimated(units.displacement, sign * rough, sign * finer, square_length(), further);
+    return estimated(unit, sign * rough, sign * finer, least, further);
   }
 };
 
@@ -361,7 +361,8 @@ Estimated GrippedElasticNip::shear(double y) const {
 Estimated GrippedElasticNip::normal_displacement(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->displacement(
-      y, &GripDisplacement::normal, false, [](const GripExpansion& contact, const Float& before_end) {
+      y, implementation_->units.displacement, implementation_->square_length(), &GripDisplacement::normal,
+      false, [](const GripExpansion& contact, const Float& before_end) {
         const Float length = contact.half_length();
         return contact.edge_displacement() + length * length * before_end * (2 - before_end);
       });
@@ -369,7 +370,8 @@ Estimated GrippedElasticNip::normal_displacement(double y) const {
 
 Estimated GrippedElasticNip::tangential_displacement(double y) const {
   const WorkingDigits working(implementation_->precision.working);
-  return implementation_->displacement(y, &GripDisplacement::tangential, true,
+  return implementation_->displacement(y, implementation_->units.displacement,
+                                       implementation_->square_length(), &GripDisplacement::tangential, true,
                                        [](const GripExpansion& contact, const Float& before_end) {
                                          return contact.creep() * contact.half_length() * (1 - before_end);
                                        });
@@ -395,24 +397,9 @@ GreatestShear GrippedElasticNip::greatest_shear() const {
 
 Estimated GrippedElasticNip::surface_strain(double y) const {
   const WorkingDigits working(implementation_->precision.working);
-  auto& [units, length, precision, kernels, coarse, fine] = *implementation_;
-  if (!std::isfinite(y) || abs(exactly(y)) > farthest_grip * units.length)
-    throw data::BadInput("y", y, "must be within 450 sheet thicknesses of the middle on the reference path");
-  const Float end = implementation_->before_end(y, *fine);
-  if (!(end < 0)) return creep_ratio();
-  const Float enough = pow(Float(10), -precision.digits - 3);
-  const auto strain = [&](const GripExpansion& contact) -> Float {
-    const Float place = implementation_->before_end(y, contact);
-    if (!(place < 0)) return contact.creep();
-    const auto displacement = [&](const Float& before_end) -> Float {
-      return contact.displacement_outside(before_end, enough, kernels).tangential;
-    };
-    const Float reach = std::min(Float(-place / 4), Float(1 / (2 * contact.half_length())));
-    return -local_slope(displacement, place, reach) / contact.half_length();
-  };
-  // What the quadrature leaves of the displacements, over the reach, is within the expansions' difference and this.
-  const Float least = fine->half_length() * (1 - 1 / end);
-  return implementation_->number(units.slope, strain, least);
+  return implementation_->displacement(
+      y, implementation_->units.slope, implementation_->fine->half_length(), &GripDisplacement::strain, false,
+      [](const GripExpansion& contact, const Float&) { return contact.creep(); });
 }
 
 int GrippedElasticNip::terms() const { return implementation_->fine->terms(); }

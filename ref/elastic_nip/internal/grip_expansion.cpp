@@ -268,9 +268,16 @@ class OutsideIntegrand {
     sum.normal += factor * ((normal_near + normal_far) * here.pressure + (odd_near - odd_far) * here.shear);
     sum.tangential +=
         factor * ((normal_near - normal_far + stretch) * here.shear - (odd_near + odd_far) * here.pressure);
+    sum.strain += factor * ((slope_by_shear(near) - slope_by_shear(far)) * here.shear +
+                            (kernels_.coupling.slope(near) + kernels_.coupling.slope(far)) * here.pressure);
   }
 
  private:
+  /// Of I6 from a shear alpha behind.
+  Float slope_by_shear(const Float& alpha) {
+    return kernels_.normal.slope(alpha) - 1 / alpha - kernels_.coupling(alpha);
+  }
+
   const GripExpansion& contact_;
   Float sign_part_, beyond_end_;
   GripKernels& kernels_;
@@ -278,34 +285,40 @@ class OutsideIntegrand {
 
 }  // namespace
 
-/// Over 0 < t < 1 by t = tanh((pi/2) sinh x): the step is halved until that no longer changes anything.
-GripDisplacement GripExpansion::displacement_outside(const Float& before_end, const Float& enough,
-                                                     GripKernels& kernels) const {
+/// Over 0 < t < 1 by t = tanh((pi/2) sinh x): the step is halved until that no longer changes anything. Nodes go on so far
+/// towards the end that what lies beyond is too little even where the slope of the logarithm is largest, next to it.
+GripOutside GripExpansion::displacement_outside(const Float& before_end, const Float& enough,
+                                                GripKernels& kernels) const {
   OutsideIntegrand integrand(*this, beta_, -before_end, kernels);
+  const Float nearest = enough * std::min(Float(1), Float(-before_end));
   const auto add_node = [&](const Float& x, GripDisplacement& sum) {
     const Float growth = exp(pi() * sinh(x));
     const Float node = 2 / (1 + growth);  // 1 - t
-    if (node < enough) return false;
+    if (node < nearest) return false;
     integrand.add(node, pi() * cosh(x) * growth * node * node / 2, sum);
     return true;
   };
   GripDisplacement sum{0, 0, 0};
-  const GripDisplacement zero = sum;
   add_node(0, sum);
-  sum = {sum.normal / 2, sum.tangential / 2, 0};
+  sum = {sum.normal / 2, sum.tangential / 2, sum.strain / 2};
   Float step = 1;
-  GripDisplacement before = zero;
+  GripOutside now{{0, 0, 0}, {0, 0, 0}};
   for (int level = 0; level < 14; ++level) {
     const long stride = level == 0 ? 1 : 2;
     for (long i = 1; add_node(i * step, sum); i += stride) {
     }
-    const GripDisplacement now{half_length_ * step * sum.normal, half_length_ * step * sum.tangential, 0};
-    const Float change = std::max(abs(now.normal - before.normal), abs(now.tangential - before.tangential));
-    before = {now.normal, now.tangential, change};
+    const Float size = half_length_ * step;
+    const auto renew = [&](Float GripDisplacement::*part) {
+      const Float value = size * sum.*part;
+      now.error.*part = abs(value - now.value.*part);
+      now.value.*part = value;
+    };
+    renew(&GripDisplacement::normal), renew(&GripDisplacement::tangential), renew(&GripDisplacement::strain);
+    const Float change = std::max({now.error.normal, now.error.tangential, now.error.strain * half_length_});
     if (level > 3 && change <= enough * half_length_ * half_length_) break;
     step = ldexp(step, -1);
   }
-  return before;
+  return now;
 }
 
 }  // namespace nipref::ref

@@ -5,12 +5,17 @@
 
 namespace nipref::ref {
 
-/// Pressure and shear at one point, and displacements of one; in the units of GripExpansion.
+/// Pressure and shear at one point, and displacements of one with the slope of the tangential one; in the units of
+/// GripExpansion.
 struct GripTraction {
   Float pressure, shear;
 };
 struct GripDisplacement {
-  Float normal, tangential, error;  ///< error: of the quadrature, as its last step tells
+  Float normal, tangential, strain;
+};
+/// By quadrature, with its error as its last step tells it.
+struct GripOutside {
+  GripDisplacement value, error;
 };
 
 /// How a contact is discretised. Both numbers even.
@@ -53,9 +58,10 @@ class GripExpansion {
   [[nodiscard]] Float growth() const;
   /// At t = 1 - before_end, 0 <= t; 0 outside.
   [[nodiscard]] GripTraction traction(const Float& before_end) const;
-  /// At t = 1 - before_end > 1, by double exponential quadrature until it changes by `enough` of A^2 at most.
-  [[nodiscard]] GripDisplacement displacement_outside(const Float& before_end, const Float& enough,
-                                                      GripKernels& kernels) const;
+  /// At t = 1 - before_end > 1, by double exponential quadrature until displacements change by `enough` of A^2 at most
+  /// and the strain by that of A.
+  [[nodiscard]] GripOutside displacement_outside(const Float& before_end, const Float& enough,
+                                                 GripKernels& kernels) const;
 
  private:
   Float half_length_, beta_, epsilon_;

@@ -31,6 +31,15 @@ bool is_above(const Interval& x, const Interval& bound) {
   return mpfr_greater_p(smallest.get(), bound.upper()) != 0;
 }
 
+/// Chebyshev coefficients of the derivative: T_n' = 2n (T_{n-1} + T_{n-3} + ...), of T_0 half.
+std::vector<Float> slope_of(const std::vector<Float>& coefficients) {
+  std::vector<Float> slope(coefficients.size() + 1);
+  for (std::size_t n = coefficients.size(); n-- > 1;)
+    slope[n - 1] = slope[n + 1] + 2 * static_cast<long>(n) * coefficients[n];
+  slope[0] /= 2;
+  return slope;
+}
+
 }  // namespace
 
 SmoothKernel::SmoothKernel(NormalKernel kernel, int digits, KernelShape shape)
@@ -53,7 +62,7 @@ std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosin
   return values;
 }
 
-SmoothKernel::Coefficients SmoothKernel::make_panel(long index) {
+SmoothKernel::Panel SmoothKernel::make_panel(long index) {
   const mpfr_prec_t precision = precision_here();
   const Cosines cosines(points_, precision);
   const std::vector<Interval> values = node_values(index, cosines);
@@ -77,15 +86,26 @@ SmoothKernel::Coefficients SmoothKernel::make_panel(long index) {
   }
   const Float bound = upper_end(error + 1024 * unit);
   if (bound > error_) error_ = bound;
-  return coefficients;
+  Coefficients slope = slope_of(coefficients);
+  return {std::move(coefficients), std::move(slope)};
 }
 
-Float SmoothKernel::operator()(const Float& alpha) {
+template <class Evaluate>
+Float SmoothKernel::in_panel(const Float& alpha, const Evaluate& evaluate) {
   const Float place = half_panels_per_unit * abs(alpha);
   const long index = mpfr_get_si(place.get(), MPFR_RNDD) / 2;
   auto panel = panels_.find(index);
   if (panel == panels_.end()) panel = panels_.emplace(index, make_panel(index)).first;
-  return chebyshev_sum(panel->second, place - middle_of_panel(index));
+  return evaluate(panel->second, place - middle_of_panel(index));
+}
+
+Float SmoothKernel::operator()(const Float& alpha) {
+  return in_panel(alpha, [](const Panel& panel, const Float& x) { return chebyshev_sum(panel.value, x); });
+}
+
+Float SmoothKernel::slope(const Float& alpha) {
+  return half_panels_per_unit *
+         in_panel(alpha, [](const Panel& panel, const Float& x) { return chebyshev_sum(panel.slope, x); });
 }
 
 Interval SmoothKernel::over(const Interval& alpha) {

@@ -51,6 +51,8 @@ class SmoothKernel {
   /// J at |alpha| <= 1000, to error(). std::logic_error if the kernel's values cannot be those of I1: the
   /// last coefficients of a panel are larger than any function with this bound has them.
   [[nodiscard]] Float operator()(const Float& alpha);
+  /// Slope of the interpolation at |alpha|. By Markov's inequality it is off by about 8 n^2 error(), n points.
+  [[nodiscard]] Float slope(const Float& alpha);
   /// J on all of an interval.
   [[nodiscard]] Interval over(const Interval& alpha);
   /// Bound on the error of every value given so far.
@@ -59,14 +61,20 @@ class SmoothKernel {
 
  private:
   using Coefficients = std::vector<Float>;
-  Coefficients make_panel(long index);
+  struct Panel {
+    Coefficients value, slope;
+  };
+  /// What the panel of |alpha| makes of its coefficients and the place in it, -1 to 1.
+  template <class Evaluate>
+  Float in_panel(const Float& alpha, const Evaluate& evaluate);
+  Panel make_panel(long index);
   [[nodiscard]] std::vector<Interval> node_values(long index, const Cosines& cosines) const;
 
   NormalKernel kernel_;
   KernelShape shape_;
   double nats_;
   long points_;  ///< of a panel
-  std::map<long, Coefficients> panels_;
+  std::map<long, Panel> panels_;
   Float error_ = 0;
 };
 

@@ -221,6 +221,29 @@ std::vector<GrippedResult> gripped_results(double inside, double outside) {
 
 }  // namespace
 
+TEST_CASE("ref gripped contact: next to its end the strain outside is the creep, and as sure as far away") {
+  constexpr double per_root =
+      10;  // tractions that end like a root of the distance strain what is next to them likewise
+  for (const double length : {0.01, 3.0}) {
+    const ElasticNip nip = nip_of(0.3);
+    const auto contact = ref::gripped_for_length(nip, length, 16);
+    const auto panels = fast::converged_for_length(nip, data::Friction::full, length, 1e-12);
+    const double size = length / nip.roller_radius;
+    for (const double beyond : {0x1p-45, 1e-10, 1e-5, 0.1, 4.0}) {
+      CAPTURE(length);
+      CAPTURE(beyond);
+      const double y = length / 2 * (1 + beyond);
+      const ref::Estimated strain = contact.surface_strain(y);
+      const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
+      CHECK(error <= 1e-16 * size);
+      CHECK(std::fabs(strain.to_double() - contact.creep_ratio().to_double()) <=
+            per_root * std::sqrt(beyond) * size);
+      const fast::Estimate found = panels.surface_strain(y);
+      CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error);
+    }
+  }
+}
+
 TEST_CASE("ref gripped contact: the double path's estimates cover its distance at random nips") {
   std::mt19937_64 generator(11);
   const auto between = [&](double low, double high) {
