@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
-#include <nipref/ref/number/internal/local_slope.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
 
@@ -101,6 +101,7 @@ Estimated estimated_of(const Float& unit, const FloatEstimate& estimate, int dig
 struct ConvergedViscoelasticNip::Implementation {
   RollingUnits units;
   RollingContact contact;
+  mutable std::map<const RollingPressure*, Float> at_middle = {};
 
   [[nodiscard]] const Float& size() const { return contact.fine().half_length(); }
   [[nodiscard]] Estimated estimated(const Float& unit, const RollingContact::Functional& functional,
@@ -129,6 +130,23 @@ struct ConvergedViscoelasticNip::Implementation {
     const Float scale = fine.load() / fine.half_length();
     return {field_source(contact.coarse()), field_source(fine), scale, scale * contact.difference(),
             contact.digits()};
+  }
+  /// Of where the leading end is.
+  [[nodiscard]] Float end_error() const {
+    return contact.estimate([&](const RollingPressure& of) { return downstream(of, 0); }, size()).error;
+  }
+  /// What the pressure at d may miss as the ends do: where it is as steep as a square root they count for as much as
+  /// they are known.
+  [[nodiscard]] Float pressure_by_ends(const Float& d) const {
+    const RollingPressure& fine = contact.fine();
+    const Float known = end_error(), here = fine.pressure(d);
+    return abs(fine.pressure(d + known) - here) + abs(fine.pressure(d - known) - here);
+  }
+  /// Of v at Y = 0.
+  [[nodiscard]] const Float& tangential_at_middle(const RollingPressure& of) const {
+    const auto [place, is_new] = at_middle.try_emplace(&of);
+    if (is_new) place->second = of.response(downstream(of, 0), contact.tangential_kernel());
+    return place->second;
   }
   /// Of Y, from the leading end.
   [[nodiscard]] Float downstream(const RollingPressure& of, double y) const {
@@ -197,22 +215,14 @@ Estimated ConvergedViscoelasticNip::peak_pressure_position() const {
 Estimated ConvergedViscoelasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   const WorkingDigits working(implementation_->contact.working_digits());
-  const auto& [units, contact] = *implementation_;
-  const auto at = [&](const Float& d) {
-    return contact.estimate([&](const RollingPressure& of) { return of.pressure(d); }, 0).value;
-  };
-  // Where the pressure is as steep as a square root the ends count for as much as they are known.
+  const auto& [units, contact, at_middle] = *implementation_;
   const Float d = implementation_->downstream(contact.fine(), y);
-  const Float end =
-      contact
-          .estimate([&](const RollingPressure& of) { return implementation_->downstream(of, y); },
-                    contact.fine().half_length())
-          .error;
-  const bool inside = d > -end && d < 2 * contact.fine().half_length() + end;
+  const Float known = implementation_->end_error(), length = 2 * contact.fine().half_length();
+  const bool inside = d > -known && d < length + known;
   FloatEstimate result = contact.estimate(
       [&](const RollingPressure& of) { return of.pressure(implementation_->downstream(of, y)); },
       inside ? contact.fine().load() / contact.fine().half_length() : Float(0));
-  if (inside) result.error += abs(at(d + end) - result.value) + abs(at(d - end) - result.value);
+  result.error += implementation_->pressure_by_ends(d);
   return estimated_of(units.pressure, result, contact.digits());
 }
 
@@ -239,7 +249,7 @@ Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
       implementation_->units.displacement,
       [&](const RollingPressure& of) {
         return of.response(implementation_->downstream(of, y), kernel) -
-               of.response(implementation_->downstream(of, 0), kernel);
+               implementation_->tangential_at_middle(of);
       },
       [&](const RollingPressure&) { return size * std::min(size, way); });
 }
@@ -247,21 +257,17 @@ Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
 Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   implementation_->check_place(y);
-  RollingKernel& kernel = implementation_->contact.tangential_kernel();
-  const Float& size = implementation_->size();
-  const auto reach = [&](const RollingPressure& of, const Float& d) -> Float {
-    const Float from_end = std::min(abs(d), abs(2 * of.half_length() - d));
-    return std::min(from_end / 5, Float(0.25));
-  };
-  Float nearest = size;
-  const auto strain = [&](const RollingPressure& of) -> Float {
-    const Float d = implementation_->downstream(of, y), within = reach(of, d);
-    nearest = std::min(nearest, within);
-    return -local_slope([&](const Float& at) { return of.response(at, kernel); }, d, within);
-  };
-  // The displacements' digits, over the reach.
-  return implementation_->estimated(implementation_->units.lever / 2, strain,
-                                    [&](const RollingPressure&) { return size * size / nearest; });
+  const auto& [units, contact, at_middle] = *implementation_;
+  StretchRollingKernel& kernel = contact.stretch_kernel();
+  const RollingPressure& fine = contact.fine();
+  FloatEstimate result = contact.estimate(
+      [&](const RollingPressure& of) -> Float {
+        const Float d = implementation_->downstream(of, y);
+        return -(of.response(d, kernel) + kernel.jump() * of.pressure(d));
+      },
+      std::max(fine.half_length(), Float(fine.load() / fine.half_length())));
+  result.error += kernel.jump() * implementation_->pressure_by_ends(implementation_->downstream(fine, y));
+  return estimated_of(units.lever / 2, result, contact.digits());
 }
 
 Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
@@ -275,7 +281,7 @@ Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
 
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
     std::span<const InnerPoint> points) const {
-  const auto& [units, contact] = *implementation_;
+  const auto& [units, contact, at_middle] = *implementation_;
   const WorkingDigits working(contact.working_digits());
   const ContactField field = implementation_->field();
   std::vector<InnerStresses> stresses;
@@ -295,7 +301,13 @@ long ConvergedViscoelasticNip::normal_kernel_values() const {
   return implementation_->contact.normal_kernel().kernel_values();
 }
 long ConvergedViscoelasticNip::tangential_kernel_values() const {
-  return implementation_->contact.tangential_kernel().kernel_values();
+  const RollingContact& contact = implementation_->contact;
+  return contact.tangential_kernel().kernel_values() + contact.stretch_kernel().kernel_values();
+}
+long ConvergedViscoelasticNip::kernel_evaluations() const {
+  const RollingContact& contact = implementation_->contact;
+  return contact.normal_kernel().evaluations() + contact.tangential_kernel().evaluations() +
+         contact.stretch_kernel().evaluations();
 }
 
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,

@@ -49,11 +49,13 @@ class ConvergedViscoelasticNip {
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses, the contact at most 10 long.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
-  /// v', dimensionless, by the slope of the displacement's interpolation.
+  /// v', dimensionless.
   [[nodiscard]] Estimated surface_strain(double y) const;
   [[nodiscard]] int unknowns() const;                   ///< of the finer discretisation
   [[nodiscard]] long normal_kernel_values() const;      ///< of I1, taken so far
   [[nodiscard]] long tangential_kernel_values() const;  ///< of I3
+  /// How often the kernels with their memory, which are interpolated, were asked for a value so far: what results cost.
+  [[nodiscard]] long kernel_evaluations() const;
 
  private:
   struct Implementation;

@@ -67,8 +67,10 @@ void check_unknowns(const RollingLayout& layout, int most, int digits) {
                            std::to_string(most) + " unknowns at most here");
 }
 
-RollingPressure solved(const Float& half_length, RollingKernel& kernel, const Fineness& fineness) {
-  return {half_length, rolling_layout(half_length, kernel.memory(), fineness), kernel};
+std::unique_ptr<RollingPressure> solved(const Float& half_length, RollingKernel& kernel,
+                                        const Fineness& fineness) {
+  return std::make_unique<RollingPressure>(half_length,
+                                           rolling_layout(half_length, kernel.memory(), fineness), kernel);
 }
 
 /// A guess at the half length that carries a load, a few tens of per cent off at most where memories are long
@@ -122,7 +124,8 @@ RollingContact::RollingContact(const RollingMaterial& material, int digits)
     : digits_(digits),
       working_digits_(working_digits(material, digits)),
       normal_(std::make_unique<NormalRollingKernel>(material, working_digits_ - spare_digits)),
-      tangential_(std::make_unique<TangentialRollingKernel>(material, working_digits_ - spare_digits)) {}
+      tangential_(std::make_unique<TangentialRollingKernel>(material, working_digits_ - spare_digits)),
+      stretch_(std::make_unique<StretchRollingKernel>(material, working_digits_ - spare_digits)) {}
 
 void RollingContact::measure() {
   const auto apart = [](const Float& x, const Float& y, const Float& scale) { return abs(x - y) / scale; };
@@ -150,8 +153,8 @@ void RollingContact::solve_for_length(const Float& half_length) {
   for (int terms = first_terms(digits_);; terms += terms / 4) {
     const int more = terms + terms / 5;
     check_unknowns(rolling_layout(half_length, normal_->memory(), {more, true}), most_unknowns, digits_);
-    coarse_ = std::make_unique<RollingPressure>(solved(half_length, *normal_, {terms, false}));
-    fine_ = std::make_unique<RollingPressure>(solved(half_length, *normal_, {more, true}));
+    coarse_ = solved(half_length, *normal_, {terms, false});
+    fine_ = solved(half_length, *normal_, {more, true});
     measure();
     if (difference_ <= enough) return;
   }
@@ -168,7 +171,7 @@ void RollingContact::solve_for_load(Sought sought) {
       LoadSteps steps(sought.load, sought.growth);
       auto& contact = fine ? fine_ : coarse_;
       for (int step = 0; step < most_load_steps; ++step) {
-        contact = std::make_unique<RollingPressure>(solved(size, *normal_, {fine ? more : terms, fine}));
+        contact = solved(size, *normal_, {fine ? more : terms, fine});
         size = steps.next(size, contact->load());
         if (abs(size / contact->half_length() - 1) < exact) break;
       }
@@ -202,7 +205,7 @@ RollingContact::Sought RollingContact::search(const Float& load, const RollingMa
       check(static_cast<double>(size));
       check_unknowns(rolling_layout(size, material.normal, {most_terms + most_terms / 5, true}),
                      most_unknowns_for_load, digits);
-      const Float next = steps.next(size, solved(size, kernel, {first_terms(digits_here), false}).load());
+      const Float next = steps.next(size, solved(size, kernel, {first_terms(digits_here), false})->load());
       const Float change = abs(next / size - 1);
       size = next;
       if (change < pow(Float(10), -digits_here + 3)) break;

@@ -34,6 +34,7 @@ class RollingContact {
   [[nodiscard]] const Float& difference() const { return difference_; }
   [[nodiscard]] RollingKernel& normal_kernel() const { return *normal_; }
   [[nodiscard]] RollingKernel& tangential_kernel() const { return *tangential_; }
+  [[nodiscard]] StretchRollingKernel& stretch_kernel() const { return *stretch_; }
   /// Twice the difference of the two, and what they differ by anywhere, relative to `scale`, the largest value
   /// of the kind, dimensionless.
   [[nodiscard]] FloatEstimate estimate(const Functional& functional, const Float& scale) const;
@@ -52,6 +53,7 @@ class RollingContact {
 
   int digits_, working_digits_;
   std::unique_ptr<RollingKernel> normal_, tangential_;
+  std::unique_ptr<StretchRollingKernel> stretch_;
   std::unique_ptr<RollingPressure> coarse_, fine_;
   Float difference_;
 };

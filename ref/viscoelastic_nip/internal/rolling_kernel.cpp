@@ -36,6 +36,9 @@ std::vector<Float> interpolate_at_zeros(const std::vector<Float>& values) {
 /// Where I1, and what I3 differs from its limit by, is below e^{-nats}: they decay faster than e^{-2.1 |x|}.
 long far_ahead(double nats) { return std::lround(std::ceil(nats / 2.1)) + 2; }
 
+/// What the slope of an interpolation loses of its values' digits, see SmoothKernel::slope().
+constexpr int digits_of_slope = 4;
+
 /// int_0^x e^{-rate w} dw
 ComplexFloat fading_way(const ComplexFloat& rate, const Float& x) {
   if (rate.re == 0) return x;
@@ -144,6 +147,7 @@ std::vector<Float> RollingKernel::make_panel(const Float& from, const Float& wid
 }
 
 Float RollingKernel::operator()(const Float& x) {
+  ++evaluations_;
   if (x <= -far_) return far_upstream();
   if (x >= far_) return far_downstream(x);
   const int sign = x > 0 ? 1 : -1;
@@ -214,6 +218,40 @@ Float TangentialRollingKernel::direct(const Float& x) {
   if (x < 0) return (sum - half_pi * theta2_at_once_) / pi();
   sum += half_pi * theta2_at_once_;
   for (const auto& [amplitude, rate] : theta2_) sum += pi() * (amplitude * fading_way(rate, x)).re;
+  return sum / pi();
+}
+
+StretchRollingKernel::StretchRollingKernel(const RollingMaterial& material, int digits)
+    : RollingKernel(material.normal, digits, SmoothKernel(I3_interval, digits + digits_of_slope, I3_shape)),
+      theta2_at_once_(material.theta2_at_once),
+      theta2_(material.theta2) {
+  for (const RollingMemory& term : memory()) fading_.emplace_back(term.rate, digits, ComplexFloat(), -far());
+}
+
+ComplexFloat StretchRollingKernel::faded(std::size_t term, const Float& x) {
+  return fading_[term](x, [&](const Float& at) { return smooth().slope(at); });
+}
+
+Float StretchRollingKernel::left_by_theta2(const Float& x) const {
+  Float sum = 0;
+  for (const auto& [amplitude, rate] : theta2_) sum += (amplitude * exp(-(rate * x))).re;
+  return pi() * sum;
+}
+
+Float StretchRollingKernel::direct(const Float& x) {
+  Float sum = x > 0 ? left_by_theta2(x) : Float(0);
+  sum -= smooth().slope(x);
+  for (std::size_t r = 0; r < memory().size(); ++r) sum -= (memory()[r].amplitude * faded(r, x)).re;
+  return sum / pi();
+}
+
+Float StretchRollingKernel::far_downstream(const Float& x) {
+  const Float from(far());
+  Float sum = left_by_theta2(x);
+  for (std::size_t r = 0; r < memory().size(); ++r) {
+    const auto& [amplitude, rate] = memory()[r];
+    sum -= (amplitude * faded(r, from) * exp(-(rate * (x - from)))).re;
+  }
   return sum / pi();
 }
 

@@ -55,6 +55,8 @@ class RollingKernel {
   [[nodiscard]] long far() const { return far_; }
   [[nodiscard]] const std::vector<RollingMemory>& memory() const { return memory_; }
   [[nodiscard]] double nats() const { return nats_; }
+  /// How often it was asked for a value.
+  [[nodiscard]] long evaluations() const { return evaluations_; }
   /// Radians that memories swing by over a way, as far as they are not forgotten within it.
   [[nodiscard]] double swing(double way) const;
   [[nodiscard]] long kernel_values() const { return smooth_.kernel_values(); }
@@ -74,7 +76,7 @@ class RollingKernel {
 
   std::vector<RollingMemory> memory_;
   double nats_;
-  long far_;
+  long far_, evaluations_ = 0;
   SmoothKernel smooth_;
   std::map<std::pair<int, long>, std::vector<Float>> panels_;  ///< by sign and place
 };
@@ -115,6 +117,33 @@ class TangentialRollingKernel : public RollingKernel {
   [[nodiscard]] Float direct(const Float& x) override;
   [[nodiscard]] Float far_upstream() override { return direct(-Float(far())); }
   [[nodiscard]] Float far_downstream(const Float& x) override { return direct(x); }
+
+  Float theta2_at_once_;
+  std::vector<RollingMemory> theta2_;
+  std::vector<FadingSmoothPart> fading_;
+};
+
+/// The slope of the tangential kernel but for its jump at x = 0,
+///
+///     pi T'(x) = -I3'(x) - sum amplitude int_0^inf e^{-rate w} I3'(x - w) dw
+///                + pi sum amplitude_2 e^{-rate_2 x} where x > 0,
+///
+/// terms those of N and of theta2: for the surface's strain by one integral, as near to the ends as any. I3' is
+/// analytic and even.
+class StretchRollingKernel : public RollingKernel {
+ public:
+  StretchRollingKernel(const RollingMaterial& material, int digits);
+  /// Of T.
+  [[nodiscard]] const Float& jump() const { return theta2_at_once_; }
+
+ private:
+  [[nodiscard]] Float direct(const Float& x) override;
+  [[nodiscard]] Float far_upstream() override { return 0; }
+  [[nodiscard]] Float far_downstream(const Float& x) override;
+  /// pi times what theta2's memory leaves at x > 0.
+  [[nodiscard]] Float left_by_theta2(const Float& x) const;
+  /// int_0^inf e^{-rate w} I3'(x - w) dw, |x| <= far
+  [[nodiscard]] ComplexFloat faded(std::size_t term, const Float& x);
 
   Float theta2_at_once_;
   std::vector<RollingMemory> theta2_;

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/chebyshev_sum.hpp>
@@ -9,7 +11,6 @@
 #include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
 
 namespace nipref::ref {
-namespace {
 
 /// The longest piece of an integral where the sheet itself is felt, half-thicknesses: its kernel is singular 2 beside.
 constexpr double longest_piece = 2.5;
@@ -17,11 +18,11 @@ constexpr double longest_piece = 2.5;
 /// For the panels of a layout, and for pieces that begin or end where a kernel or the basis is singular. A kernel
 /// is analytic but for a point a third of a piece's length, or a panel's width, away, so that a node of Gauss brings
 /// 2.2 nats, with the root of an end taken out by a substitution as many; a memory that swings grows within it as RollingKernel says.
-struct RollingRules {
+struct RollingPressure::Rules {
   UnitRule plain, root, ends;
   Float first_piece;  ///< beside the kernel's singularity, in which memories fade by a few times e at most
 
-  RollingRules(const RollingLayout& layout, const RollingKernel& kernel) {
+  Rules(const RollingLayout& layout, const RollingKernel& kernel) {
     double widest = 0;
     for (const RollingPanel& panel : layout.panels)
       widest = std::max(widest, static_cast<double>(panel.width));
@@ -35,22 +36,32 @@ struct RollingRules {
   }
 };
 
-/// Integrals of K(s - x) times the basis of a panel, s and x counted from its left end.
-class PanelMoments {
+/// Integrals of K(s - x) times functions that are the panel's root times polynomials, s and x counted from its left
+/// end. All kernels of a contact have the same memory and digits, so that one set of rules serves them.
+class RollingPressure::Integrals {
  public:
-  PanelMoments(const RollingPanel& panel, int terms, RollingKernel& kernel, const RollingRules& rules)
-      : panel_(panel), kernel_(kernel), rules_(rules), basis_(static_cast<std::size_t>(terms)) {
+  /// Values of all functions at a place.
+  using Functions =
+      std::function<void(const Float& from_left, const Float& from_right, std::vector<Float>& values)>;
+
+  Integrals(const RollingPanel& panel, std::size_t count, Functions functions, const Rules& rules)
+      : panel_(panel), functions_(std::move(functions)), rules_(rules), count_(count) {
     const UnitRule& rule = panel.has_root() ? rules.root : rules.plain;
     for (std::size_t i = 0; i < rule.size(); ++i) append_node(rule, i);
   }
 
-  /// Adds them to `sums`.
-  void add(const Float& s, std::vector<Float>& sums) {
+  /// One for each function.
+  [[nodiscard]] std::vector<Float> of(const Float& s, RollingKernel& kernel) const {
+    std::vector<Float> sums(count_);
     const Float& width = panel_.width;
     const Float gap = std::max(Float(-s), Float(s - width));
-    if (gap >= width && (width <= longest_piece || gap >= kernel_.far())) return add_far(s, sums);
-    if (s < width) add_side(s, true, sums);
-    if (s > 0) add_side(s, false, sums);
+    if (gap >= width && (width <= longest_piece || gap >= kernel.far())) {
+      add_far(s, kernel, sums);
+      return sums;
+    }
+    if (s < width) add_side(s, true, kernel, sums);
+    if (s > 0) add_side(s, false, kernel, sums);
+    return sums;
   }
 
  private:
@@ -74,22 +85,23 @@ class PanelMoments {
       slope = 1;
     }
     far_at_.push_back(panel_.width * x);
-    panel_.basis(far_at_.back(), panel_.width - far_at_.back(), basis_);
+    std::vector<Float> values(count_);
+    functions_(far_at_.back(), panel_.width - far_at_.back(), values);
     const Float factor = panel_.width * slope * rule.weight[i];
-    for (Float& value : basis_) value *= factor;
-    far_basis_.push_back(basis_);
+    for (Float& value : values) value *= factor;
+    far_values_.push_back(std::move(values));
   }
 
-  void add_far(const Float& s, std::vector<Float>& sums) {
+  void add_far(const Float& s, RollingKernel& kernel, std::vector<Float>& sums) const {
     for (std::size_t i = 0; i < far_at_.size(); ++i) {
-      const Float value = kernel_(s - far_at_[i]);
-      if (value != 0) accumulate(value, far_basis_[i], sums);
+      const Float value = kernel(s - far_at_[i]);
+      if (value != 0) accumulate(value, far_values_[i], sums);
     }
   }
 
   /// Of what is downstream of s, or upstream: pieces three times as long as they are far away, but none ends just before
   /// a root.
-  void add_side(const Float& s, bool down, std::vector<Float>& sums) {
+  void add_side(const Float& s, bool down, RollingKernel& kernel, std::vector<Float>& sums) const {
     const Float& width = panel_.width;
     const Float gap = std::max(Float(0), down ? Float(-s) : Float(s - width));
     const Float all = std::min(width, down ? Float(width - s) : s);
@@ -97,52 +109,52 @@ class PanelMoments {
     for (bool last = false; !last;) {
       const Float from = gap + done, left_over = all - done;
       Float length = from == 0 ? rules_.first_piece : 3 * from;
-      if (from < kernel_.far()) length = std::min(length, Float(longest_piece));
+      if (from < kernel.far()) length = std::min(length, Float(longest_piece));
       last = left_over <= length;
       length = last ? left_over : std::min(length, Float(left_over / 2));
       const bool at_first = gap > 0 && done == 0 && (down ? panel_.root_left : panel_.root_right);
       const bool at_last = last && (down ? panel_.root_right : panel_.root_left);
       const bool at_root = from == 0 || at_first || at_last;
-      add_piece(s, down ? length : -length, from, at_root ? rules_.ends : rules_.plain, sums);
+      add_piece(s, down ? length : -length, from, at_root ? rules_.ends : rules_.plain, kernel, sums);
       done += length;
     }
   }
 
   /// Of a piece that begins `gap` away from s and goes on by `length`, downstream if that is positive.
   void add_piece(const Float& s, const Float& length, const Float& gap, const UnitRule& rule,
-                 std::vector<Float>& sums) {
+                 RollingKernel& kernel, std::vector<Float>& sums) const {
     const bool down = length > 0;
     const Float size = abs(length);
     // Of the piece's ends from the panel's, exactly 0 where they are the same.
     const Float near = down ? s + gap : panel_.width - s + gap;  // from the end that is behind
     Float beyond = panel_.width - near - size;
     if (abs(beyond) < ldexp(panel_.width, -40)) beyond = 0;
+    std::vector<Float> values(count_);
     for (std::size_t i = 0; i < rule.size(); ++i) {
       const Float way = size * rule.from_left[i];
-      const Float value = kernel_(down ? -(gap + way) : gap + way) * (size * rule.weight[i]);
+      const Float value = kernel(down ? -(gap + way) : gap + way) * (size * rule.weight[i]);
       if (value == 0) continue;
       const Float behind = near + way, ahead = beyond + size * rule.from_right[i];
-      panel_.basis(down ? behind : ahead, down ? ahead : behind, basis_);
-      accumulate(value, basis_, sums);
+      functions_(down ? behind : ahead, down ? ahead : behind, values);
+      accumulate(value, values, sums);
     }
   }
 
-  void accumulate(const Float& factor, const std::vector<Float>& values, std::vector<Float>& sums) {
+  static void accumulate(const Float& factor, const std::vector<Float>& values, std::vector<Float>& sums) {
+    Float term;
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      mpfr_mul(term_.get(), factor.get(), values[k].get(), MPFR_RNDN);
-      mpfr_add(sums[k].get(), sums[k].get(), term_.get(), MPFR_RNDN);
+      mpfr_mul(term.get(), factor.get(), values[k].get(), MPFR_RNDN);
+      mpfr_add(sums[k].get(), sums[k].get(), term.get(), MPFR_RNDN);
     }
   }
 
   const RollingPanel& panel_;
-  RollingKernel& kernel_;
-  const RollingRules& rules_;
-  std::vector<Float> basis_, far_at_;
-  std::vector<std::vector<Float>> far_basis_;
-  Float term_;
+  Functions functions_;
+  const Rules& rules_;
+  std::size_t count_;
+  std::vector<Float> far_at_;
+  std::vector<std::vector<Float>> far_values_;
 };
-
-}  // namespace
 
 void RollingPanel::basis(const Float& from_left, const Float& from_right, std::vector<Float>& values) const {
   Float factor = 1;
@@ -187,18 +199,21 @@ std::vector<Float> RollingLayout::matching_points() const {
 }
 
 RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout, RollingKernel& kernel)
-    : half_length_(half_length), layout_(std::move(layout)) {
-  const RollingRules rules(layout_, kernel);
+    : half_length_(half_length),
+      layout_(std::move(layout)),
+      rules_(std::make_unique<Rules>(layout_, kernel)) {
   const std::vector<Float> points = layout_.matching_points();
   const int rows = layout_.unknowns();
   Matrix matrix(rows, rows);
   Vector right(rows);
   for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
     const RollingPanel& panel = layout_.panels[p];
-    PanelMoments moments(panel, layout_.terms, kernel, rules);
+    const auto basis = [&](const Float& from_left, const Float& from_right, std::vector<Float>& values) {
+      panel.basis(from_left, from_right, values);
+    };
+    const Integrals moments(panel, static_cast<std::size_t>(layout_.terms), basis, *rules_);
     for (int i = 0; i < rows; ++i) {
-      std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
-      moments.add(points[static_cast<std::size_t>(i)] - panel.left, sums);
+      const std::vector<Float> sums = moments.of(points[static_cast<std::size_t>(i)] - panel.left, kernel);
       for (int k = 0; k < layout_.terms; ++k)
         matrix(i, static_cast<int>(p) * layout_.terms + k) = sums[static_cast<std::size_t>(k)];
     }
@@ -218,8 +233,16 @@ RollingPressure::RollingPressure(const Float& half_length, RollingLayout layout,
     for (int k = 0; k < layout_.terms; ++k)
       coefficients_.back().push_back(solution(static_cast<int>(p) * layout_.terms + k));
   }
-  integrate(rules.ends);
+  integrate(rules_->ends);
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
+    const auto here = [this, p](const Float& from_left, const Float& from_right, std::vector<Float>& values) {
+      values.front() = in_panel(p, from_left, from_right);
+    };
+    pressures_.emplace_back(layout_.panels[p], 1, here, *rules_);
+  }
 }
+
+RollingPressure::~RollingPressure() = default;
 
 Float RollingPressure::in_panel(std::size_t panel, const Float& from_left, const Float& from_right) const {
   const RollingPanel& here = layout_.panels[panel];
@@ -295,14 +318,9 @@ Float RollingPressure::place_of_peak() const {
 }
 
 Float RollingPressure::response(const Float& d, RollingKernel& kernel) const {
-  const RollingRules rules(layout_, kernel);
   Float sum = 0;
-  for (std::size_t p = 0; p < layout_.panels.size(); ++p) {
-    PanelMoments moments(layout_.panels[p], layout_.terms, kernel, rules);
-    std::vector<Float> sums(static_cast<std::size_t>(layout_.terms));
-    moments.add(d - layout_.panels[p].left, sums);
-    for (std::size_t k = 0; k < sums.size(); ++k) sum += sums[k] * coefficients_[p][k];
-  }
+  for (std::size_t p = 0; p < layout_.panels.size(); ++p)
+    sum += pressures_[p].of(d - layout_.panels[p].left, kernel).front();
   return sum;
 }
 

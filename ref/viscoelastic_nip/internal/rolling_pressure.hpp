@@ -1,5 +1,5 @@
 #pragma once
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include <nipref/ref/number/internal/float.hpp>
@@ -42,6 +42,9 @@ struct RollingLayout {
 class RollingPressure {
  public:
   RollingPressure(const Float& half_length, RollingLayout layout, RollingKernel& kernel);
+  RollingPressure(const RollingPressure&) = delete;
+  RollingPressure& operator=(const RollingPressure&) = delete;
+  ~RollingPressure();
 
   [[nodiscard]] const Float& half_length() const { return half_length_; }
   [[nodiscard]] const Float& edge_displacement() const { return edge_displacement_; }  ///< at the leading end
@@ -57,11 +60,14 @@ class RollingPressure {
   [[nodiscard]] Float place_of_peak() const;  ///< d, to all digits: the zero of the pressure's slope
   /// Displacement at any d by the normal kernel, inside the contact by the roller.
   [[nodiscard]] Float normal_displacement(const Float& d, RollingKernel& kernel) const;
-  /// int kernel(d - d') p(d') dd' at any d, by quadrature.
+  /// int kernel(d - d') p(d') dd' at any d, by quadrature; a kernel of the same memory and digits as the one that the
+  /// pressure was solved with.
   [[nodiscard]] Float response(const Float& d, RollingKernel& kernel) const;
   [[nodiscard]] int unknowns() const { return layout_.unknowns(); }
 
  private:
+  struct Rules;
+  class Integrals;
   [[nodiscard]] Float nearly_place_of_peak() const;
   [[nodiscard]] Float in_panel(std::size_t panel, const Float& from_left, const Float& from_right) const;
   void integrate(const UnitRule& rule);
@@ -70,6 +76,8 @@ class RollingPressure {
   RollingLayout layout_;
   Float edge_displacement_, offset_, load_, moment_;
   std::vector<std::vector<Float>> coefficients_;
+  std::unique_ptr<const Rules> rules_;
+  std::vector<Integrals> pressures_;  ///< of each panel's pressure
 };
 
 }  // namespace nipref::ref

@@ -238,6 +238,36 @@ TEST_CASE("ref rolling contact: the length that a load needs gives it back, and 
   CHECK(fine.normal_kernel_values() > 0);
 }
 
+TEST_CASE(
+    "ref rolling contact: the strain is as sure next to the ends as elsewhere, at the cost of a displacement") {
+  const double length = 0.1, digits = 16;
+  for (const ViscoelasticNip& nip : {rolled_nip(0.25, 0.1, 2), swinging_nip(0.25, 0.2, 1.5)}) {
+    const auto truth = ref::converged_for_length(nip, length, static_cast<int>(digits));
+    const auto computed = fast::converged_for_length(nip, length, 1e-12);
+    const double leading = truth.leading_length().to_double(), trailing = truth.trailing_length().to_double();
+    for (const double beyond : {1e-14, 1e-8, 1e-3, 1.0}) {
+      for (const double y : {leading + beyond * length, -trailing - beyond * length}) {
+        CAPTURE(y);
+        const ref::Estimated strain = truth.surface_strain(y);
+        const fast::Estimate found = computed.surface_strain(y);
+        const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
+        CHECK(error <= std::pow(10, -digits) * length / nip.roller_radius);
+        CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error);
+      }
+    }
+    const auto evaluations = [&](ref::Estimated (ref::ConvergedViscoelasticNip::*profile)(double) const,
+                                 double y) {
+      const long before = truth.kernel_evaluations();
+      static_cast<void>((truth.*profile)(y));
+      return truth.kernel_evaluations() - before;
+    };
+    const long of_first = evaluations(&ref::ConvergedViscoelasticNip::tangential_displacement, 0.07);
+    const long of_displacement = evaluations(&ref::ConvergedViscoelasticNip::tangential_displacement, 0.07);
+    CHECK(of_displacement < of_first);  // that of the middle is known by then
+    CHECK(evaluations(&ref::ConvergedViscoelasticNip::surface_strain, 0.07) <= of_displacement);
+  }
+}
+
 TEST_CASE("ref rolling contact: what it cannot give is refused by name") {
   const ViscoelasticNip nip = rolled_nip(0.25, 0.1, 2);
   check_rolling_refused([&] { (void)ref::converged_for_length(nip, 0.1, 15); }, "digits = 15: ");
