@@ -11,8 +11,8 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
 #include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_precision.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
-#include <nipref/ref/elastic_nip/internal/proven_expansion.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/golden_section.hpp>
@@ -30,8 +30,6 @@ constexpr int most_grip_terms = 1200;
 /// Of the search for a length.
 constexpr int most_grip_steps = 40;
 constexpr int first_grip_digits = 8;
-/// By which the finer of both expansions is better.
-constexpr int finer_by = 4;
 
 constexpr auto allowed_grip_lengths =
     "must be at most the roller's radius and from 1e-8 to 80 sheet thicknesses for the reference expansion";
@@ -46,19 +44,6 @@ void check_grip_digits(int digits) {
     throw data::BadInput("digits", std::to_string(digits), "must be from 16 to 50 with full friction");
 }
 
-/// A contact without friction of this size has so many terms, of odd order alone.
-int grip_terms(double half_length, int expansion) { return 2 * size_for(half_length, expansion); }
-
-/// Expansions good to `expansion` digits: their layouts share no point.
-GripLayout coarse_layout(double half_length, int expansion) {
-  const int terms = grip_terms(half_length, expansion);
-  return {terms, terms + 2, true};
-}
-GripLayout fine_layout(double half_length, int expansion) {
-  const int terms = grip_terms(half_length, expansion + finer_by) + 4;
-  return {terms, terms + 8, false};
-}
-
 void check_grip_terms(double half_length, int expansion, int digits) {
   if (grip_terms(half_length, expansion) <= most_grip_terms) return;
   int fewer = digits;
@@ -69,18 +54,6 @@ void check_grip_terms(double half_length, int expansion, int digits) {
                   "most that are tried, its expansion is good to {}",
                   half_length, most_grip_terms, fewer));
 }
-
-/// How many digits each part of a solution is computed to; see precision_for() of the frictionless contact.
-struct GripPrecision {
-  int digits, expansion, kernel, working;
-
-  GripPrecision(double half_length, int the_digits, bool for_load)
-      : digits(the_digits),
-        expansion(digits + (for_load ? 8 : 3) + static_cast<int>(std::ceil(std::log10(1 + half_length)))),
-        kernel(expansion + finer_by + 4 +
-               static_cast<int>(std::ceil(3 * std::log10(grip_terms(half_length, expansion))))),
-        working(kernel + 6) {}
-};
 
 /// Solves at half lengths, and finds the one that carries a load.
 class GripSolver {

@@ -2,18 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/elastic_nip/gripped.hpp>
 #include <nipref/ref/elastic_nip/internal/end_shear.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_precision.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/thin_gripped.hpp>
 #include <nipref/ref/number/internal/golden_section.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
+#include <nipref/ref/number/internal/memo.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -21,6 +24,9 @@ namespace {
 using data::BadInput;
 
 constexpr int samples_of_a_fit = 5;
+
+/// Of the arithmetic that results of so many digits are told in.
+int digits_of_fits(int digits) { return digits + 30; }
 
 struct ContactNumbers {
   Float load, indentation, creep, middle_pressure;
@@ -122,31 +128,47 @@ class LongContacts {
   Float a0_, a1_, q0_, q1_, r_;
 };
 
-/// R = 1024, B = 1, E = 1.
-SolvedLength solved_length(double half_length, double poisson, const GripWaves& waves, int digits) {
-  const data::ElasticNip nip{1024, 1, {1, poisson}};
-  auto contact = gripped_for_length(nip, half_length, digits);
-  const NipUnits units(nip);
-  const auto in = [](const mpq_class& unit, const Estimated& number) -> Float {
-    return to_float(number.value) / to_float(Exact(unit));
-  };
-  const ContactNumbers numbers{
-      in(units.pressure * units.length, contact.load()), in(units.displacement, contact.indentation()),
-      in(units.slope, contact.creep_ratio()), in(units.pressure, contact.pressure(0))};
-  return {half_length, numbers,
-          EndShear(std::move(contact), half_length, to_float(Exact(units.pressure)), to_float(Exact(poisson)),
-                   waves)};
+/// What longer contacts of one sheet are told from, whatever their length.
+struct ShorterContacts {
+  Float poisson;
+  GripWaves waves;
+  std::vector<SolvedLength> lengths;
+};
+struct ShorterKey {
+  double poisson;
+  int digits;
+
+  auto operator<=>(const ShorterKey&) const = default;
+};
+
+/// The second wave is felt less the longer they are; where the first hardly fades it takes digits
+/// to tell it.
+ShorterContacts solve_shorter(const ShorterKey& key) {
+  const WorkingDigits working(digits_of_fits(key.digits));
+  const Float poisson(key.poisson);
+  ShorterContacts solved{poisson, GripWaves(poisson), {}};
+  const double first = std::max(5.0, 0.5 * std::round(0.62 * key.digits + 1)),
+               last = first + 0.5 * samples_of_a_fit, zeta = static_cast<double>(solved.waves.slowest);
+  const int enough = key.digits + 5 + static_cast<int>(std::ceil(5 * std::max(0.0, -std::log10(zeta))));
+  const GripPrecision precision(last, enough, false);
+  GripKernels kernels(precision.kernel);
+  const Float beta = (1 - 2 * poisson) / (2 * (1 - poisson));
+  for (double length = first; length <= last; length += 0.5) {
+    const GripExpansion contact = [&]() -> GripExpansion {
+      const WorkingDigits working_of_contact(precision.working);
+      return {length, beta, fine_layout(length, precision.expansion), kernels};
+    }();
+    const ContactNumbers numbers{contact.load(), contact.indentation(), contact.creep(),
+                                 contact.traction(1).pressure};
+    solved.lengths.push_back({length, numbers, EndShear(contact, length, poisson, solved.waves)});
+  }
+  return solved;
 }
 
-/// The second wave is felt less the longer they are; where the first hardly fades it takes digits to tell it.
-std::vector<SolvedLength> solved_lengths(double poisson, const GripWaves& waves, int digits) {
-  const double first = std::max(5.0, 0.5 * std::round(0.62 * digits + 1)),
-               zeta = static_cast<double>(waves.slowest);
-  const int enough = digits + 5 + static_cast<int>(std::ceil(5 * std::max(0.0, -std::log10(zeta))));
-  std::vector<SolvedLength> solved;
-  for (int i = 0; i <= samples_of_a_fit; ++i)
-    solved.push_back(solved_length(first + 0.5 * i, poisson, waves, enough));
-  return solved;
+std::shared_ptr<const ShorterContacts> shorter_contacts(double poisson, int digits) {
+  static Memo<ShorterKey, ShorterContacts> memo(
+      solve_shorter, [](const ShorterContacts&) { return sizeof(ShorterContacts) + (std::size_t{1} << 18); });
+  return memo.at({poisson, digits});
 }
 
 /// Distance from the end of the largest shear; by samples as even in the logarithm.
@@ -183,14 +205,12 @@ ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double co
                    fmt::format("must be at most the roller's radius and from {} to 1e4 sheet thicknesses",
                                shortest_thin_gripped_nip));
   }
-  const WorkingDigits working(digits + 30);
-  const Float exact_poisson = to_float(Exact(poisson));
-  const GripWaves waves(exact_poisson);
-  const std::vector<SolvedLength> known = solved_lengths(poisson, waves, digits);
+  const WorkingDigits working(digits_of_fits(digits));
+  const auto known = shorter_contacts(poisson, digits);
   const Float half_length = to_float(Exact(exactly(contact_length) / exactly(nip.sheet_thickness)));
-  const std::span all(known);
-  const LongContacts rough(exact_poisson, waves, all.first(samples_of_a_fit));
-  const LongContacts fine(exact_poisson, waves, all.last(samples_of_a_fit));
+  const std::span all(known->lengths);
+  const LongContacts rough(known->poisson, known->waves, all.first(samples_of_a_fit));
+  const LongContacts fine(known->poisson, known->waves, all.last(samples_of_a_fit));
   const ContactNumbers rough_numbers = rough.at(half_length), numbers = fine.at(half_length);
   const double place = place_of_largest_shear(fine, half_length);
   const NipUnits units(nip);

@@ -16,8 +16,8 @@ namespace nipref::ref {
 ///
 ///     G = (q0 + q1 A) z/(1 - r z),    z = e^(-2 zeta A),    creep = a0 + a1 A + G,
 ///
-/// G counted in units of its creep. What r, q and the other coefficients are is read from six shorter contacts, which
-/// GrippedElasticNip solves; so is the shear at each distance from the end, when what comes from the other end is taken off.
+/// G counted in units of its creep. What r, q and the other coefficients are is read from six shorter contacts, by the
+/// expansion of GrippedElasticNip, solved once for all lengths; so is the shear at each distance from the end, when what comes from the other end is taken off.
 /// Nothing is proven: each number comes from the first five of them and from the last five; it is the latter's, its error
 /// twice what they differ by and an allowance for rounding. (thesis 2.5, 5.5, thin sheets)
 struct ThinGrippedNip {
@@ -34,7 +34,7 @@ inline constexpr double shortest_thin_gripped_nip = 12;
 inline constexpr double largest_thin_gripped_poisson = 0.499999;
 
 /// Contact of the given length, L/B from 12 to 1e4 and L <= R; poisson at most 0.499999; digits 12 to 21. BadInput otherwise.
-/// Takes ten seconds, or thirty where digits are many or poisson is near its limit.
+/// The first of a Poisson's ratio takes five seconds, or fifteen where digits are many or poisson is near its limit.
 ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 }  // namespace nipref::ref

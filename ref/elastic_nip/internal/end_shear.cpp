@@ -39,11 +39,9 @@ GripWaves::GripWaves(const Float& poisson) : slowest(slowest_rate(3 - 4 * poisso
   for (int i = 1; i <= faster_waves; ++i) faster.push_back(faster_rate(3 - 4 * poisson, i));
 }
 
-EndShear::EndShear(GrippedElasticNip contact, double half_length, const Float& unit, const Float& poisson,
-                   const GripWaves& waves)
+EndShear::EndShear(GripExpansion contact, double half_length, const Float& poisson, const GripWaves& waves)
     : contact_(std::move(contact)),
       half_length_(half_length),
-      unit_(unit),
       slope_(-4 * poisson * (1 - poisson) / (1 - 2 * poisson)),
       waves_(waves) {
   // What the slope of the strip between the ends leaves, at places where the waves are still told apart.
@@ -61,7 +59,7 @@ EndShear::EndShear(GrippedElasticNip contact, double half_length, const Float& u
   for (long k = 0; k < count; ++k) sizes_.push_back(solved(k));
 }
 
-Float EndShear::in_contact(double y) const { return to_float(contact_.shear(y / 2).value) / unit_; }
+Float EndShear::in_contact(double y) const { return contact_.traction(1 - y / Float(half_length_)).shear; }
 
 std::vector<Float> EndShear::waves_at(const Float& distance) const {
   std::vector<Float> waves{exp(-waves_.slowest * distance)};

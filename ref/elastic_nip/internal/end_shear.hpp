@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
 #include <nipref/ref/number/internal/complex_float.hpp>
 
 namespace nipref::ref {
@@ -19,9 +19,8 @@ struct GripWaves {
 /// that leave, linear in 1, A and the size of the slow one that comes. All in units of ThinGrippedNip.
 class EndShear {
  public:
-  /// `contact` has the half length A >= 5, in a sheet of thickness 1, and tractions in `unit`.
-  EndShear(GrippedElasticNip contact, double half_length, const Float& unit, const Float& poisson,
-           const GripWaves& waves);
+  /// The contact's half length is A >= 5.
+  EndShear(GripExpansion contact, double half_length, const Float& poisson, const GripWaves& waves);
 
   /// s > 0, such that A - s is a double. What the contact is too short for is what its waves make of it.
   [[nodiscard]] Float at(double s) const;
@@ -34,9 +33,9 @@ class EndShear {
   [[nodiscard]] std::vector<Float> waves_at(const Float& distance) const;
   [[nodiscard]] Float sum_of_waves_at(const Float& distance) const;
 
-  GrippedElasticNip contact_;
+  GripExpansion contact_;
   double half_length_;
-  Float unit_, slope_;
+  Float slope_;
   GripWaves waves_;
   std::vector<Float> sizes_;
 };

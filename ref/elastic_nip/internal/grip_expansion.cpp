@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +15,8 @@ namespace nipref::ref {
 namespace {
 
 using Index = Matrix::Index;
+
+std::atomic<long> expansions_solved = 0;
 
 /// i^k = sign_of_power(k) times 1 or i.
 int sign_of_power(long k) { return k % 4 < 2 ? 1 : -1; }
@@ -190,6 +193,8 @@ Vector applied(const GripOperator<Float>& to, const Vector& points, const Vector
 
 }  // namespace
 
+long GripExpansion::solved() { return expansions_solved; }
+
 GripExpansion::GripExpansion(Float half_length, Float beta, const GripLayout& layout, GripKernels& kernels)
     : half_length_(std::move(half_length)), beta_(std::move(beta)), epsilon_(atanh(beta_) / pi()) {
   const EndMoments moments(epsilon_, layout.terms + layout.nodes + 2);
@@ -203,6 +208,7 @@ GripExpansion::GripExpansion(Float half_length, Float beta, const GripLayout& la
   const std::optional<Vector> solved = refined_solution(
       system_matrix(in_double(to), points), right, [&](const Vector& x) { return applied(to, points, x); });
   if (!solved) throw std::logic_error("a linear system that refinement does not solve");
+  ++expansions_solved;
   const Vector& x = *solved;
   coefficients_ = x.block(0, 0, layout.terms, 1);
   creep_ = -x(layout.terms + 1);
@@ -285,8 +291,8 @@ class OutsideIntegrand {
 
 }  // namespace
 
-/// Over 0 < t < 1 by t = tanh((pi/2) sinh x): the step is halved until that no longer changes anything. Nodes go on so far
-/// towards the end that what lies beyond is too little even where the slope of the logarithm is largest, next to it.
+/// Over 0 < t < 1 by t = tanh((pi/2) sinh x): the step is halved until that no longer changes anything. Nodes go on so
+/// far towards the end that what lies beyond is too little even next to it, where the logarithm is steepest.
 GripOutside GripExpansion::displacement_outside(const Float& before_end, const Float& enough,
                                                 GripKernels& kernels) const {
   OutsideIntegrand integrand(*this, beta_, -before_end, kernels);

@@ -47,6 +47,8 @@ class GripExpansion {
  public:
   /// beta as in EndMoments: tanh(pi epsilon).
   GripExpansion(Float half_length, Float beta, const GripLayout& layout, GripKernels& kernels);
+  /// How many this program has solved so far: nearly all of the work.
+  static long solved();
 
   [[nodiscard]] const Float& half_length() const { return half_length_; }
   [[nodiscard]] const Float& edge_displacement() const { return edge_displacement_; }

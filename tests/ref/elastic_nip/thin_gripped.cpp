@@ -4,7 +4,9 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
 #include <nipref/ref/elastic_nip/thin_gripped.hpp>
+#include <nipref/ref/number/caches.hpp>
 
 using namespace nipref;
 
@@ -25,6 +27,17 @@ TEST_CASE(
   check(thin.creep_ratio, panels.creep_ratio());
   check(thin.middle_pressure, panels.pressure(0));
   check(thin.peak_shear, panels.peak_shear());
+}
+
+TEST_CASE("long contacts with full friction: six shorter ones serve all lengths of a sheet") {
+  ref::clear_caches();
+  const auto solved_for = [](double length) {
+    const long before = ref::GripExpansion::solved();
+    static_cast<void>(ref::thin_gripped_nip_of_length({500, 2, {3, 0.4}}, length, 12));
+    return ref::GripExpansion::solved() - before;
+  };
+  CHECK(solved_for(120) == 6);
+  CHECK(solved_for(80) == 0);
 }
 
 TEST_CASE("long contacts with full friction: what is refused") {
