@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
@@ -195,6 +196,35 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
       }
     }
   }
+}
+
+namespace {
+
+/// Counts how often its strain is computed, which is -0.5 everywhere; its other numbers are 0.25.
+class CountedStrain : public verify::SolvedContact<verify::LongEstimate> {
+ public:
+  [[nodiscard]] verify::LongEstimate number(std::string_view) const override { return {"0.25", "0", false}; }
+  [[nodiscard]] verify::LongEstimate at(std::string_view, double) const override {
+    ++strains;
+    return {"-0.5", "0", false};
+  }
+  [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {0, 1}; }
+  [[nodiscard]] fast::Work work() const override { return {}; }
+
+  mutable int strains = 0;
+};
+
+}  // namespace
+
+TEST_CASE("the reference computes the strain of a place once, for itself and for the slip") {
+  const data::Scene scene = data::load_scene(data::example_scene("viscoelastic-comparable-memory"));
+  const CountedStrain contact;
+  const verify::WithDerivedResults derived(scene, contact);
+  for (const double y : {0.25, 0.5}) {
+    CHECK(std::stod(derived.at("surface_strain", y).value) == -0.5);
+    CHECK(std::stod(derived.at("slip", y).value) == -0.75);
+  }
+  CHECK(contact.strains == 2);
 }
 
 TEST_CASE("between line loads there is no strain to be told") {

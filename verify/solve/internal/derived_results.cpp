@@ -124,6 +124,13 @@ Number WithDerivedResults<Number>::number(std::string_view name) const {
   return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
 }
 
+template <class Number>
+const Number& WithDerivedResults<Number>::strain(double y) const {
+  const auto known = strains_.find(y);
+  return known != strains_.end() ? known->second
+                                 : strains_.emplace(y, contact_.at("surface_strain", y)).first->second;
+}
+
 template <>
 Estimate WithDerivedResults<Estimate>::slip(double y) const {
   return contact_.at("slip", y);
@@ -132,17 +139,18 @@ Estimate WithDerivedResults<Estimate>::slip(double y) const {
 template <>
 LongEstimate WithDerivedResults<LongEstimate>::slip(double y) const {
   if (!creep_) creep_ = contact_.number("creep_ratio");
-  const LongEstimate strain = contact_.at("surface_strain", y);
+  const LongEstimate& stretched = strain(y);
   // What sticks has the creep ratio itself for its strain.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
-  if (grips && same(strain, *creep_)) return {"0", "0", strain.proven};
-  return less(strain, *creep_);
+  if (grips && same(stretched, *creep_)) return {"0", "0", stretched.proven};
+  return less(stretched, *creep_);
 }
 
 template <class Number>
 Number WithDerivedResults<Number>::at(std::string_view name, double y) const {
-  return name == "slip" ? slip(y) : contact_.at(name, y);
+  if (name == "slip") return slip(y);
+  return name == "surface_strain" ? strain(y) : contact_.at(name, y);
 }
 
 template <class Number>

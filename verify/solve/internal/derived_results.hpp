@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -46,10 +47,13 @@ class WithDerivedResults : public SolvedContact<Number> {
 
  private:
   [[nodiscard]] Number slip(double y) const;  ///< fast's contacts know their own
+  /// Asked for by itself and with the slip there.
+  [[nodiscard]] const Number& strain(double y) const;
 
   const data::Scene& scene_;
   const SolvedContact<Number>& contact_;
   mutable std::optional<Number> creep_;  ///< asked for with every slip
+  mutable std::map<double, Number> strains_;
 };
 
 }  // namespace nipref::verify
