@@ -380,13 +380,37 @@ long GrippedElasticNip::normal_values() const { return implementation_->kernels.
 long GrippedElasticNip::coupling_values() const { return implementation_->kernels.coupling.kernel_values(); }
 long GrippedElasticNip::stretch_values() const { return implementation_->kernels.stretch.kernel_values(); }
 
-GrippedElasticNip gripped_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+namespace {
+
+/// What may be solved at a given length, in half-thicknesses.
+struct GripOfLength {
+  Exact half_length;
+  GripPrecision precision;
+
+  GripOfLength(const data::ElasticNip& nip, double contact_length, int digits)
+      : half_length(exactly(contact_length) / exactly(nip.sheet_thickness)),
+        precision(half_length.approximate(), digits, false) {}
+};
+
+GripOfLength checked_grip(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
   check_grip_digits(digits);
   if (!grip_length_is_allowed(nip, contact_length))
     throw data::BadInput("contact_length", contact_length, allowed_grip_lengths);
-  const Exact half_length(exactly(contact_length) / exactly(nip.sheet_thickness));
-  const GripPrecision precision(half_length.approximate(), digits, false);
+  GripOfLength grip(nip, contact_length, digits);
+  check_grip_terms(grip.half_length.approximate(), grip.precision.expansion, digits);
+  return grip;
+}
+
+}  // namespace
+
+int gripped_unknowns(const data::ElasticNip& nip, double contact_length, int digits) {
+  const auto [half_length, precision] = checked_grip(nip, contact_length, digits);
+  return fine_layout(half_length.approximate(), precision.expansion).terms + 2;
+}
+
+GrippedElasticNip gripped_for_length(const data::ElasticNip& nip, double contact_length, int digits) {
+  const auto [half_length, precision] = checked_grip(nip, contact_length, digits);
   const WorkingDigits working(precision.working);
   auto solved = std::make_unique<GrippedElasticNip::Implementation>(NipUnits(nip), contact_length, precision);
   const GripSolver solver(solved->units.beta, precision, solved->kernels);

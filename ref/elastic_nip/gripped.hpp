@@ -62,6 +62,8 @@ class GrippedElasticNip {
 /// Contact of the given length: > 0, L <= R and 1e-8 <= L/B <= 80. digits: 16 to 50. BadInput otherwise, and
 /// naming the digits where 1200 terms do not give them, beyond L/B = 20 or so.
 GrippedElasticNip gripped_for_length(const data::ElasticNip& nip, double contact_length, int digits);
+/// That this solves for: what it costs grows with their square. BadInput likewise.
+int gripped_unknowns(const data::ElasticNip& nip, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, with a length and digits as above; BadInput
 /// otherwise.

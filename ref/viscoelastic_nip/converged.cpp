@@ -310,17 +310,38 @@ long ConvergedViscoelasticNip::kernel_evaluations() const {
          contact.stretch_kernel().evaluations();
 }
 
-ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
-                                              int digits) {
+namespace {
+
+/// What may be solved at a given length.
+struct RollingOfLength {
+  RollingMaterial material;
+  Float half_length;
+};
+
+RollingOfLength checked_rolling(const data::ViscoelasticNip& nip, double contact_length, int digits) {
   nip.check();
   check_rolling_digits(digits);
   if (!rolling_length_is_allowed(nip, contact_length))
     throw BadInput("contact_length", contact_length, allowed_rolling_lengths);
-  const RollingMaterial material = material_to(digits, nip);
+  RollingMaterial material = material_to(digits, nip);
   const WorkingDigits working(RollingContact::working_digits(material, digits));
-  const Float half_length = Float(contact_length) / nip.sheet_thickness;
+  Float half_length = Float(contact_length) / nip.sheet_thickness;
   check_swing(material);
   check_memories(material, static_cast<double>(half_length));
+  return {std::move(material), std::move(half_length)};
+}
+
+}  // namespace
+
+int rolling_unknowns(const data::ViscoelasticNip& nip, double contact_length, int digits) {
+  const auto [material, half_length] = checked_rolling(nip, contact_length, digits);
+  return RollingContact::first_unknowns(half_length, material, digits);
+}
+
+ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
+                                              int digits) {
+  const auto [material, half_length] = checked_rolling(nip, contact_length, digits);
+  const WorkingDigits working(RollingContact::working_digits(material, digits));
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(
       RollingUnits(nip, material), RollingContact::of_half_length(half_length, material, digits)));
 }

@@ -71,6 +71,8 @@ class ConvergedViscoelasticNip {
 /// (1000 for a load) do not give them.
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,
                                               int digits);
+/// That this solves for at first: what it costs grows with their square. BadInput likewise.
+int rolling_unknowns(const data::ViscoelasticNip& nip, double contact_length, int digits);
 
 /// Contact that carries `load` per unit width, > 0 and finite, whose length is as above; BadInput otherwise.
 ConvergedViscoelasticNip converged_for_load(const data::ViscoelasticNip& nip, double load, int digits);

@@ -1,8 +1,13 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/solve_sweep.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/render.hpp>
 
 namespace nipref::verify {
@@ -24,7 +29,9 @@ int solve_verb(const CommandLine& line, std::ostream& out) {
   if (scenes.size() > 1) return solve_sweep(text, scenes, digits, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");
   const data::Scene scene = data::load_scene(text, scenes.assignments(0, &AxisValue::shown));
-  return digits ? print(solve_by_ref(scene, *digits), line, out) : print(solve(scene), line, out);
+  if (!digits) return print(solve(scene), line, out);
+  if (!line.has("quiet")) fmt::print(stderr, "{}", warning_of_time(likely_seconds_by_ref(scene, *digits)));
+  return print(solve_by_ref(scene, *digits), line, out);
 }
 
 }  // namespace nipref::verify

@@ -147,6 +147,13 @@ void RollingContact::measure() {
   }
 }
 
+int RollingContact::first_unknowns(const Float& half_length, const RollingMaterial& material, int digits) {
+  const int terms = first_terms(digits);
+  const RollingLayout layout = rolling_layout(half_length, material.normal, {terms + terms / 5, true});
+  check_unknowns(layout, most_unknowns, digits);
+  return layout.unknowns();
+}
+
 /// Once more with more terms until both agree.
 void RollingContact::solve_for_length(const Float& half_length) {
   const Float enough = pow(Float(10), -digits_) / 4;

@@ -20,6 +20,8 @@ class RollingContact {
 
   /// Of a half length, half-thicknesses.
   static RollingContact of_half_length(const Float& half_length, const RollingMaterial& material, int digits);
+  /// Of the finer of the first two discretisations; BadInput if that is more than are tried.
+  static int first_unknowns(const Float& half_length, const RollingMaterial& material, int digits);
   /// Of a dimensionless load; `check` throws for a half length that is not allowed.
   static RollingContact of_load(const Float& load, const RollingMaterial& material, int digits,
                                 const std::function<void(double half_length)>& check);

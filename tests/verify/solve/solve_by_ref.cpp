@@ -10,6 +10,7 @@
 #include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
@@ -222,4 +223,26 @@ TEST_CASE("lengths and digits beyond the reference's solvers are refused by name
   problem_of(scene).given = data::GivenLength{0.25};
   check_unsolvable(scene, "digits = 51: must be from 16 to 50 with full friction", 51);
   check_unsolvable(scene, "digits = 30: must be fewer", 30);
+}
+
+TEST_CASE("what takes the reference more than ten seconds is known before it starts") {
+  const auto seconds = [](const char* name, int digits, std::size_t places) {
+    data::Scene scene = data::load_scene(data::example_scene(name));
+    scene.wanted = {"contact_length"};
+    if (auto* const nip = std::get_if<data::ElasticNipProblem>(&scene.system); nip != nullptr && places > 0) {
+      scene.wanted = {"stress_across"};
+      nip->field = {std::vector<double>(places, 0), {0.5}};
+    }
+    return verify::likely_seconds_by_ref(scene, digits);
+  };
+  CHECK(seconds("thick-full-friction", 16, 0) < 1);
+  CHECK(seconds("thick-full-friction", 16, 1000) > 10);
+  CHECK(seconds("viscoelastic-short-memory", 16, 0) < 20);
+  CHECK(seconds("viscoelastic-short-memory", 30, 0) > 10);
+  // Refused at once, or nothing that it knows of.
+  CHECK(seconds("thick-full-friction", 51, 0) == 0);
+  CHECK(seconds("thick-frictionless-line-loads", 30, 0) == 0);
+  CHECK(seconds("half-space-line", 30, 0) == 0);
+  CHECK(verify::warning_of_time(9).empty());
+  CHECK(verify::warning_of_time(41.7) == "nipref: the reference needs about 42 s for this scene\n");
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/ref/elastic_nip/internal/grip_expansion.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 
@@ -62,6 +63,13 @@ TEST_CASE("dimensionless nips: what is proven says so, and fast's errors are cov
             quantity.fast_error(point, {}));
     }
   }
+}
+
+TEST_CASE("dimensionless nips: all numbers of a gripped contact come out of one solution") {
+  const long before = ref::GripExpansion::solved();
+  for (const char* name : {"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"})
+    static_cast<void>(nip_reference(name, {0.375, 0.25, 1}));
+  CHECK(ref::GripExpansion::solved() - before == 2);  // one for the error
 }
 
 TEST_CASE("an audit finds an error that is larger than fast says it is, though it keeps the promise") {

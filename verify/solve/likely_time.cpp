@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/ref/elastic_nip/gripped.hpp>
+#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/likely_time.hpp>
+
+namespace nipref::verify {
+namespace {
+
+constexpr double long_time = 10;       ///< seconds
+constexpr double of_load = 2;          ///< times what a given length takes
+constexpr double rough_enough = 1e-3;  ///< of a length
+
+double length_of(const data::ElasticNipProblem& problem, const data::GivenLoad& load) {
+  return fast::converged_for_load(problem.nip, problem.friction, load.per_length, rough_enough)
+      .contact_length()
+      .value;
+}
+double length_of(const data::ViscoelasticNipProblem& problem, const data::GivenLoad& load) {
+  return fast::converged_for_load(problem.nip, load.per_length, rough_enough).contact_length().value;
+}
+
+double seconds_for_length(const data::ElasticNipProblem& problem, double length, int digits) {
+  if (problem.friction == data::Friction::full)
+    return 5.6 * std::pow(ref::gripped_unknowns(problem.nip, length, digits) / 532.0, 2.1);
+  return 10 * std::pow(length / problem.nip.sheet_thickness * (digits + 20) / 1250, 2);
+}
+double seconds_for_length(const data::ViscoelasticNipProblem& problem, double length, int digits) {
+  const double unknowns = ref::rolling_unknowns(problem.nip, length, digits);
+  const double thin = std::min(1.0, length / problem.nip.sheet_thickness / 5);
+  return (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * thin) * (1 + (digits - 16) / 24.0);
+}
+
+struct CountPlaces {
+  double operator()(const data::EvenlySpaced& spaced) const { return spaced.points; }
+  double operator()(const data::Positions& positions) const {
+    return static_cast<double>(positions.y.size());
+  }
+};
+
+/// Profiles that are integrals over the contact, and fields; all stresses of a place come together.
+template <class Problem>
+double seconds_for_places(const data::Scene& scene, const Problem& problem, double length) {
+  const double ratio = length / problem.nip.sheet_thickness;
+  double seconds = 0;
+  bool has_field = false;
+  for (const std::string& name : scene.wanted) {
+    const data::SceneResult& result = *data::find_scene_result(name);
+    has_field = has_field || result.is_field;
+    if (result.is_profile && name != "pressure" && name != "shear")
+      seconds += 0.02 * (1 + ratio / 4) * std::visit(CountPlaces(), *problem.profile);
+  }
+  return has_field ? seconds + 0.05 * (1 + ratio) * static_cast<double>(problem.field->size()) : seconds;
+}
+
+struct LikelySeconds {
+  const data::Scene& scene;
+  int digits;
+
+  template <class Problem>
+  double operator()(const Problem& problem) const {
+    if (!std::holds_alternative<data::ConvergedMethod>(problem.method)) return 0;
+    const auto* const load = std::get_if<data::GivenLoad>(&problem.given);
+    const double length = load != nullptr ? length_of(problem, *load)
+                                          : std::get<data::GivenLength>(problem.given).contact_length;
+    return seconds_for_length(problem, length, digits) * (load != nullptr ? of_load : 1) +
+           seconds_for_places(scene, problem, length);
+  }
+  double operator()(const data::HalfSpaceProblem&) const { return 0; }
+};
+
+}  // namespace
+
+double likely_seconds_by_ref(const data::Scene& scene, int digits) try {
+  return std::visit(LikelySeconds{scene, digits}, scene.system);
+} catch (const data::BadInput&) {
+  return 0;
+}
+
+std::string warning_of_time(double seconds) {
+  return seconds > long_time
+             ? fmt::format("nipref: the reference needs about {:.0f} s for this scene\n", seconds)
+             : "";
+}
+
+}  // namespace nipref::verify
