@@ -17,7 +17,8 @@ namespace nipref::ref {
 ///     G = (q0 + q1 A) z/(1 - r z),    z = e^(-2 zeta A),    creep = a0 + a1 A + G,
 ///
 /// G counted in units of its creep. What r, q and the other coefficients are is read from six shorter contacts, by the
-/// expansion of GrippedElasticNip, solved once for all lengths; so is the shear at each distance from the end, when what comes from the other end is taken off.
+/// expansion of GrippedElasticNip, solved once for all lengths; so is the shear at each distance from the end, when what
+/// comes from the other end is taken off.
 /// Nothing is proven: each number comes from the first five of them and from the last five; it is the latter's, its error
 /// twice what they differ by and an allowance for rounding. (thesis 2.5, 5.5, thin sheets)
 struct ThinGrippedNip {

@@ -135,6 +135,11 @@ struct ConvergedViscoelasticNip::Implementation {
   [[nodiscard]] Float end_error() const {
     return contact.estimate([&](const RollingPressure& of) { return downstream(of, 0); }, size()).error;
   }
+  /// Of the pressure at d: nothing where the contact surely is not.
+  [[nodiscard]] Float pressure_scale(const Float& d) const {
+    const Float known = end_error();
+    return d > -known && d < 2 * size() + known ? contact.fine().load() / size() : Float(0);
+  }
   /// What the pressure at d may miss as the ends do: where it is as steep as a square root they count for as much as
   /// they are known.
   [[nodiscard]] Float pressure_by_ends(const Float& d) const {
@@ -217,11 +222,9 @@ Estimated ConvergedViscoelasticNip::pressure(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   const auto& [units, contact, at_middle] = *implementation_;
   const Float d = implementation_->downstream(contact.fine(), y);
-  const Float known = implementation_->end_error(), length = 2 * contact.fine().half_length();
-  const bool inside = d > -known && d < length + known;
   FloatEstimate result = contact.estimate(
       [&](const RollingPressure& of) { return of.pressure(implementation_->downstream(of, y)); },
-      inside ? contact.fine().load() / contact.fine().half_length() : Float(0));
+      implementation_->pressure_scale(d));
   result.error += implementation_->pressure_by_ends(d);
   return estimated_of(units.pressure, result, contact.digits());
 }
@@ -259,14 +262,15 @@ Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
   implementation_->check_place(y);
   const auto& [units, contact, at_middle] = *implementation_;
   StretchRollingKernel& kernel = contact.stretch_kernel();
-  const RollingPressure& fine = contact.fine();
+  const Float at = implementation_->downstream(contact.fine(), y);
+  // No surer than the pressure that stretches the surface at once.
   FloatEstimate result = contact.estimate(
       [&](const RollingPressure& of) -> Float {
         const Float d = implementation_->downstream(of, y);
         return -(of.response(d, kernel) + kernel.jump() * of.pressure(d));
       },
-      std::max(fine.half_length(), Float(fine.load() / fine.half_length())));
-  result.error += kernel.jump() * implementation_->pressure_by_ends(implementation_->downstream(fine, y));
+      implementation_->size() + kernel.jump() * implementation_->pressure_scale(at));
+  result.error += kernel.jump() * implementation_->pressure_by_ends(at);
   return estimated_of(units.lever / 2, result, contact.digits());
 }
 
