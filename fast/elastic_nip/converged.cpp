@@ -378,6 +378,11 @@ GreatestShear ConvergedElasticNip::greatest_shear() const {
   return {times(units.pressure, value), times(units.length, y), depth};
 }
 
+bool ConvergedElasticNip::refine() {
+  implementation_->inner_field.reset();
+  return implementation_->ladder.refine();
+}
+
 Work ConvergedElasticNip::work() const { return implementation_->ladder.work(); }
 
 ConvergedElasticNip converged_for_length(const data::ElasticNip& nip, data::Friction friction,

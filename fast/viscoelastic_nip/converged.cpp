@@ -456,6 +456,8 @@ GreatestShear ConvergedViscoelasticNip::greatest_shear() const {
   return {times(units.pressure, value), times(units.length, y), depth};
 }
 
+bool ConvergedViscoelasticNip::refine() { return implementation_->ladder.refine(); }
+
 Work ConvergedViscoelasticNip::work() const { return implementation_->ladder.work(); }
 
 ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, double contact_length,

@@ -55,6 +55,8 @@ class ConvergedViscoelasticNip {
   /// Inside the sheet: see InnerStresses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
+  /// Solves with more terms, from which on all results are computed; false where more do not help.
+  bool refine();
   [[nodiscard]] Work work() const;  ///< spent so far
 
  private:

@@ -65,6 +65,11 @@ class Converged : public SolvedContact<Estimate> {
     return nip_result_size(name, y, {roller_radius_, -half, half, asked_},
                            [&] { return pressure_in_the_middle(); });
   }
+  bool refine() override {
+    middle_.reset();
+    inside_ = {};
+    return contact_.refine();
+  }
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
 
  private:

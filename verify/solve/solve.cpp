@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cstddef>
+#include <utility>
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
@@ -53,6 +56,26 @@ struct SolveSystem {
   }
 };
 
+/// Over what is allowed, the largest of the result's errors.
+long double excess(const SceneSolution<fast::Estimate>::Result& result) {
+  long double largest = 0;
+  for (std::size_t i = 0; i < result.numbers.size(); ++i)
+    largest = std::max(largest, result.numbers[i].error / result.allowed[i]);
+  return largest;
+}
+
+/// With more terms rounding may be more: a result is replaced by a better one only.
+void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
+                    SceneSolution<fast::Estimate>& solution) {
+  for (std::size_t wanted = 0; wanted < solution.results.size(); ++wanted) {
+    auto& result = solution.results[wanted];
+    if (result.met().value_or(true)) continue;
+    auto refined = collect_result(scene, wanted, contact, solution);
+    if (excess(refined) < excess(result)) result = std::move(refined);
+  }
+  solution.work = contact.work();
+}
+
 }  // namespace
 
 SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
@@ -60,7 +83,9 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   SceneSolution<fast::Estimate> solution;
   const auto solve_system = [&](const auto& problem) {
     const Solved contact = SolveSystem{scene}(problem);
-    solution = collect_results(scene, problem.profile, WithDerivedResults(scene, *contact), scene.accuracy);
+    const WithDerivedResults results(scene, *contact);
+    solution = collect_results(scene, problem.profile, results, scene.accuracy);
+    while (!solution.missed().empty() && contact->refine()) collect_better(scene, results, solution);
   };
   const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
   solution.seconds = seconds;

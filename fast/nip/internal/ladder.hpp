@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,18 +58,37 @@ class Ladder {
 
   /// Half length A (half-thicknesses) given.
   static Ladder at_half_length(Levels levels, double half_length, double accuracy) {
-    Ladder ladder(std::move(levels), accuracy);
-    ladder.climb(half_length, [&](double near, int level) { return ladder.solve(half_length, near, level); });
-    return ladder;
+    return Ladder(std::move(levels), half_length, {}, accuracy);
   }
   /// Dimensionless load given (unit: HalfContact).
   static Ladder at_load(Levels levels, double load, double accuracy) {
-    Ladder ladder(std::move(levels), accuracy);
-    ladder.climb(ladder.levels_.half_length_guess(load),
-                 [&](double near, int level) { return ladder.solve_for_load(load, near, level); });
-    // Twins carry another load: what they say of the length, and with it of all others.
-    ladder.load_rounding_ = ladder.rounding_error(load_of, load_of(ladder.last())) / load;
-    return ladder;
+    const double near = levels.half_length_guess(load);
+    return Ladder(std::move(levels), near, load, accuracy);
+  }
+
+  /// Solves with more terms; false where these do not help, or there are no more. The accuracy says only where the ladder
+  /// stops at first, by the numbers that are judged: what else is computed may need more.
+  bool refine() {
+    const int level = static_cast<int>(solutions_.size());
+    if (at_rounding_ || in_vain_ == 2 || level == Levels::most) return false;
+    const auto resolution = levels_.resolution(near_, level);
+    if (level > 2 && !levels_.is_affordable(resolution)) return false;
+    solutions_.push_back(load_ ? solve_for_load(*load_, near_, level) : solve(near_, near_, level));
+    least_.push_back(resolution.least);
+    if (load_) {
+      near_ = half_length(last());
+      // Twins carry another load: what they say of the length, and with it of all others.
+      load_rounding_ = rounding_error(load_of, load_of(last())) / *load_;
+    }
+    if (level < 2) return true;
+    const double before = std::exchange(asked_, judge()).sum();
+    if (!std::isfinite(asked_.sum())) {
+      throw data::BadInput("contact's half length", half_length(last()),
+                           "in half-thicknesses, must be one that can be solved in double with this sheet");
+    }
+    // Where more terms twice do not help, rounding is what is left.
+    in_vain_ = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? in_vain_ + 1 : 0;
+    return true;
   }
 
   /// Value on the last solution and an estimate of its error; not less than a share of what the whole solution is
@@ -128,32 +148,14 @@ class Ladder {
   /// Of a solution in double, relative.
   static constexpr double rounding = 0x1p-48;
 
-  Ladder(Levels levels, double accuracy) : levels_(std::move(levels)), accuracy_(accuracy) {}
+  Ladder(Levels levels, double near, std::optional<double> load, double accuracy)
+      : levels_(std::move(levels)), near_(near), load_(load), accuracy_(accuracy) {
+    while (!settled_ && refine()) {
+    }
+  }
 
   static double load_of(const Contact& contact) { return std::invoke(&Contact::load, contact); }
   static double half_length(const Contact& contact) { return std::invoke(&Contact::half_length, contact); }
-
-  /// step(near, level): solution number `level`, its terms laid out for a half length near `near`.
-  template <class Step>
-  void climb(double near, const Step& step) {
-    int in_vain = 0;  // levels
-    for (int level = 0; level < Levels::most; ++level) {
-      const auto resolution = levels_.resolution(near, level);
-      if (level > 2 && !levels_.is_affordable(resolution)) return;
-      solutions_.push_back(step(near, level));
-      least_.push_back(resolution.least);
-      near = half_length(last());
-      if (level < 2) continue;
-      const double before = std::exchange(asked_, judge()).sum();
-      if (!std::isfinite(asked_.sum())) {
-        throw data::BadInput("contact's half length", near,
-                             "in half-thicknesses, must be one that can be solved in double with this sheet");
-      }
-      // Where more terms twice do not help, rounding is what is left.
-      in_vain = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? in_vain + 1 : 0;
-      if (settled_ || in_vain == 2) return;
-    }
-  }
 
   Solution solve(double half_length, double near, int level) const {
     CountedKernels kernels(Accuracy(), *work_);
@@ -175,10 +177,12 @@ class Ladder {
       return contact;
     }
   }
-  /// A level need not meet the load better than its expansion meets the pressure, and cannot better than it rounds.
+  /// A level need not meet the load better than its expansion meets the pressure, nor, until the accuracy is met, than
+  /// that needs, and cannot better than it rounds.
   [[nodiscard]] double load_tolerance(double near, int level) const {
     const double rounds = solutions_.empty() ? 0 : twins_apart(load_of, load_of(last())) / load_of(last());
-    return std::max({1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).least, 1e-14, rounds});
+    return std::max(
+        {settled_ ? 0 : 1e-2 * accuracy_, 1e-2 * levels_.resolution(near, level).least, 1e-14, rounds});
   }
 
   /// `rounding_share`: of the whole solution's rounding at least, for the twins may agree by chance.
@@ -235,14 +239,16 @@ class Ladder {
   Error judge() {
     Error asked;
     whole_ = {};
-    settled_ = true;
+    settled_ = at_rounding_ = true;
     for (const Judged<Contact>& judged : levels_.judged(last(), accuracy_)) {
       const double value = judged.number(last()), rounded = rounding_error(judged.number, value);
       const Error own{expansion_error(judged.number, rounded, judged.rate), rounded};
       const double size = std::max(judged.scale, std::fabs(value));
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       // By three times, for what the expansion leaves out is the safer estimate.
-      settled_ &= judged.said_times * own.sum() <= accuracy_ * size || own.of_expansion < 3 * own.of_rounding;
+      const bool rounded_only = own.of_expansion <= 3 * own.of_rounding;
+      settled_ &= judged.said_times * own.sum() <= accuracy_ * size || rounded_only;
+      at_rounding_ &= rounded_only;
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));
     }
@@ -250,13 +256,16 @@ class Ladder {
   }
 
   Levels levels_;
+  double near_;  ///< half length for which the next level is laid out; given if no load is
+  std::optional<double> load_;
   double accuracy_;
   std::unique_ptr<Work> work_ = std::make_unique<Work>();
   std::vector<Solution> solutions_;
   std::vector<double> least_;  ///< left out by each
   Error asked_{1, 0};          ///< of the numbers judged, relative to what the accuracy is asked of
-  bool settled_ = false;
-  Error whole_;  ///< of the solution as a whole, relative
+  bool settled_ = false, at_rounding_ = false;
+  int in_vain_ = 0;  ///< levels
+  Error whole_;      ///< of the solution as a whole, relative
   double load_residual_ = 0;
   double load_rounding_ = 0;  ///< relative, where the load is given
   double exponent_ = LengthSearch::usual_exponent;

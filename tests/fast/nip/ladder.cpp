@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
 #include <limits>
 #include <memory>
@@ -106,6 +107,22 @@ TEST_CASE("ladder: at a load the length is the one that carries it, and one sear
     CHECK(std::count(solves.begin(), solves.end(), 6) <= 3);
     CHECK(std::count(solves.begin(), solves.end(), 9) <= 2);
   }
+}
+
+TEST_CASE("ladder: beyond its accuracy it is refined as far as rounding lets") {
+  std::vector<int> solves;
+  auto ladder = Ladder<ToyLevels>::at_load({6, &solves}, 25, 1e-2);
+  const auto half_length = [&] {
+    return ladder.estimate([](const ToyContact& contact) { return contact.half_length; });
+  };
+  for (double before = half_length().error; ladder.refine(); before = half_length().error) {
+    CHECK(half_length().error <= before);
+    CHECK(std::fabs(half_length().value - 5) <= half_length().error);
+  }
+  CHECK(half_length().error < 5e-13);
+  const std::size_t all = solves.size();
+  CHECK_FALSE(ladder.refine());
+  CHECK(solves.size() == all);
 }
 
 TEST_CASE("ladder: an accuracy out of reach is not claimed") {

@@ -58,7 +58,32 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
 
-/// Asks the contact for everything that the scene wants, and a nip for its indentation: see linear_theory.hpp. `accuracy`: what was asked for.
+/// Asks the contact for what the scene wants at this place of its list, at the solution's positions. `accuracy`: what was
+/// asked for.
+template <class Number>
+typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
+                                                      const SolvedContact<Number>& contact,
+                                                      const SceneSolution<Number>& solution) {
+  const std::string& name = scene.wanted[wanted];
+  typename SceneSolution<Number>::Result result{data::find_scene_result(name), {}};
+  if (result.what->is_field) {
+    result.numbers = contact.inside(name, solution.field);
+  } else if (result.what->is_profile) {
+    result.numbers = profile_of(contact, name, solution.positions, scene.origin);
+  } else if (result.what->is_list) {
+    result.numbers = contact.list(name);
+  } else {
+    result.numbers = {contact.number(name)};
+  }
+  if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
+    refuse_result(scene, wanted);
+  result.allowed =
+      allowed_errors(solution.accuracy, contact, result, solution.positions, solution.field.positions);
+  return result;
+}
+
+/// Asks the contact for everything that the scene wants, and a nip for its indentation: see linear_theory.hpp. `accuracy`:
+/// what was asked for.
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const SolvedContact<Number>& contact, long double accuracy) {
@@ -68,22 +93,9 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   solution.is_discrete = is_by_line_loads(scene);
   solution.warnings = beyond_theory(scene, contact);
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
-  for (const std::string& name : scene.wanted) {
-    const data::SceneResult* what = data::find_scene_result(name);
-    if (what->is_field) {
-      solution.field = field_places(scene);
-      solution.results.push_back({what, contact.inside(name, solution.field)});
-    } else if (what->is_profile) {
-      solution.results.push_back({what, profile_of(contact, name, solution.positions, scene.origin)});
-    } else if (what->is_list) {
-      solution.results.push_back({what, contact.list(name)});
-    } else {
-      solution.results.push_back({what, {contact.number(name)}});
-    }
-    auto& result = solution.results.back();
-    if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
-      refuse_result(scene, solution.results.size() - 1);
-    result.allowed = allowed_errors(accuracy, contact, result, solution.positions, solution.field.positions);
+  for (std::size_t wanted = 0; wanted < scene.wanted.size(); ++wanted) {
+    if (data::find_scene_result(scene.wanted[wanted])->is_field) solution.field = field_places(scene);
+    solution.results.push_back(collect_result(scene, wanted, contact, solution));
   }
   solution.work = contact.work();
   solution.error_work = contact.error_work();

@@ -36,6 +36,8 @@ class SolvedContact {
   /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
   /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.
   [[nodiscard]] virtual std::optional<double> least_size(std::string_view, double) const { return {}; }
+  /// Solves with more terms, for smaller errors; false where there are none.
+  virtual bool refine() { return false; }
   /// Spent so far on the results, and on nothing but their error estimates.
   [[nodiscard]] virtual fast::Work work() const = 0;
   [[nodiscard]] virtual fast::Work error_work() const { return {}; }
