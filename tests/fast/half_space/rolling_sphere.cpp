@@ -112,8 +112,8 @@ TEST_CASE("rolling: almost incompressible at rest the shear vanishes and the sli
 TEST_CASE("rolling: compressive up to the compressed radius, the strip of the notes") {
   const auto contact = rolling_sphere_for_span(steel, radius, 0.9, 1e-6);
   const RollingLine line = contact.along({1, 0});
-  CHECK(line.normal_traction(line.compressed_radius() * (1 - 1e-5)).value < 0);
-  CHECK(line.normal_traction(line.compressed_radius() * (1 + 1e-5)).value > 0);
+  CHECK(line.normal_traction(line.compressed_radius().value * (1 - 1e-5)).value < 0);
+  CHECK(line.normal_traction(line.compressed_radius().value * (1 + 1e-5)).value > 0);
   const auto strip = [](double speed) {
     const double found = fast::rolling_strip(steel, speed, {1, 0});
     const double index = rolling_sphere_for_span(steel, radius, speed, 0.1).along({1, 0}).index;

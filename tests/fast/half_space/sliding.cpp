@@ -129,7 +129,7 @@ TEST_CASE("sliding: every line has the same peak, where the paper says") {
     CHECK(line.pressure(at).value == doctest::Approx(peak).epsilon(1e-14));
     CHECK(line.pressure(at + 1e-3 * line.span).value < peak);
     CHECK(line.pressure(at - 1e-3 * line.span).value < peak);
-    CHECK(line.pressure(line.leading_end() * 1.001).value == 0);
+    CHECK(line.pressure(line.leading_end().value * 1.001).value == 0);
     // The same line, run through backwards.
     const SlidingLine back = contact.along(Direction::of_angle(0.3 * i + pi));
     CHECK(back.leading_end().value == doctest::Approx(-line.trailing_end().value).epsilon(1e-14));
