@@ -64,10 +64,10 @@ double over_terms(const data::MaterialFunction& theta, const std::vector<Fade>& 
 
 /// The way of the load against one point: from `start`, where the point is now, to `end`, where it was when
 /// the load started; of infinite length and without end if that was infinitely long ago.
-struct MovingLoad::Journey {
+struct MovingLoad::LoadPath {
   Two length;
-  Spot start;
-  Spot end;
+  SurfacePoint start;
+  SurfacePoint end;
 
   /// How far behind the load the point is, as far as the load has come.
   [[nodiscard]] double behind() const { return std::clamp(-start.at.high, 0.0, length.high); }
@@ -125,14 +125,14 @@ double MovingLoad::normal_displacement(double t, double T) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   if (t == T) throw data::BadInput("T", T, "must differ from t: Un is infinite under the load");
-  return normal_displacement(journey("T", t, T));
+  return normal_displacement(load_path("T", t, T));
 }
 
 double MovingLoad::tangential_displacement(double t, double T, double t0) const {
   check_clock(t);
   check_argument("T", T, Domain::finite);
   check_argument("t0", t0, Domain::finite);
-  return tangential_displacement(journey("T", t, T), journey("t0", t, t0));
+  return tangential_displacement(load_path("T", t, T), load_path("t0", t, t0));
 }
 
 double MovingLoad::steady_normal_displacement(double alpha) const {
@@ -146,28 +146,28 @@ double MovingLoad::steady_tangential_displacement(double alpha, double eta) cons
   return tangential_displacement(steady_journey(alpha), steady_journey(eta));
 }
 
-MovingLoad::Journey MovingLoad::steady_journey(double alpha) const {
-  return {{std::numeric_limits<double>::infinity(), 0}, spot({alpha, 0}, accuracy_), {}};
+MovingLoad::LoadPath MovingLoad::steady_journey(double alpha) const {
+  return {{std::numeric_limits<double>::infinity(), 0}, surface_point({alpha, 0}, accuracy_), {}};
 }
 
-MovingLoad::Journey MovingLoad::journey(const char* name, double t, double T) const {
+MovingLoad::LoadPath MovingLoad::load_path(const char* name, double t, double T) const {
   const Two length = Two{t, 0} * way_per_time_, end = Two{T, 0} * way_per_time_;
   const Two start = two_sum(T, -t) * way_per_time_;
   check_way(name, T, start);
   check_way(name, T, end);
-  return {length, spot(start, accuracy_), spot(end, accuracy_)};
+  return {length, surface_point(start, accuracy_), surface_point(end, accuracy_)};
 }
 
-double MovingLoad::normal_displacement(const Journey& journey) const {
-  double sum = normal_.instantaneous * kernel_at(Kernel::I1, journey.start, accuracy_);
-  if (journey.length.high > 0) {
+double MovingLoad::normal_displacement(const LoadPath& load_path) const {
+  double sum = normal_.instantaneous * kernel_at(Kernel::I1, load_path.start, accuracy_);
+  if (load_path.length.high > 0) {
     sum += over_terms(normal_, fades_->normal, time_unit_,
-                      [&](const auto& rate) { return journey.memory(Kernel::I1, rate, accuracy_); });
+                      [&](const auto& rate) { return load_path.memory(Kernel::I1, rate, accuracy_); });
   }
   return sum / pi;
 }
 
-double MovingLoad::tangential_displacement(const Journey& to_point, const Journey& to_pin) const {
+double MovingLoad::tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const {
   const double under_point = kernel_at(Kernel::I3, to_point.start, accuracy_);
   double sum = theta1_.instantaneous * (under_point - kernel_at(Kernel::I5, to_pin.start, accuracy_)) +
                theta2_.instantaneous *

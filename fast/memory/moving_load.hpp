@@ -40,12 +40,12 @@ class MovingLoad {
   [[nodiscard]] double steady_tangential_displacement(double alpha, double eta) const;
 
  private:
-  struct Journey;
+  struct LoadPath;
   struct Fades;
-  [[nodiscard]] Journey journey(const char* name, double t, double T) const;
-  [[nodiscard]] Journey steady_journey(double alpha) const;
-  [[nodiscard]] double normal_displacement(const Journey& journey) const;
-  [[nodiscard]] double tangential_displacement(const Journey& to_point, const Journey& to_pin) const;
+  [[nodiscard]] LoadPath load_path(const char* name, double t, double T) const;
+  [[nodiscard]] LoadPath steady_journey(double alpha) const;
+  [[nodiscard]] double normal_displacement(const LoadPath& load_path) const;
+  [[nodiscard]] double tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const;
 
   data::MaterialFunction theta1_, theta2_, normal_;
   internal::Two way_per_time_, time_unit_;  ///< F0/b and b/F0

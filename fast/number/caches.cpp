@@ -2,14 +2,14 @@
 #include <vector>
 
 #include <nipref/fast/number/caches.hpp>
-#include <nipref/fast/number/internal/memo.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 
 namespace nipref::fast {
 namespace {
 
 struct Registry {
   std::mutex mutex;
-  std::vector<Cache*> caches;
+  std::vector<ClearableCache*> caches;
 };
 
 Registry& registry() {
@@ -19,13 +19,13 @@ Registry& registry() {
 
 }  // namespace
 
-void Cache::enter() {
+void ClearableCache::enter() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   all.caches.push_back(this);
 }
 
-void Cache::leave() {
+void ClearableCache::leave() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   std::erase(all.caches, this);
@@ -34,7 +34,7 @@ void Cache::leave() {
 void clear_caches() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
-  for (Cache* cache : all.caches) cache->clear();
+  for (ClearableCache* cache : all.caches) cache->clear();
 }
 
 }  // namespace nipref::fast

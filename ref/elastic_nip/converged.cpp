@@ -83,7 +83,7 @@ struct ConvergedElasticNip::Implementation {
     return enclosure_of(unit * result(*contact), contact.digits());
   }
   /// Of |y|.
-  [[nodiscard]] Place place(double y) const {
+  [[nodiscard]] SurfacePoint place(double y) const {
     const mpq_class distance = abs(exactly(y));
     if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), precision_here())};
     return {1 - Interval(Exact(distance / units.length), precision_here()) / contact->half_length()};
@@ -130,7 +130,7 @@ Enclosure ConvergedElasticNip::edge_displacement() const {
 Enclosure ConvergedElasticNip::creep_ratio() const {
   const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
-    const Place end{Interval(precision_here())};
+    const SurfacePoint end{Interval(precision_here())};
     const Interval beta(Exact(units.beta), precision_here());
     return contact.tangential_displacement(end, beta) / contact.half_length();
   });

@@ -10,7 +10,7 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/thin.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -56,7 +56,7 @@ Samples samples_of(const int& digits) {
 }
 
 std::shared_ptr<const Samples> samples(int digits) {
-  static Memo<int, Samples> memo(samples_of, [](const Samples&) { return sizeof(Samples) + 4096; });
+  static Cache<int, Samples> memo(samples_of, [](const Samples&) { return sizeof(Samples) + 4096; });
   return memo.at(digits_of_samples(digits));
 }
 

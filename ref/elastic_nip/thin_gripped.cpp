@@ -14,9 +14,9 @@
 #include <nipref/ref/elastic_nip/internal/grip_precision.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/elastic_nip/thin_gripped.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/number/internal/golden_section.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -166,7 +166,7 @@ ShorterContacts solve_shorter(const ShorterKey& key) {
 }
 
 std::shared_ptr<const ShorterContacts> shorter_contacts(double poisson, int digits) {
-  static Memo<ShorterKey, ShorterContacts> memo(
+  static Cache<ShorterKey, ShorterContacts> memo(
       solve_shorter, [](const ShorterContacts&) { return sizeof(ShorterContacts) + (std::size_t{1} << 18); });
   return memo.at({poisson, digits});
 }

@@ -13,7 +13,7 @@
 #include <nipref/ref/memory/internal/sign_memory.hpp>
 #include <nipref/ref/memory/internal/swinging.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
@@ -26,7 +26,7 @@ constexpr double nats_grain = 16;
 
 /// Where the load is seen from a point of the surface, in half thicknesses: `alpha` before it now, and, if it
 /// has started at all, `start` before it when it did.
-struct Place {
+struct LoadPath {
   Exact alpha;
   std::optional<Exact> start;
 };
@@ -131,7 +131,7 @@ std::size_t size_of_history(const Interval& history) {
 /// Kept, as the loads of a contact see the same distances: with up to 16 nats more than were asked for.
 Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats,
                        int residue_terms) {
-  static Memo<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
+  static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
   if (kernel == Kernel::I2) return sign_history(alpha, rate, nats);
   return *kept.at({kernel, alpha.value(), rate, std::ceil(nats / nats_grain) * nats_grain, residue_terms});
 }
@@ -145,53 +145,53 @@ double nats_left(double nats, double faded) {
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
-Interval history(Kernel kernel, const Place& place, const mpq_class& rate, double wanted_nats,
+Interval history(Kernel kernel, const LoadPath& path, const mpq_class& rate, double wanted_nats,
                  int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
-  if (!place.start) {
-    const Interval whole = whole_history(kernel, place.alpha, rate, nats, residue_terms);
+  if (!path.start) {
+    const Interval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
     if (rate != 0 || kernel == Kernel::I1) return whole;
     // What is infinite is of one length for all points: counted from the point, not from 0.
     const double large = nats_over_rate(rate, nats);
     const Interval quarter = Interval::pi(working_precision(large, 1) + 64) / 4;
-    return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(place.alpha.value(), large));
+    return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(path.alpha.value(), large));
   }
-  const mpq_class way = place.start->value() - place.alpha.value();
+  const mpq_class way = path.start->value() - path.alpha.value();
   if (kernel == Kernel::I2 && rate != 0) {
     const double large = nats_over_rate(rate, nats);
     const Interval half_pi = Interval::pi(working_precision(large, 1) + 64) / 2;
-    return half_pi * sign_memory(rate, way, place.start->value(), large);
+    return half_pi * sign_memory(rate, way, path.start->value(), large);
   }
   const mpq_class faded = rate * way;
-  return whole_history(kernel, place.alpha, rate, nats, residue_terms) -
+  return whole_history(kernel, path.alpha, rate, nats, residue_terms) -
          exp(-rational(faded, nats_over_rate(rate, nats))) *
-             whole_history(kernel, *place.start, rate, nats_left(nats, faded.get_d()), residue_terms);
+             whole_history(kernel, *path.start, rate, nats_left(nats, faded.get_d()), residue_terms);
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} sign(w) dw
-ComplexInterval swinging_sign(const Place& place, const ComplexInterval& rate) {
+ComplexInterval swinging_sign(const LoadPath& path, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.real.precision();
   const auto faded = [&](const mpq_class& way) { return exp(-Interval(Exact(way), bits) * rate); };
-  const mpq_class& alpha = place.alpha.value();
+  const mpq_class& alpha = path.alpha.value();
   mpq_class behind = std::max(mpq_class(-alpha), mpq_class(0));
   const ComplexInterval one{Interval(1L, bits), Interval(bits)};
-  if (!place.start) return (faded(behind) + faded(behind) - one) * inverse(rate);
-  const mpq_class way = place.start->value() - alpha;
+  if (!path.start) return (faded(behind) + faded(behind) - one) * inverse(rate);
+  const mpq_class way = path.start->value() - alpha;
   behind = std::min(behind, way);
   return (faded(behind) + faded(behind) - one - faded(way)) * inverse(rate);
 }
 
 /// history() of a rate that may be complex.
-ComplexInterval swinging_history(Kernel kernel, const Place& place, const ComplexInterval& rate,
+ComplexInterval swinging_history(Kernel kernel, const LoadPath& path, const ComplexInterval& rate,
                                  double nats) {
   const mpfr_prec_t bits = rate.real.precision();
-  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * swinging_sign(place, rate);
-  const ComplexInterval whole = swinging_memory(symbol_of(kernel), place.alpha, rate, nats);
-  if (!place.start) return whole;
-  const Interval way(Exact(mpq_class(place.start->value() - place.alpha.value())), bits);
+  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * swinging_sign(path, rate);
+  const ComplexInterval whole = swinging_memory(symbol_of(kernel), path.alpha, rate, nats);
+  if (!path.start) return whole;
+  const Interval way(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
   const double faded = mpfr_get_d((rate.real * way).lower(), MPFR_RNDD);
   return whole -
-         exp(-way * rate) * swinging_memory(symbol_of(kernel), *place.start, rate, nats_left(nats, faded));
+         exp(-way * rate) * swinging_memory(symbol_of(kernel), *path.start, rate, nats_left(nats, faded));
 }
 
 double ln_size(const ComplexInterval& z) {
@@ -202,7 +202,7 @@ double ln_size(const ComplexInterval& z) {
 }
 
 /// What the fraction remembers: the sum over its terms, of which the two of a pair are conjugate.
-Interval remembered(const ExactRatio& fraction, Kernel kernel, const Place& place,
+Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& path,
                     const mpq_class& way_per_time, double nats) {
   constexpr double spare_nats = 48;  // ways of 1000, and sums
   const auto terms_to = [&](double good_to) {
@@ -219,40 +219,39 @@ Interval remembered(const ExactRatio& fraction, Kernel kernel, const Place& plac
     const Interval unit = 1 / Interval(Exact(way_per_time), rate.real.precision());
     const ComplexInterval in_way = unit * amplitude;
     const double needed = std::max(nats + ln_size(in_way) + 4, 40.0);
-    sum = sum + (in_way * swinging_history(kernel, place, unit * rate, needed)).real;
+    sum = sum + (in_way * swinging_history(kernel, path, unit * rate, needed)).real;
   }
   return sum;
 }
 
-/// theta * I(place), without the sheet's 1/pi.
+/// theta * I(path), without the sheet's 1/pi.
 struct Part {
   ExactFunction theta;
   Kernel kernel;
-  Place place;
+  LoadPath path;
   bool negative = false;
   int residue_terms = 0;
 
   [[nodiscard]] Interval at_once(double nats) const {
     if (theta.instantaneous == 0) return Interval(64);
     const double needed = std::max(nats + ln_magnitude(theta.instantaneous) + 3, 40.0);
-    return rational(theta.instantaneous, needed) *
-           kernel_interval(kernel, place.alpha, needed, residue_terms);
+    return rational(theta.instantaneous, needed) * kernel_interval(kernel, path.alpha, needed, residue_terms);
   }
 
   /// `way_per_time` is speed/half_thickness.
   [[nodiscard]] Interval value(const mpq_class& way_per_time, double nats) const {
     Interval sum = at_once(nats);
-    const bool no_history = place.start && place.start->value() == place.alpha.value();
+    const bool no_history = path.start && path.start->value() == path.alpha.value();
     for (const ExactFunction::Term& term : theta.terms) {
       if (no_history || sgn(term.amplitude) == 0) continue;
       const mpq_class amplitude = term.amplitude / way_per_time;
       const mpq_class rate = term.rate / way_per_time;
       const double needed = nats + ln_magnitude(amplitude) + 3;
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
-                      history(kernel, place, rate, needed, residue_terms);
+                      history(kernel, path, rate, needed, residue_terms);
     }
     for (const ExactRatio& fraction : theta.fractions) {
-      if (!no_history) sum = sum + remembered(fraction, kernel, place, way_per_time, nats + 3);
+      if (!no_history) sum = sum + remembered(fraction, kernel, path, way_per_time, nats + 3);
     }
     return negative ? -sum : sum;
   }
@@ -322,7 +321,7 @@ mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,
   return way_per_time;
 }
 
-Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_time, const char* name) {
+LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& way_per_time, const char* name) {
   if (t.sign() < 0) throw data::BadInput("t", t.approximate(), "must be >= 0");
   const Exact alpha(mpq_class((T.value() - t.value()) * way_per_time));
   const Exact start(mpq_class(T.value() * way_per_time));
@@ -335,11 +334,11 @@ Place started_place(const Exact& t, const Exact& T, const mpq_class& way_per_tim
 }
 
 /// Along the paths of fractions values cost the distance's square, or more.
-void check_distance(const ExactFunction& function, const Place& place) {
+void check_distance(const ExactFunction& function, const LoadPath& path) {
   constexpr double farthest = 250;
   if (function.fractions.empty()) return;
   const double distance =
-      std::max(std::fabs(place.alpha.approximate()), place.start ? std::fabs(place.start->approximate()) : 0);
+      std::max(std::fabs(path.alpha.approximate()), path.start ? std::fabs(path.start->approximate()) : 0);
   if (distance > farthest)
     throw data::BadInput(
         "distance from the load", distance,
@@ -347,9 +346,9 @@ void check_distance(const ExactFunction& function, const Place& place) {
 }
 
 /// The slowest decay of Un with the distance of the load, 1/half thickness.
-double decay_of_normal(const ExactFunction& normal, const Place& place, const mpq_class& way_per_time) {
+double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const mpq_class& way_per_time) {
   double slowest = slowest_decay;
-  if (place.alpha.sign() > 0) return slowest;
+  if (path.alpha.sign() > 0) return slowest;
   for (const ExactFunction::Term& term : normal.terms)
     slowest = std::min(slowest, mpq_class(term.rate / way_per_time).get_d());
   for (const ExactRatio& fraction : normal.fractions)
@@ -357,18 +356,18 @@ double decay_of_normal(const ExactFunction& normal, const Place& place, const mp
   return slowest;
 }
 
-Enclosure Un_at(const Place& place, const mpq_class& way_per_time, const ExactMaterial& material, int digits,
-                int residue_terms = 0) {
+Enclosure Un_at(const LoadPath& path, const mpq_class& way_per_time, const ExactMaterial& material,
+                int digits, int residue_terms = 0) {
   const ExactFunction normal = material.normal();
-  check_distance(normal, place);
-  const double distance = std::abs(place.alpha.approximate());
-  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, place, way_per_time);
-  return sum_over_pi({{normal, Kernel::I1, place, false, residue_terms}}, way_per_time, first_nats, digits);
+  check_distance(normal, path);
+  const double distance = std::abs(path.alpha.approximate());
+  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, path, way_per_time);
+  return sum_over_pi({{normal, Kernel::I1, path, false, residue_terms}}, way_per_time, first_nats, digits);
 }
 
-Enclosure Vn_at(const Place& alpha, const Place& eta, const mpq_class& way_per_time,
+Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& way_per_time,
                 const ExactMaterial& material, int digits, int residue_terms = 0) {
-  for (const Place& place : {alpha, eta}) check_distance(material.normal(), place);
+  for (const LoadPath& path : {alpha, eta}) check_distance(material.normal(), path);
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
   if (at_rest && alpha.alpha.sign() == 0 && eta.alpha.sign() == 0) return exact_zero(digits);
   return sum_over_pi({{material.normal(), Kernel::I3, alpha, false, residue_terms},
@@ -384,10 +383,10 @@ Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const 
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits, int residue_terms) {
   const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
-  const Place place = started_place(t, T, way_per_time, "T");
-  if (place.alpha.sign() == 0)
+  const LoadPath path = started_place(t, T, way_per_time, "T");
+  if (path.alpha.sign() == 0)
     throw data::BadInput("T", T.approximate(), "must differ from t: the displacement is infinite there");
-  return Un_at(place, way_per_time, material, digits, residue_terms);
+  return Un_at(path, way_per_time, material, digits, residue_terms);
 }
 
 Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,

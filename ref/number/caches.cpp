@@ -4,14 +4,14 @@
 #include <vector>
 
 #include <nipref/ref/number/caches.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 
 namespace nipref::ref {
 namespace {
 
 struct Registry {
   std::mutex mutex;
-  std::vector<Cache*> caches;
+  std::vector<ClearableCache*> caches;
 };
 
 Registry& registry() {
@@ -21,13 +21,13 @@ Registry& registry() {
 
 }  // namespace
 
-void Cache::enter() {
+void ClearableCache::enter() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   all.caches.push_back(this);
 }
 
-void Cache::leave() {
+void ClearableCache::leave() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   std::erase(all.caches, this);
@@ -36,7 +36,7 @@ void Cache::leave() {
 void clear_caches() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
-  for (Cache* cache : all.caches) cache->clear();
+  for (ClearableCache* cache : all.caches) cache->clear();
   mpfr_free_cache();
 }
 
@@ -44,7 +44,7 @@ std::size_t cached_bytes() {
   Registry& all = registry();
   const std::lock_guard lock(all.mutex);
   std::size_t sum = 0;
-  for (const Cache* cache : all.caches) sum += cache->bytes();
+  for (const ClearableCache* cache : all.caches) sum += cache->bytes();
   return sum;
 }
 

@@ -72,7 +72,7 @@ std::string answers_text(const EvalRequest& request, const ParsedArguments& argu
                         answer.seconds, answer.value);
     if (answer.error)
       text += fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
-    if (answer.met) text += fmt::format("  {}\n", met_text(answer.accuracy, *answer.met));
+    if (answer.met) text += fmt::format("  {}\n", met_text(answer.accuracy, *answer.met, " of the scale"));
   }
   const Scale scale = scale_of(request, arguments, answers.front());
   if (scale.size)

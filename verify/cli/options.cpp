@@ -20,10 +20,10 @@ fast::Accuracy accuracy_option(const CommandLine& line) {
 
 namespace {
 
-/// From 1 to `most`; `unsaid` if the option is not there.
-std::size_t count_option(const CommandLine& line, const std::string& name, long most, std::size_t unsaid) {
+/// From 1 to `most`; `otherwise` if the option is not there.
+std::size_t count_option(const CommandLine& line, const std::string& name, long most, std::size_t otherwise) {
   const auto text = line.option(name);
-  if (!text) return unsaid;
+  if (!text) return otherwise;
   const double count = parse_real(name, *text);
   if (count < 1 || count > static_cast<double>(most) || count != std::floor(count))
     throw BadInput(name, *text, "must be a whole number from 1 to " + std::to_string(most));
@@ -77,9 +77,9 @@ std::optional<double> max_slowdown_option(const CommandLine& line) {
   return slowdown;
 }
 
-int digits_option(const CommandLine& line, int unsaid) {
+int digits_option(const CommandLine& line, int otherwise) {
   const auto text = line.option("digits");
-  const long digits = text ? parse_integer("digits", *text) : unsaid;
+  const long digits = text ? parse_integer("digits", *text) : otherwise;
   ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
   return static_cast<int>(digits);
 }

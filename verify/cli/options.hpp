@@ -35,8 +35,8 @@ SceneRequest scene_request(const CommandLine& line, std::string_view verb, int u
 /// By how much something may be slower than what --against names, 0.1 for "10%" or "0.1"; none if it is not said.
 std::optional<double> max_slowdown_option(const CommandLine& line);
 
-/// From 16 to 1000; `unsaid` if it is not there.
-int digits_option(const CommandLine& line, int unsaid);
+/// From 16 to 1000; `otherwise` if it is not there.
+int digits_option(const CommandLine& line, int otherwise);
 /// Every so many-th row, 1 if it is not said.
 std::size_t every_option(const CommandLine& line);
 

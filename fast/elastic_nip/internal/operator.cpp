@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include <nipref/fast/elastic_nip/internal/operator.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
-#include <nipref/fast/number/internal/memo.hpp>
 
 namespace nipref::fast {
 namespace {
@@ -74,7 +74,7 @@ std::vector<double> ElasticNipOperator::cuts(double point, double left, double r
 
 std::vector<Influence> ElasticNipOperator::influences(double point, double left, double right,
                                                       Couplings wanted, std::optional<int> degree) const {
-  static Memo<int, std::vector<UnitNode>> gauss_rules(gauss_rule);
+  static Cache<int, std::vector<UnitNode>> gauss_rules(gauss_rule);
   std::vector<Influence> nodes;
   std::vector<double> near, far;
   if (degree && is_far(point, left, right)) {

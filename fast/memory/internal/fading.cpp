@@ -58,8 +58,8 @@ Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
 /// The kernel on [start, end], or to infinity without an end: behind the load by residues, within nearest of
 /// it by memory_under_load, ahead by residues. What is passed first has faded most.
 template <typename Rate>
-auto by_pieces(Kernel kernel, const Spot& start, const Spot* end, Two length, const Rate& rate,
-               Accuracy accuracy) {
+auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end, Two length,
+               const Rate& rate, Accuracy accuracy) {
   using Value = std::remove_cvref_t<decltype(one_word(rate))>;
   const Value plain = one_word(rate);
   const double w = start.at.high;
@@ -100,12 +100,12 @@ double whole_line(double L) {
 
 }  // namespace
 
-Spot spot(Two at, Accuracy accuracy) {
+SurfacePoint surface_point(Two at, Accuracy accuracy) {
   const double tolerance = accuracy.rtol() / 32;
   return {at, std::fabs(at.high) < nearest ? Waves{} : waves(at, tolerance)};
 }
 
-double kernel_at(Kernel kernel, const Spot& at, Accuracy accuracy) {
+double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy) {
   const double w = at.at.high;
   if (std::fabs(w) >= nearest) {
     const double faded = faded_kernel(kernel, at.waves);
@@ -126,7 +126,7 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   return made;
 }
 
-double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accuracy accuracy) {
+double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
   if (kernel == Kernel::I1 && start.at.high <= -nearest) {
     const double rate = fade.rate.high;
     return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
@@ -136,11 +136,11 @@ double steady_memory(Kernel kernel, const Spot& start, const Fade& fade, Accurac
   return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + from_point;
 }
 
-Complex steady_memory(Kernel kernel, const Spot& start, Complex rate, Accuracy accuracy) {
+Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy) {
   return by_pieces(kernel, start, nullptr, {}, rate, accuracy);
 }
 
-double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, const Fade& fade,
+double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy) {
   if (length.high < 1 || end.at.high < nearest) return by_pieces(kernel, start, &end, length, fade, accuracy);
   const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
@@ -152,7 +152,7 @@ double memory(Kernel kernel, const Spot& start, const Spot& end, Two length, con
          faded(fade, length) * steady_memory(kernel, end, fade, accuracy);
 }
 
-Complex memory(Kernel kernel, const Spot& start, const Spot& end, Two length, Complex rate,
+Complex memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, Complex rate,
                Accuracy accuracy) {
   return by_pieces(kernel, start, &end, length, rate, accuracy);
 }

@@ -26,7 +26,7 @@ struct Judged {
   double scale = 0;  ///< the least size that the accuracy is asked relative to
   double size = 0;   ///< the least size by which it tells what the whole solution lacks
   Rate rate = Rate::of_expansions;
-  double said_times = 1;  ///< what is said of its error, over the ladder's estimate
+  double error_margin = 1;  ///< what is said of its error, over the ladder's estimate
 };
 
 /// A contact solved with more and more terms, each time half as many again, until the accuracy is met. The error
@@ -247,7 +247,7 @@ class Ladder {
       if (std::isnan(own.sum() / size)) return {own.sum() / size, 0};
       // By three times, for what the expansion leaves out is the safer estimate.
       const bool rounded_only = own.of_expansion <= 3 * own.of_rounding;
-      settled_ &= judged.said_times * own.sum() <= accuracy_ * size || rounded_only;
+      settled_ &= judged.error_margin * own.sum() <= accuracy_ * size || rounded_only;
       at_rounding_ &= rounded_only;
       asked.enlarge(own, size);
       whole_.enlarge(own, std::max(judged.size, size));

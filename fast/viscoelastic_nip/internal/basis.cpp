@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/fast/number/internal/memo.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/layout.hpp>
 
@@ -99,7 +99,7 @@ ViscoelasticBasis make(const Kind& kind) {
 }  // namespace
 
 std::shared_ptr<const ViscoelasticBasis> viscoelastic_basis(int terms, bool at_end) {
-  static Memo<Kind, ViscoelasticBasis> kept(make);
+  static Cache<Kind, ViscoelasticBasis> kept(make);
   return kept.at({terms, at_end});
 }
 

@@ -16,7 +16,7 @@ struct ViscoelasticBasis {
   Eigen::RowVectorXd moment;    ///< the same times x
 };
 
-/// Computed at the first call and kept, see Memo.
+/// Computed at the first call and kept, see Cache.
 std::shared_ptr<const ViscoelasticBasis> viscoelastic_basis(int terms, bool at_end);
 
 }  // namespace nipref::fast

@@ -6,8 +6,8 @@
 #include <span>
 
 #include <nipref/fast/nip/internal/stretch.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/number/internal/gauss_legendre.hpp>
-#include <nipref/fast/number/internal/memo.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/operator.hpp>
 
 namespace nipref::fast {
@@ -149,7 +149,7 @@ void ViscoelasticOperator::far_moments(const std::vector<double>& at, const std:
   const int degree = layout_.degree(panel);
   // The kernel's singularity is at least the panel's width away: in x - 1/2 at 3/2, an ellipse of 3 + sqrt 8.
   const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance_) / 3.5 + panel.width);
-  static Memo<int, GaussRule> rules(gauss_legendre);
+  static Cache<int, GaussRule> rules(gauss_legendre);
   const auto rule = rules.at(count);
   Eigen::MatrixXd weighted;
   chebyshev_rows(rule->at, degree, weighted);

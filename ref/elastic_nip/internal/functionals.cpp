@@ -12,8 +12,8 @@ namespace {
 constexpr mpfr_prec_t coarse = 64;
 constexpr long most_cells = 1 << 16;
 
-bool is_inside(const Place& place) { return mpfr_sgn(place.before_end.lower()) >= 0; }
-bool is_outside(const Place& place) { return mpfr_sgn(place.before_end.upper()) < 0; }
+bool is_inside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.lower()) >= 0; }
+bool is_outside(const SurfacePoint& place) { return mpfr_sgn(place.before_end.upper()) < 0; }
 
 /// x cut off at 0, on one side.
 Interval not_below_zero(const Interval& x) {
@@ -25,19 +25,21 @@ Interval not_above_zero(const Interval& x) { return -not_below_zero(-x); }
 
 /// `inside` or `outside`, or both where the place may be either.
 template <class Inside, class Outside>
-Interval by_side(const Place& place, const Inside& inside, const Outside& outside) {
+Interval by_side(const SurfacePoint& place, const Inside& inside, const Outside& outside) {
   if (is_inside(place)) return inside(place);
   if (is_outside(place)) return outside(place);
   return hull(inside({not_below_zero(place.before_end)}), outside({not_above_zero(place.before_end)}));
 }
 
-Interval position(const Place& place) { return 1 - place.before_end; }
+Interval position(const SurfacePoint& place) { return 1 - place.before_end; }
 
 /// acos t.
-Interval angle(const Place& place) { return 2 * atan(sqrt(place.before_end / (2 - place.before_end))); }
+Interval angle(const SurfacePoint& place) {
+  return 2 * atan(sqrt(place.before_end / (2 - place.before_end)));
+}
 
 /// t - sqrt(t^2 - 1), t >= 1: e^{-eta} where t = cosh(eta).
-Interval image_ratio(const Place& place) {
+Interval image_ratio(const SurfacePoint& place) {
   const Interval t = position(place);
   return 1 / (t + sqrt(-place.before_end * (2 - place.before_end)));
 }
@@ -96,14 +98,14 @@ Interval ContactFunctionals::load() const {
   return Interval::pi(precision_here()) * square(half_length()) * first;
 }
 
-Interval ContactFunctionals::pressure(const Place& place) const {
+Interval ContactFunctionals::pressure(const SurfacePoint& place) const {
   return by_side(
-      place, [&](const Place& p) { return pressure_between(p); },
-      [&](const Place&) { return Interval(precision_here()); });
+      place, [&](const SurfacePoint& p) { return pressure_between(p); },
+      [&](const SurfacePoint&) { return Interval(precision_here()); });
 }
 
 /// |dp|/(2A) <= sum |dc_m sin(mu theta)| <= sin(theta) radius.
-Interval ContactFunctionals::pressure_between(const Place& place) const {
+Interval ContactFunctionals::pressure_between(const SurfacePoint& place) const {
   const Interval theta = angle(place);
   Interval sum(precision_here());
   for (long m = 0; m < size(); ++m) sum = sum + coefficient(m) * sin((2 * m + 1) * theta);
@@ -113,7 +115,7 @@ Interval ContactFunctionals::pressure_between(const Place& place) const {
 
 /// p(s)/(2A) is off by at most radius sqrt(1 - s^2), whose integral is pi/2 of radius.
 template <class Kernel>
-Interval ContactFunctionals::smooth_integral(const Place& place, const Kernel& kernel,
+Interval ContactFunctionals::smooth_integral(const SurfacePoint& place, const Kernel& kernel,
                                              const Interval& largest) const {
   const Interval t = position(place);
   Interval sum(precision_here());
@@ -128,7 +130,7 @@ Interval ContactFunctionals::smooth_integral(const Place& place, const Kernel& k
 
 /// u pi/(2 A^2): -ln|t - s| acts on sin(mu theta) in closed form, cosines inside, powers outside. On what the
 /// coefficients miss it is at most int |ln|t - s|| ds <= 3 + 2t, and |J| <= 1 + 2|alpha|.
-Interval ContactFunctionals::normal_by_pressure(const Place& place) const {
+Interval ContactFunctionals::normal_by_pressure(const SurfacePoint& place) const {
   const mpfr_prec_t precision = precision_here();
   const Interval& A = half_length();
   const Interval t = position(place);
@@ -154,7 +156,7 @@ Interval ContactFunctionals::normal_by_pressure(const Place& place) const {
 }
 
 /// v pi/(2 A^2).
-Interval ContactFunctionals::tangential_by_pressure(const Place& place, const Interval& beta) const {
+Interval ContactFunctionals::tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const {
   const mpfr_prec_t precision = precision_here();
   const Interval pi = Interval::pi(precision);
   const bool inside = is_inside(place);
@@ -187,20 +189,20 @@ Interval ContactFunctionals::indentation() const {
   return *indentation_;
 }
 
-Interval ContactFunctionals::normal_displacement(const Place& place) const {
+Interval ContactFunctionals::normal_displacement(const SurfacePoint& place) const {
   const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
   return by_side(
-      place, [&](const Place& p) { return indentation() - square(half_length() * position(p)); },
-      [&](const Place& p) { return scale * normal_by_pressure(p); });
+      place, [&](const SurfacePoint& p) { return indentation() - square(half_length() * position(p)); },
+      [&](const SurfacePoint& p) { return scale * normal_by_pressure(p); });
 }
 
-Interval ContactFunctionals::tangential_displacement(const Place& place, const Interval& beta) const {
+Interval ContactFunctionals::tangential_displacement(const SurfacePoint& place, const Interval& beta) const {
   const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
-  const auto displacement = [&](const Place& p) { return scale * tangential_by_pressure(p, beta); };
+  const auto displacement = [&](const SurfacePoint& p) { return scale * tangential_by_pressure(p, beta); };
   return by_side(place, displacement, displacement);
 }
 
-Interval ContactFunctionals::strain(const Place& place, const Interval& beta) const {
+Interval ContactFunctionals::strain(const SurfacePoint& place, const Interval& beta) const {
   const Interval t = position(place), pi = Interval::pi(precision_here());
   Interval sum(precision_here());
   // P is even: its slopes are opposite at opposite nodes.

@@ -10,7 +10,7 @@ namespace nipref::ref {
 
 /// A place t >= 0 on the surface, in half lengths of the contact from its middle, by 1 - t: so that the
 /// distance from the end is known as well as t.
-struct Place {
+struct SurfacePoint {
   Interval before_end;
 };
 
@@ -25,12 +25,12 @@ class ContactFunctionals {
   [[nodiscard]] int terms() const { return static_cast<int>(size()); }
   [[nodiscard]] long coupling_values() const { return coupling_values_; }  ///< of I3, taken so far
   [[nodiscard]] Interval load() const;                                     ///< pi A^2 c_0
-  [[nodiscard]] Interval pressure(const Place& place) const;               ///< 0 outside
+  [[nodiscard]] Interval pressure(const SurfacePoint& place) const;        ///< 0 outside
   [[nodiscard]] Interval indentation() const;
   /// Towards the middle plane: d0 - A^2 t^2 in the contact.
-  [[nodiscard]] Interval normal_displacement(const Place& place) const;
+  [[nodiscard]] Interval normal_displacement(const SurfacePoint& place) const;
   /// Along the surface, away from the middle; beta = theta2/N.
-  [[nodiscard]] Interval tangential_displacement(const Place& place, const Interval& beta) const;
+  [[nodiscard]] Interval tangential_displacement(const SurfacePoint& place, const Interval& beta) const;
   /// v's derivative along the surface, in b/(2R): with P = p/(2A) and by parts, as P vanishes at the ends,
   ///
   ///     v' = (2A/pi) int I3(A (t - s)) P'(s) ds - beta p(t),   int I3 P' ds = -int_0^pi I3(A (t - cos theta)) sum_m mu c_m
@@ -40,7 +40,7 @@ class ContactFunctionals {
   /// proven_expansion.hpp says of J_k and as 2x/S <= 1 - g, and mu/k < 1 for those that the nodes fold onto mu, so that
   /// the quadrature's error is again its own; what the coefficients miss does at most pi times their radius, |I3| being
   /// below 1.
-  [[nodiscard]] Interval strain(const Place& place, const Interval& beta) const;
+  [[nodiscard]] Interval strain(const SurfacePoint& place, const Interval& beta) const;
   /// Whether the pressure given by the coefficients falls from the middle to the ends, as a proof; then the
   /// largest pressure is that in the middle, to the same error. p' = -2A t F(phi)/sqrt(1 - t^2), t =
   /// sin(phi), F a sum of cosines; it differs from its value in the middle of a cell by at most its slope
@@ -50,12 +50,12 @@ class ContactFunctionals {
  private:
   [[nodiscard]] Interval coefficient(long m) const;
   [[nodiscard]] long size() const { return static_cast<long>(expansion_.coefficients.size()); }
-  [[nodiscard]] Interval normal_by_pressure(const Place& place) const;
-  [[nodiscard]] Interval tangential_by_pressure(const Place& place, const Interval& beta) const;
-  [[nodiscard]] Interval pressure_between(const Place& place) const;
+  [[nodiscard]] Interval normal_by_pressure(const SurfacePoint& place) const;
+  [[nodiscard]] Interval tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const;
+  [[nodiscard]] Interval pressure_between(const SurfacePoint& place) const;
   /// int k(A (t - s)) p/(2A) ds, |k| <= largest.
   template <class Kernel>
-  [[nodiscard]] Interval smooth_integral(const Place& place, const Kernel& kernel,
+  [[nodiscard]] Interval smooth_integral(const SurfacePoint& place, const Kernel& kernel,
                                          const Interval& largest) const;
 
   ProvenExpansion expansion_;

@@ -5,7 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/internal/contact.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -118,7 +118,7 @@ bool is_settled(const Float& change, const Float& value, int digits) {
 }
 
 Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f) {
-  static Memo<UnitKey, UnitNodes> kept(unit_nodes, size_of_nodes, std::size_t{1} << 26);
+  static Cache<UnitKey, UnitNodes> kept(unit_nodes, size_of_nodes, std::size_t{1} << 26);
   const auto nodes = kept.at({digits, mpfr_get_prec(Float().get())});
   Float sum = 0;
   for (const UnitNode& node : *nodes) sum += f(node) * node.weight;

@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include <nipref/ref/memory/internal/contour_nodes.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -118,7 +118,7 @@ double contour_step(double limit) {
 }
 
 std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key) {
-  static Memo<ContourKey, ContourNodes> kept(make_contour_nodes, size_in_bytes);
+  static Cache<ContourKey, ContourNodes> kept(make_contour_nodes, size_in_bytes);
   return kept.at(key);
 }
 

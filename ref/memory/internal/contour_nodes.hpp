@@ -40,7 +40,7 @@ struct ContourNode {
 
 using ContourNodes = std::deque<ContourNode>;
 
-/// The nodes for `key`, computed at the first call and kept, see Memo. Thread-safe.
+/// The nodes for `key`, computed at the first call and kept, see Cache. Thread-safe.
 std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key);
 
 }  // namespace nipref::ref

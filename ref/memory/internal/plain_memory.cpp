@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <nipref/ref/memory/internal/plain_memory.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/number/internal/complex.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
 
@@ -61,7 +61,7 @@ Waves make_waves(const WaveKey& key) {
 }
 
 std::shared_ptr<const Waves> waves_at(const Exact& x, int terms, mpfr_prec_t precision) {
-  static Memo<WaveKey, Waves> kept(make_waves, size_of_waves, std::size_t{1} << 27);
+  static Cache<WaveKey, Waves> kept(make_waves, size_of_waves, std::size_t{1} << 27);
   return kept.at({x.value(), terms, precision});
 }
 
@@ -103,7 +103,7 @@ Waves make_fades(const FadeKey& key) {
 /// Without the kernel's constant, at x >= 0.
 Interval wave_sum(PlainKernel kernel, const Exact& x, Fade fade, const Exact& rate, int terms,
                   mpfr_prec_t precision) {
-  static Memo<FadeKey, Waves> kept(make_fades, size_of_waves, std::size_t{1} << 26);
+  static Cache<FadeKey, Waves> kept(make_fades, size_of_waves, std::size_t{1} << 26);
   const auto waves = waves_at(x, terms, precision);
   const auto fades = kept.at({kernel, fade, rate.value(), terms, precision});
   Interval sum(precision);

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/number/internal/complex_interval.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
 #include <nipref/ref/sheet/internal/field_integral.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
@@ -69,7 +69,7 @@ std::size_t size_of_nodes(const FieldNodes& made) {
 
 /// For at least so many nats.
 std::shared_ptr<const FieldNodes> field_nodes(double nats) {
-  static Memo<long, FieldNodes> kept(make_field_nodes, size_of_nodes);
+  static Cache<long, FieldNodes> kept(make_field_nodes, size_of_nodes);
   const double grain = std::exp2(std::max(3.0, std::floor(std::log2(nats)) - 3));
   return kept.at(static_cast<long>(std::ceil(nats / grain) * grain));
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/number/real.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 
@@ -235,7 +235,7 @@ Nodes make_nodes(const NodeKey& key) {
 }
 
 std::shared_ptr<const Nodes> nodes(const NodeKey& key) {
-  static Memo<NodeKey, Nodes> kept(make_nodes, size_in_bytes);
+  static Cache<NodeKey, Nodes> kept(make_nodes, size_in_bytes);
   return kept.at(key);
 }
 

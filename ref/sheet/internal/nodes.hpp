@@ -51,7 +51,7 @@ mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 /// a pole of order k at 0 (h <= 1).
 double effective_amplitude(const NodeKey& key);
 
-/// The nodes for `key`, computed at the first call and kept, see Memo. Thread-safe.
+/// The nodes for `key`, computed at the first call and kept, see Cache. Thread-safe.
 std::shared_ptr<const Nodes> nodes(const NodeKey& key);
 
 /// Computes the nodes and keeps nothing.

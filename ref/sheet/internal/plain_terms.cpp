@@ -2,7 +2,7 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/plain_terms.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 
@@ -46,7 +46,7 @@ const ComplexInterval& PlainTerm::coefficient(PlainKernel kernel) const {
 }
 
 std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision) {
-  static Memo<PlainTermKey, PlainTerm> kept(make_term, size_of_term);
+  static Cache<PlainTermKey, PlainTerm> kept(make_term, size_of_term);
   return kept.at({n, precision});
 }
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 #include <nipref/ref/sheet/internal/residues.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
@@ -115,7 +115,7 @@ Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor
 }  // namespace
 
 std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
-  static Memo<PoleKey, SheetPole> kept(make_pole, size_of_pole);
+  static Cache<PoleKey, SheetPole> kept(make_pole, size_of_pole);
   const auto bits = static_cast<unsigned long>(precision);
   const unsigned long grain = std::bit_floor(bits) / 4;
   return kept.at({n, static_cast<mpfr_prec_t>((bits + grain - 1) / grain * grain)});

@@ -179,16 +179,16 @@ TEST_CASE("a place that may be inside or outside has results for both") {
   const auto contact = SolvedContact::of_half_length(Exact(1.25), 25, I1_interval);
   const WorkingDigits working(contact.working_digits());
   const Interval beta(0.25, precision_here()), step(1e-18, precision_here());
-  const Place inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
+  const SurfacePoint inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
   const auto covers = [&](const auto& result) {
     const Interval both = result(either);
     CHECK(mpfi_is_inside(result(inside).get(), both.get()) != 0);
     CHECK(mpfi_is_inside(result(outside).get(), both.get()) != 0);
     CHECK(width(both) < 1e-7);
   };
-  covers([&](const Place& place) { return contact->pressure(place); });
-  covers([&](const Place& place) { return contact->normal_displacement(place); });
-  covers([&](const Place& place) { return contact->tangential_displacement(place, beta); });
+  covers([&](const SurfacePoint& place) { return contact->pressure(place); });
+  covers([&](const SurfacePoint& place) { return contact->normal_displacement(place); });
+  covers([&](const SurfacePoint& place) { return contact->tangential_displacement(place, beta); });
   CHECK(upper_bound(contact->pressure(outside)) == 0);
   CHECK(lower_bound(contact->pressure(inside)) > 0);
 }
@@ -231,7 +231,7 @@ TEST_CASE("displacements of the contact are the integrals of ref's kernels over 
       CHECK(static_cast<double>(abs(middle_of(proven) - summed)) <= 1e-22 * half_length);
     };
     agree(contact->indentation(), displacement(0, I1_interval));
-    const Place outside{Interval(-0.5, precision_here())};
+    const SurfacePoint outside{Interval(-0.5, precision_here())};
     agree(contact->normal_displacement(outside), displacement(1.5, I1_interval));
     const Float along = displacement(1.5, I3_interval) - middle_of(contact->load()) / 8;
     agree(contact->tangential_displacement(outside, Interval(0.25, precision_here())), along);

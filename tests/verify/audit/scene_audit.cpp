@@ -54,7 +54,7 @@ TEST_CASE("the audit says nothing against estimates that cover everything") {
     CHECK(found.numbers > 20);
     CHECK(found.uncovered == 0);
     CHECK(found.largest_ratio < 1);
-    CHECK(found.missed_unsaid == 0);
+    CHECK(found.miss_unreported == 0);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE(
     CHECK(found.uncovered > 10);
     CHECK(found.largest_ratio > 100);
     CHECK(found.where != "");
-    CHECK(found.missed_unsaid > 0);
+    CHECK(found.miss_unreported > 0);
   }
 }
 

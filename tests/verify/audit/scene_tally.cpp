@@ -85,8 +85,8 @@ TEST_CASE("a kind is kept unless a scene failed, is not covered, or missed its a
     return verify::all_kept(verify::tally({found}));
   };
   CHECK(kept_with([](auto&) {}));
-  CHECK(kept_with([](auto& found) { found.missed_said = 9; }));
-  CHECK_FALSE(kept_with([](auto& found) { found.missed_unsaid = 1; }));
+  CHECK(kept_with([](auto& found) { found.miss_reported = 9; }));
+  CHECK_FALSE(kept_with([](auto& found) { found.miss_unreported = 1; }));
   CHECK_FALSE(kept_with([](auto& found) { found.uncovered = 1; }));
   CHECK_FALSE(kept_with([](auto& found) { found.failed = "broken"; }));
 }

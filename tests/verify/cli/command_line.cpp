@@ -241,10 +241,9 @@ TEST_CASE(
   CHECK(met("rtol=1e-6", 0) == true);
   CHECK(met("rtol=1e-15", 1) == false);  // less than the rounding of what is solved
   CHECK(met("", 0).is_null());
-  CHECK(
-      run("eval nip.load L_over_B=5 poisson=0.3 path=fast rtol=1e-15").out.find("accuracy 1e-15 is missed") !=
-      std::string::npos);
-  CHECK(run("eval I1 alpha=0.73").out.find("accuracy 1e-50 is met") != std::string::npos);
+  CHECK(run("eval nip.load L_over_B=5 poisson=0.3 path=fast rtol=1e-15")
+            .out.find("accuracy 1e-15 of the scale is missed") != std::string::npos);
+  CHECK(run("eval I1 alpha=0.73").out.find("accuracy 1e-50 of the scale is met") != std::string::npos);
   CHECK(run("eval I1 alpha=0.73 path=fast").out.find("accuracy") == std::string::npos);
   CHECK(json::parse(run("eval rolling.span_ratio poisson=0.3 speed=0.6 form=printed --json")
                         .out)["results"]["printed"]["met"]

@@ -74,9 +74,9 @@ class Comparisons {
         const Checked& checked = checked_[k][i];
         if (!checked.at_all) ++findings_.unchecked;
         if (checked.uncovered) ++findings_.uncovered;
-        if (checked.missed) ++findings_.missed_unsaid;
+        if (checked.missed) ++findings_.miss_unreported;
         if (!result.allowed.empty() && !(result.numbers[i].error <= result.allowed[i]))
-          ++findings_.missed_said;
+          ++findings_.miss_reported;
         if (checked.overestimate) findings_.overestimates.push_back(*checked.overestimate);
       }
     }

@@ -20,16 +20,16 @@ struct SceneSolvers {
 /// What was found about one drawn scene. A number is a result, or one of a profile.
 struct SceneFindings {
   std::uint64_t index = 0;
-  std::string refused;            ///< why; nothing else then
-  std::string failed;             ///< what was thrown that is no refusal
-  std::size_t numbers = 0;        ///< that the scene wanted
-  std::size_t unchecked = 0;      ///< with nothing better to compare with, and no identity
-  std::size_t uncovered = 0;      ///< with an error larger than the estimates of both sides
-  std::size_t missed_said = 0;    ///< not as accurate as was asked, as `met` says
-  std::size_t missed_unsaid = 0;  ///< though `met` says they are
-  double largest_ratio = 0;       ///< of the difference to the estimates of both sides
-  std::string where;              ///< it was found
-  std::string toml;               ///< the scene
+  std::string refused;              ///< why; nothing else then
+  std::string failed;               ///< what was thrown that is no refusal
+  std::size_t numbers = 0;          ///< that the scene wanted
+  std::size_t unchecked = 0;        ///< with nothing better to compare with, and no identity
+  std::size_t uncovered = 0;        ///< with an error larger than the estimates of both sides
+  std::size_t miss_reported = 0;    ///< not as accurate as was asked, as `met` says
+  std::size_t miss_unreported = 0;  ///< though `met` says they are
+  double largest_ratio = 0;         ///< of the difference to the estimates of both sides
+  std::string where;                ///< it was found
+  std::string toml;                 ///< the scene
   /// Estimate over error, of the numbers for which that is known to a tenth of the estimate.
   std::vector<double> overestimates;
   double seconds = 0;  ///< for the scene itself

@@ -35,8 +35,9 @@ std::string scene_tally_text(const std::vector<SceneTally>& tallies) {
                fmt::format("{}", tally.numbers), fmt::format("{}", tally.uncovered),
                fmt::format("{:.3g}", tally.worst.largest_ratio), or_dash(tally.median_overestimate(), 3)});
     table.add_below(fmt::format(
-        "{} scenes, {} refused; {} unchecked; accuracy missed {}, unsaid {}; slowest {:.2g} s", tally.scenes,
-        tally.refused, tally.unchecked, tally.missed_said, tally.missed_unsaid, tally.slowest.seconds));
+        "{} scenes, {} refused; {} unchecked; accuracy missed {}, not reported {}; slowest {:.2g} s",
+        tally.scenes, tally.refused, tally.unchecked, tally.miss_reported, tally.miss_unreported,
+        tally.slowest.seconds));
   }
   std::string text = table.text();
   for (const SceneTally& tally : tallies) {
@@ -57,8 +58,8 @@ Json scene_tally_json(const std::vector<SceneTally>& tallies) {
         {"numbers", tally.numbers},
         {"unchecked", tally.unchecked},
         {"not_covered", tally.uncovered},
-        {"missed_said", tally.missed_said},
-        {"missed_unsaid", tally.missed_unsaid},
+        {"miss_reported", tally.miss_reported},
+        {"miss_unreported", tally.miss_unreported},
         {"median_overestimate", tally.median_overestimate()},
         {"largest_error_over_estimate", tally.worst.largest_ratio},
         {"worst",

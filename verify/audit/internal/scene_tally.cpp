@@ -9,9 +9,9 @@
 namespace nipref::verify {
 namespace {
 
-constexpr std::array counts{&SceneTally::scenes,      &SceneTally::refused,      &SceneTally::failed,
-                            &SceneTally::numbers,     &SceneTally::unchecked,    &SceneTally::uncovered,
-                            &SceneTally::missed_said, &SceneTally::missed_unsaid};
+constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,        &SceneTally::failed,
+                            &SceneTally::numbers,       &SceneTally::unchecked,      &SceneTally::uncovered,
+                            &SceneTally::miss_reported, &SceneTally::miss_unreported};
 
 /// Of two that there are, the one with more of something, or the first.
 template <class Member>
@@ -36,8 +36,8 @@ SceneTally tally_of(const SceneFindings& findings) {
                    .numbers = findings.numbers,
                    .unchecked = findings.unchecked,
                    .uncovered = findings.uncovered,
-                   .missed_said = findings.missed_said,
-                   .missed_unsaid = findings.missed_unsaid,
+                   .miss_reported = findings.miss_reported,
+                   .miss_unreported = findings.miss_unreported,
                    .refusal = findings,
                    .failure = findings,
                    .worst = findings,

@@ -19,7 +19,7 @@ struct SceneTally {
   std::string_view kind = {};
   std::size_t scenes = 0;
   std::size_t refused = 0, failed = 0;
-  std::size_t numbers = 0, unchecked = 0, uncovered = 0, missed_said = 0, missed_unsaid = 0;
+  std::size_t numbers = 0, unchecked = 0, uncovered = 0, miss_reported = 0, miss_unreported = 0;
   ErrorTally overestimates = {};  ///< estimate over error
   SceneFindings refusal = {};     ///< the first one; this and the next where there is one
   SceneFindings failure = {};     ///< likewise
@@ -28,7 +28,7 @@ struct SceneTally {
 
   void add(const SceneFindings& findings);
   void add(const SceneTally& more);
-  [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && missed_unsaid == 0; }
+  [[nodiscard]] bool kept() const { return failed == 0 && uncovered == 0 && miss_unreported == 0; }
   [[nodiscard]] std::optional<double> median_overestimate() const;
 };
 

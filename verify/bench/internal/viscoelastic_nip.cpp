@@ -39,7 +39,7 @@ struct Times {
 };
 
 /// Loads under way for up to ten half-thicknesses, before and behind the point.
-std::vector<Times> journeys(std::size_t count) {
+std::vector<Times> load_paths(std::size_t count) {
   Random random("bench Un");
   std::vector<Times> all;
   while (all.size() < count) {
@@ -87,7 +87,7 @@ double largest_error(const UnMethod& method, const std::vector<Times>& points) {
 }
 
 BenchReport bench_Un() {
-  const auto points = journeys(200);
+  const auto points = load_paths(200);
   const auto methods = methods_for_Un();
   std::vector<Contender> contenders;
   std::vector<double> values(points.size());

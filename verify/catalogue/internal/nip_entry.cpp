@@ -4,8 +4,8 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/catalogue/internal/kept.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 /// Contacts of a family that were solved, by either path.
 struct SolvedNips {
   NipSolver solver;
-  Kept<std::vector<double>, NipEstimates> by_fast;
-  Kept<std::vector<double>, NipReferences> by_ref;
+  Cache<std::vector<double>, NipEstimates> by_fast;
+  Cache<std::vector<double>, NipReferences> by_ref;
 
   fast::Estimate fast(std::span<const double> x, fast::Accuracy accuracy, std::size_t number) {
     std::vector<double> key(x.begin(), x.end());

@@ -126,7 +126,7 @@ double convolved(const Rounded& of, double way_per_time, Magnitude magnitude, do
   return sum;
 }
 
-struct Journey {
+struct LoadPath {
   double from, to;
 };
 
@@ -136,10 +136,10 @@ class Sizes {
   explicit Sizes(Arguments x)
       : material_(material_of(x)), rounded_(x[2] != prony_solid), way_per_time_(x[0] / x[1]) {}
 
-  [[nodiscard]] double Un(Journey point) const {
+  [[nodiscard]] double Un(LoadPath point) const {
     return of(material_.normal_compliance(), magnitude_I1, point) / pi;
   }
-  [[nodiscard]] double Vn(Journey point, Journey pin) const {
+  [[nodiscard]] double Vn(LoadPath point, LoadPath pin) const {
     const auto sign = [](double) { return pi / 2; };
     return (of(material_.normal_compliance(), magnitude_I3, point) + of(material_.theta2(), sign, point) +
             of(material_.theta2(), magnitude_I4, pin) + of(material_.theta1(), magnitude_I5, pin)) /
@@ -148,7 +148,7 @@ class Sizes {
 
  private:
   template <class Magnitude>
-  [[nodiscard]] double of(const data::MaterialFunction& theta, Magnitude magnitude, Journey way) const {
+  [[nodiscard]] double of(const data::MaterialFunction& theta, Magnitude magnitude, LoadPath way) const {
     return convolved({theta, rounded_}, way_per_time_, magnitude, way.from, way.to);
   }
 
@@ -157,10 +157,10 @@ class Sizes {
   double way_per_time_;
 };
 
-Journey started(double t, double T, double way_per_time) {
+LoadPath started(double t, double T, double way_per_time) {
   return {way_per_time * (T - t), way_per_time * T};
 }
-Journey steady(double alpha) { return {alpha, HUGE_VAL}; }
+LoadPath steady(double alpha) { return {alpha, HUGE_VAL}; }
 
 void append_sheet(std::vector<Argument>& arguments) {
   arguments.push_back({"speed", ArgumentKind::positive, "1", {}});

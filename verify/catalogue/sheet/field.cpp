@@ -34,12 +34,12 @@ constexpr std::array hard_alphas{0.0,  1e-300, 1e-16, 1e-8,  0.5,   0x1.3fffffff
                                  1.25, 12.2,   100.0, 336.0, 354.0, 700.0};
 constexpr std::array hard_depths{1.0, 1 - 0x1p-53, 0.9, 0.5, 0.5 - 0x1p-54, 1e-16, 1e-300, 0.0};
 
-struct Place {
+struct InnerPoint {
   double alpha, depth;
 };
 
 /// Towards the load along a line, on and just below the face, near the middle plane, far away, hard places.
-Place draw_anywhere(Random& random) {
+InnerPoint draw_anywhere(Random& random) {
   const double side = random.chance(0.5) ? 1 : -1, face = random.chance(0.5) ? 1 : -1;
   switch (random.index(7)) {
     case 0:
@@ -72,8 +72,8 @@ void keep_off_the_load(double& alpha, double& depth) {
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
 }
 
-Place draw_place(Random& random) {
-  Place at = draw_anywhere(random);
+InnerPoint draw_place(Random& random) {
+  InnerPoint at = draw_anywhere(random);
   keep_off_the_load(at.alpha, at.depth);
   return at;
 }
@@ -103,7 +103,7 @@ Quantity stress_entry(std::string name, std::string definition, double fast::She
            [part](Arguments x, Accuracy) { return fast::sheet_stresses(x[0], x[1], load_of(x[2])).*part; });
   entry.envelope = [size](Arguments x) { return (FieldSize{x[0], x[1], load_of(x[2])}.*size)(); };
   entry.draw = [](Random& random) {
-    const Place at = draw_place(random);
+    const InnerPoint at = draw_place(random);
     return Point{at.alpha, at.depth, random.chance(0.5) ? 1.0 : 0.0};
   };
   entry.keep_off = [](Point& x) { keep_off_the_load(x[0], x[1]); };
@@ -120,7 +120,7 @@ Quantity entry_u() {
   set_fast(entry, [](Arguments x, Accuracy) { return fast::sheet_u(x[0], x[1], load_of(x[2]), x[3]); });
   entry.envelope = [](Arguments x) { return FieldSize{x[0], x[1], load_of(x[2])}.u(x[3]); };
   entry.draw = [](Random& random) {
-    const Place at = draw_place(random);
+    const InnerPoint at = draw_place(random);
     return Point{at.alpha, at.depth, random.chance(0.5) ? 1.0 : 0.0, draw_ratio(random)};
   };
   entry.keep_off = [](Point& x) { keep_off_the_load(x[0], x[1]); };
@@ -140,7 +140,7 @@ Quantity entry_v() {
   set_fast(entry, [](Arguments x, Accuracy) { return fast::sheet_v(x[0], x[1], x[2], load_of(x[3]), x[4]); });
   entry.envelope = [](Arguments x) { return FieldSize{x[0], x[2], load_of(x[3])}.v(x[1], x[4]); };
   entry.draw = [](Random& random) {
-    const Place at = draw_place(random);
+    const InnerPoint at = draw_place(random);
     const double eta =
         random.chance(0.3) ? at.alpha * random.uniform(0.9, 1.1) : random.log_uniform(1e-3, 700);
     return Point{at.alpha, random.chance(0.5) ? eta : -eta, at.depth, random.chance(0.5) ? 1.0 : 0.0,

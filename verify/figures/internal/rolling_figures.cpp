@@ -11,9 +11,9 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
 #include <nipref/verify/figures/internal/groups.hpp>
-#include <nipref/verify/figures/internal/memo.hpp>
 #include <nipref/verify/figures/internal/series.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
 
 // The viscoelastic nip. (thesis 7.5)
 
@@ -50,9 +50,9 @@ std::map<std::string, double> rolling_values(const RollingPlace& place) {
 }
 
 double rolling_value(double thickness, double load, double memory, const std::string& column) {
-  static Memo<RollingPlace, std::map<std::string, double>> known;
+  static Cache<RollingPlace, std::map<std::string, double>> known;
   const RollingPlace place{thickness, load, memory};
-  return known.get(place, [&] { return rolling_values(place); }).at(column);
+  return known.at(place, [&] { return rolling_values(place); })->at(column);
 }
 
 std::string memory_label(double memory) { return fmt::format("F0 tau = {:g} in", memory); }

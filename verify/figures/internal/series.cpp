@@ -2,8 +2,8 @@
 #include <cmath>
 #include <utility>
 
-#include <nipref/verify/figures/internal/memo.hpp>
 #include <nipref/verify/figures/internal/series.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
@@ -65,9 +65,9 @@ double key_of_row(const data::Table& table, std::size_t row) {
 }
 
 std::vector<Replay> replays_of(const std::vector<std::string>& ids) {
-  static Memo<std::string, Replay> known;
+  static Cache<std::string, Replay> known;
   std::vector<Replay> replays;
-  for (const std::string& id : ids) replays.push_back(known.get(id, [&] { return replay_table(id); }));
+  for (const std::string& id : ids) replays.push_back(*known.at(id, [&] { return replay_table(id); }));
   return replays;
 }
 

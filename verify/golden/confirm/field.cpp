@@ -11,7 +11,7 @@ namespace {
 using Arguments = std::span<const double>;
 
 /// alpha >= 0 and 0 <= depth <= 1.
-struct Place {
+struct InnerPoint {
   Float alpha, depth;
 };
 
@@ -71,7 +71,7 @@ bool is_sine(Part part, bool normal) {
 
 /// pi times the half-planes' part, the integral over e^-z in place of sinh z/S and cosh z/S: by the complex distances
 /// from the loads.
-Float half_planes(Part part, bool normal, const Place& at, const Float& t1) {
+Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   const Float &a = at.alpha, &s = at.depth;
   const Float d = 1 - s, D = 1 + s, r2 = d * d + a * a, R2 = D * D + a * a, t2 = 1 - t1;
   const Float r4 = r2 * r2, R4 = R2 * R2;
@@ -94,7 +94,7 @@ Float half_planes(Part part, bool normal, const Place& at, const Float& t1) {
 }
 
 /// pi times the quantity; of v what does not depend on eta.
-Split near_sum(Part part, bool normal, const Place& at, const Float& t1) {
+Split near_sum(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   const bool sine = is_sine(part, normal), twofold = part == Part::v && !normal;
   Float even = 0, odd = 0;
   bool is_even = true;
@@ -112,7 +112,7 @@ Split near_sum(Part part, bool normal, const Place& at, const Float& t1) {
   return sum;
 }
 
-Split far_sum(Part part, bool normal, const Place& at, const mpq_class& alpha, const Float& t1) {
+Split far_sum(Part part, bool normal, const InnerPoint& at, const mpq_class& alpha, const Float& t1) {
   const bool sine = is_sine(part, normal);
   Complex sum = 0;
   for (std::size_t n = poles; n >= 1; --n) {
@@ -132,7 +132,7 @@ Split far_sum(Part part, bool normal, const Place& at, const mpq_class& alpha, c
 
 Split sum_of(Part part, bool normal, const mpq_class& alpha, const mpq_class& depth,
              const mpq_class& poisson) {
-  const Place at{to_number<Float>(abs(alpha)), to_number<Float>(abs(depth))};
+  const InnerPoint at{to_number<Float>(abs(alpha)), to_number<Float>(abs(depth))};
   const Float t1 = 1 / to_number<Float>(2 * (1 - poisson));
   Split value = abs(alpha) < far ? near_sum(part, normal, at, t1) : far_sum(part, normal, at, abs(alpha), t1);
   const bool odd_in_depth = part == Part::txy || part == Part::u;

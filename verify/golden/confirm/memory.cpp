@@ -62,7 +62,7 @@ Confirmation of_sign(Arguments x) {
 }
 
 /// Of the load's way, in half thicknesses: from where it is to where it started.
-struct Way {
+struct LoadPath {
   mpq_class alpha;
   std::optional<mpq_class> start;
 };
@@ -78,7 +78,7 @@ class Convolution {
     }
   }
 
-  void add(Long& sum, Float& error, int sign, Remembered kernel, const Way& way) const {
+  void add(Long& sum, Float& error, int sign, Remembered kernel, const LoadPath& way) const {
     const auto part = [&](const LongComplex& amplitude, const Complex& fine, const Complex& coarse) {
       const LongComplex whole(Long(fine.real()), Long(fine.imag()));
       sum += sign * LongComplex(amplitude * whole).real();
@@ -101,7 +101,7 @@ class Convolution {
   }
 
   /// theta * (pi sign) times `share`.
-  void add_sign(Long& sum, int sign, const mpq_class& share, const Way& way) const {
+  void add_sign(Long& sum, int sign, const mpq_class& share, const LoadPath& way) const {
     Long total = theta_.instantaneous * sgn(way.alpha);
     for (const auto& [amplitude, rate] : theta_.terms) {
       if (!is_at_rest(way))
@@ -111,7 +111,7 @@ class Convolution {
   }
 
  private:
-  static bool is_at_rest(const Way& way) { return way.start && *way.start == way.alpha; }
+  static bool is_at_rest(const LoadPath& way) { return way.start && *way.start == way.alpha; }
 
   static Split at(Remembered kernel, const mpq_class& alpha) {
     switch (kernel) {
@@ -144,7 +144,7 @@ Confirmation over_pi(const Long& sum, const Float& error) {
   return confirmation<Long>("direct convolution over the way", sum / pi<Long>(), Long(error / pi<Float>()));
 }
 
-Confirmation Un(const Sheet& sheet, const Way& way) {
+Confirmation Un(const Sheet& sheet, const LoadPath& way) {
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
@@ -152,7 +152,7 @@ Confirmation Un(const Sheet& sheet, const Way& way) {
   return over_pi(sum, error);
 }
 
-Confirmation Vn(const Sheet& sheet, const Way& alpha, const Way& eta) {
+Confirmation Vn(const Sheet& sheet, const LoadPath& alpha, const LoadPath& eta) {
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
@@ -164,12 +164,12 @@ Confirmation Vn(const Sheet& sheet, const Way& alpha, const Way& eta) {
 }
 
 /// At the time t after the start, of what it passes at T; x: the sheet's arguments.
-Way started(double t, double T, Arguments x) {
+LoadPath started(double t, double T, Arguments x) {
   const mpq_class way_per_time = mpq_class(x[0]) / mpq_class(x[1]);
   return {(mpq_class(T) - mpq_class(t)) * way_per_time, mpq_class(mpq_class(T) * way_per_time)};
 }
 
-Way steady(double alpha) { return {alpha, std::nullopt}; }
+LoadPath steady(double alpha) { return {alpha, std::nullopt}; }
 
 const Methods& all() {
   static const Methods methods{

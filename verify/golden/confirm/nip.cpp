@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/catalogue/internal/kept.hpp>
 #include <nipref/verify/golden/confirm/gripped_contact.hpp>
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/nip.hpp>
 #include <nipref/verify/golden/confirm/rolled_contact.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
@@ -150,7 +150,7 @@ Numbers rolling_numbers(Arguments x) {
 
 Confirm of_family(std::size_t number, Numbers (*solve)(Arguments)) {
   return [number, solve](Arguments x) {
-    static Kept<std::vector<double>, Numbers> kept;
+    static Cache<std::vector<double>, Numbers> kept;
     return (*kept.at({x.begin(), x.end()}, [&] { return solve(x); }))[number];
   };
 }

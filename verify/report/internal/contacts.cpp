@@ -9,8 +9,8 @@ namespace {
 Markup scenes_table(const std::vector<SceneTally>& scenes) {
   TableMarkup table("Stated errors of random contacts against truth, by kind",
                     {"kind", "verdict", "#scenes", "#refused", "#numbers", "#with a truth", "#not covered",
-                     "#largest error over statement", "#statement over error, median", "#misses said",
-                     "#misses unsaid", "#slowest, s"});
+                     "#largest error over statement", "#statement over error, median", "#misses reported",
+                     "#misses unreported", "#slowest, s"});
   for (const SceneTally& tally : scenes)
     table.row({{std::string(tally.kind), false, "keep"},
                {verdict_mark(tally.kept()), false, "keep"},
@@ -21,8 +21,8 @@ Markup scenes_table(const std::vector<SceneTally>& scenes) {
                number_cell(std::to_string(tally.uncovered)),
                number_cell(fmt::format("{:.3g}", tally.worst.largest_ratio)),
                number_cell(or_dash(tally.median_overestimate(), 3)),
-               number_cell(std::to_string(tally.missed_said)),
-               number_cell(std::to_string(tally.missed_unsaid)),
+               number_cell(std::to_string(tally.miss_reported)),
+               number_cell(std::to_string(tally.miss_unreported)),
                number_cell(fmt::format("{:.2g}", tally.slowest.seconds))});
   return table.markup();
 }

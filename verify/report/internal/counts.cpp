@@ -35,7 +35,7 @@ std::vector<Shortfall> shortfalls(const Report& report) {
   std::size_t points = 0, missed_accuracies = 0, unchecked = 0, refused = 0, cells = 0, unexplained = 0;
   for (const AuditResult& result : report.quantities) points += result.left_out;
   for (const SceneTally& tally : report.scenes) {
-    missed_accuracies += tally.missed_said + tally.missed_unsaid;
+    missed_accuracies += tally.miss_reported + tally.miss_unreported;
     unchecked += tally.unchecked;
     refused += tally.refused;
   }

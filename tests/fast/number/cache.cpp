@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <nipref/fast/number/caches.hpp>
-#include <nipref/fast/number/internal/memo.hpp>
+#include <nipref/fast/number/internal/cache.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/basis.hpp>
 
 using namespace nipref::fast;
@@ -18,7 +18,7 @@ int square(const int& key) {
 }  // namespace
 
 TEST_CASE("fast's memo computes a value once, and again after clear() and after too many others") {
-  Memo<int, int> memo(square, 2);
+  Cache<int, int> memo(square, 2);
   made = 0;
   CHECK(*memo.at(3) == 9);
   CHECK(*memo.at(3) == 9);

@@ -7,15 +7,15 @@
 namespace nipref::fast {
 
 /// What fast::clear_caches() empties.
-class Cache {
+class ClearableCache {
  public:
-  Cache() = default;
-  Cache(const Cache&) = delete;
-  Cache& operator=(const Cache&) = delete;
+  ClearableCache() = default;
+  ClearableCache(const ClearableCache&) = delete;
+  ClearableCache& operator=(const ClearableCache&) = delete;
   virtual void clear() = 0;
 
  protected:
-  ~Cache() = default;
+  ~ClearableCache() = default;
   /// From `enter`, when it is whole, to `leave`, while it still is, a cache is known to clear_caches().
   void enter();
   void leave();
@@ -25,14 +25,14 @@ class Cache {
 /// all go. One policy for everything that this room keeps. Thread-safe; threads that ask at the same time may
 /// each compute a value, all get the same one.
 template <class Key, class Value>
-class Memo final : public Cache {
+class Cache final : public ClearableCache {
  public:
   static constexpr std::size_t usual_most = 256;
 
-  explicit Memo(Value (*make)(const Key&), std::size_t most = usual_most) : make_(make), most_(most) {
+  explicit Cache(Value (*make)(const Key&), std::size_t most = usual_most) : make_(make), most_(most) {
     enter();
   }
-  ~Memo() { leave(); }
+  ~Cache() { leave(); }
 
   /// Lives as long as it is held here or by a caller.
   std::shared_ptr<const Value> at(const Key& key) {

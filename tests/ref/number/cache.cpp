@@ -7,7 +7,7 @@
 
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/caches.hpp>
-#include <nipref/ref/number/internal/memo.hpp>
+#include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 
 using namespace nipref::ref;
@@ -37,7 +37,7 @@ std::vector<std::string> values() {
 }  // namespace
 
 TEST_CASE("a memo computes a value once, and again after clear()") {
-  Memo<int, std::vector<char>> memo(make, size);
+  Cache<int, std::vector<char>> memo(make, size);
   made = 0;
   const auto first = memo.at(10);
   CHECK(first->size() == 10);
@@ -52,7 +52,7 @@ TEST_CASE("a memo computes a value once, and again after clear()") {
 }
 
 TEST_CASE("a full memo forgets what has not been asked for the longest") {
-  Memo<int, std::vector<char>> memo(make, size, 100);
+  Cache<int, std::vector<char>> memo(make, size, 100);
   memo.at(40);
   memo.at(50);
   memo.at(40);
@@ -70,7 +70,7 @@ TEST_CASE("a full memo forgets what has not been asked for the longest") {
 }
 
 TEST_CASE("a memo passes on what is thrown and tries again") {
-  Memo<int, std::vector<char>> memo(make, size);
+  Cache<int, std::vector<char>> memo(make, size);
   made = 0;
   CHECK_THROWS_AS(memo.at(-1), std::out_of_range);
   CHECK_THROWS_AS(memo.at(-1), std::out_of_range);
@@ -79,7 +79,7 @@ TEST_CASE("a memo passes on what is thrown and tries again") {
 }
 
 TEST_CASE("threads that ask a memo at the same time share one value") {
-  Memo<int, std::vector<char>> memo(make, size);
+  Cache<int, std::vector<char>> memo(make, size);
   made = 0;
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i) {

@@ -8,16 +8,16 @@
 namespace nipref::ref {
 
 /// What ref::clear_caches() empties.
-class Cache {
+class ClearableCache {
  public:
-  Cache() = default;
-  Cache(const Cache&) = delete;
-  Cache& operator=(const Cache&) = delete;
+  ClearableCache() = default;
+  ClearableCache(const ClearableCache&) = delete;
+  ClearableCache& operator=(const ClearableCache&) = delete;
   virtual void clear() = 0;
   [[nodiscard]] virtual std::size_t bytes() const = 0;
 
  protected:
-  ~Cache() = default;
+  ~ClearableCache() = default;
   /// From `enter`, when it is whole, to `leave`, while it still is, a cache is known to clear_caches().
   void enter();
   void leave();
@@ -28,18 +28,18 @@ class Cache {
 /// for everything that this room keeps. Thread-safe: a value is computed once while others wait for it, and
 /// other keys do not wait.
 template <class Key, class Value>
-class Memo final : public Cache {
+class Cache final : public ClearableCache {
  public:
   using Make = Value (*)(const Key&);
   using Size = std::size_t (*)(const Value&);  ///< in bytes
 
   static constexpr std::size_t usual_capacity = std::size_t{1} << 30;
 
-  explicit Memo(Make make, Size size, std::size_t capacity = usual_capacity)
+  explicit Cache(Make make, Size size, std::size_t capacity = usual_capacity)
       : make_(make), size_(size), capacity_(capacity) {
     enter();
   }
-  ~Memo() { leave(); }
+  ~Cache() { leave(); }
 
   /// Lives as long as it is held here or by a caller. What `make` throws is passed on; the next call tries again.
   std::shared_ptr<const Value> at(const Key& key) {
@@ -67,7 +67,7 @@ class Memo final : public Cache {
   struct Slot {
     std::mutex making;  ///< guards the value
     std::shared_ptr<const Value> value;
-    std::size_t bytes = 0;  ///< this and last_use are guarded by the memo's mutex
+    std::size_t bytes = 0;  ///< this and last_use are guarded by the cache's mutex
     long last_use = 0;
   };
 
@@ -79,7 +79,7 @@ class Memo final : public Cache {
     return slot;
   }
 
-  /// Counts a value just made, unless the memo has been cleared in the meantime, and lets others go for it.
+  /// Counts a value just made, unless the cache has been cleared in the meantime, and lets others go for it.
   void keep(const Key& key, const std::shared_ptr<Slot>& slot) {
     const std::lock_guard lock(mutex_);
     const auto kept = slots_.find(key);

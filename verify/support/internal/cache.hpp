@@ -7,10 +7,11 @@
 
 namespace nipref::verify {
 
-/// What was computed for a key, for those who ask for it again: several quantities come out of one solution. The whole
-/// is forgotten when it has grown to `most` keys. Thread-safe; what two threads ask for at once may be computed twice.
+/// What was computed for a key, for those who ask for it again: several quantities come out of one solution, several
+/// columns of a figure too. The whole is forgotten when it has grown to `most` keys. Thread-safe; what two threads ask for
+/// at once may be computed twice.
 template <class Key, class Value>
-class Kept {
+class Cache {
  public:
   /// `make` computes it; what that throws is passed on.
   template <class Make>
