@@ -15,17 +15,80 @@ enum class Needs {
   line_load_creep,  ///< line loads with full friction
 };
 
-/// Something that a scene can want.
+/// How many numbers a result is.
+enum class Shape {
+  number,   ///< one
+  list,     ///< as many as there are, one at least
+  profile,  ///< one at each position along the sheet, or in each direction on the half-space
+  field     ///< one at each place of the scene's field, depth after depth
+};
+
+/// Everything that a scene can want, in the order of scene_results(), called there what it is called here.
+enum class ResultId {
+  contact_length,
+  leading_length,
+  trailing_length,
+  load,
+  indentation,
+  edge_displacement,
+  trailing_displacement,
+  rolling_resistance,
+  eccentricity,
+  resistance_force,
+  power_loss,
+  leading_moment,
+  trailing_moment,
+  creep_ratio,
+  creep_range,
+  peak_pressure,
+  peak_pressure_position,
+  peak_shear,
+  peak_shear_position,
+  shear_zeros,
+  span_along,
+  span_across,
+  span_ratio,
+  axis_ratio,
+  orientation,
+  approach,
+  normal_force,
+  friction_force,
+  centre_along,
+  centre_across,
+  critical_speed,
+  greatest_shear,
+  greatest_shear_position,
+  greatest_shear_depth,
+  stress_across,
+  stress_along,
+  stress_shear,
+  highest_stress,
+  lowest_stress,
+  maximum_shear,
+  pressure,
+  shear,
+  normal_displacement,
+  tangential_displacement,
+  surface_strain,
+  slip,
+  span,
+  leading_end,
+  trailing_end,
+  creep,
+  compressed_radius,
+  compliance,
+  coupling,
+};
+
 struct SceneResult {
+  ResultId id;
   std::string_view name;
   std::string_view unit;  ///< in the scene's own units: "length", "force/length", "stress", "1" and so on
   std::string_view meaning;
-  bool is_profile;  ///< one number at each position along the sheet, or in each direction on the half-space
+  Shape shape = Shape::number;
   SceneKind kind = SceneKind::nip;
   bool in_every_scene = false;
-  bool is_field = false;      ///< one number at each place of the scene's field, depth after depth
-  bool is_inside = is_field;  ///< of the stresses inside the sheet, which the converged method has
-  bool is_list = false;       ///< as many numbers as there are, one at least
+  bool is_inside = false;  ///< of the stresses inside the sheet, which the converged method has
   Needs needs = Needs::nothing;
 
   [[nodiscard]] bool is_of(SceneKind other) const { return in_every_scene || kind == other; }
@@ -36,5 +99,7 @@ struct SceneResult {
 
 /// The one called `name`, or nullptr.
 [[nodiscard]] const SceneResult* find_scene_result(std::string_view name);
+
+[[nodiscard]] const SceneResult& scene_result(ResultId id);
 
 }  // namespace nipref::data

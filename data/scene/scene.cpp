@@ -192,7 +192,7 @@ struct InsideCheck {
       origin.refuse(key, result.name,
                     "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
     }
-    if (result.is_field && !problem.field) {
+    if (result.shape == Shape::field && !problem.field) {
       origin.refuse("field", "(missing)",
                     "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
     }
@@ -245,7 +245,7 @@ bool check_wanted(const Scene& scene) {
     if (result->needs != Needs::nothing) std::visit(NeedsCheck{scene.origin, *result, key}, scene.system);
     if (result->is_inside) std::visit(InsideCheck{scene.origin, *result, key}, scene.system);
     if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
-    profile_wanted = profile_wanted || result->is_profile;
+    profile_wanted = profile_wanted || result->shape == Shape::profile;
   }
   return profile_wanted;
 }

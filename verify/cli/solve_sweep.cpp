@@ -37,8 +37,10 @@ std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
   std::vector<SweepColumn> columns;
   for (const std::string& name : scene.wanted) {
     const data::SceneResult* const what = data::find_scene_result(name);
-    if (what->is_profile || what->is_field || what->is_list) {
-      const char* const shape = what->is_list ? "list" : what->is_profile ? "profile" : "field";
+    if (what->shape != data::Shape::number) {
+      const char* const shape = what->shape == data::Shape::list      ? "list"
+                                : what->shape == data::Shape::profile ? "profile"
+                                                                      : "field";
       scene.origin.refuse("wanted", name, fmt::format("must be left out with a sweep: it is a {}", shape));
     }
     columns.push_back({name, by_ref});

@@ -17,25 +17,25 @@ namespace {
 using fast::ConvergedElasticNip;
 using fast::Estimate;
 
-const std::map<std::string_view, Estimate (ConvergedElasticNip::*)() const> elastic_converged_numbers{
-    {"contact_length", &ConvergedElasticNip::contact_length},
-    {"load", &ConvergedElasticNip::load},
-    {"indentation", &ConvergedElasticNip::indentation},
-    {"edge_displacement", &ConvergedElasticNip::edge_displacement},
-    {"creep_ratio", &ConvergedElasticNip::creep_ratio},
-    {"peak_pressure", &ConvergedElasticNip::peak_pressure},
-    {"peak_pressure_position", &ConvergedElasticNip::peak_pressure_position},
-    {"peak_shear", &ConvergedElasticNip::peak_shear},
-    {"peak_shear_position", &ConvergedElasticNip::peak_shear_position},
+const std::map<ResultId, Estimate (ConvergedElasticNip::*)() const> elastic_converged_numbers{
+    {ResultId::contact_length, &ConvergedElasticNip::contact_length},
+    {ResultId::load, &ConvergedElasticNip::load},
+    {ResultId::indentation, &ConvergedElasticNip::indentation},
+    {ResultId::edge_displacement, &ConvergedElasticNip::edge_displacement},
+    {ResultId::creep_ratio, &ConvergedElasticNip::creep_ratio},
+    {ResultId::peak_pressure, &ConvergedElasticNip::peak_pressure},
+    {ResultId::peak_pressure_position, &ConvergedElasticNip::peak_pressure_position},
+    {ResultId::peak_shear, &ConvergedElasticNip::peak_shear},
+    {ResultId::peak_shear_position, &ConvergedElasticNip::peak_shear_position},
 };
 
-const std::map<std::string_view, Estimate (ConvergedElasticNip::*)(double) const> elastic_converged_profiles{
-    {"pressure", &ConvergedElasticNip::pressure},
-    {"shear", &ConvergedElasticNip::shear},
-    {"normal_displacement", &ConvergedElasticNip::normal_displacement},
-    {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
-    {"surface_strain", &ConvergedElasticNip::surface_strain},
-    {"slip", &ConvergedElasticNip::slip},
+const std::map<ResultId, Estimate (ConvergedElasticNip::*)(double) const> elastic_converged_profiles{
+    {ResultId::pressure, &ConvergedElasticNip::pressure},
+    {ResultId::shear, &ConvergedElasticNip::shear},
+    {ResultId::normal_displacement, &ConvergedElasticNip::normal_displacement},
+    {ResultId::tangential_displacement, &ConvergedElasticNip::tangential_displacement},
+    {ResultId::surface_strain, &ConvergedElasticNip::surface_strain},
+    {ResultId::slip, &ConvergedElasticNip::slip},
 };
 
 class Converged : public SolvedContact<Estimate> {
@@ -43,26 +43,25 @@ class Converged : public SolvedContact<Estimate> {
   Converged(ConvergedElasticNip contact, double roller_radius, double asked)
       : contact_(std::move(contact)), roller_radius_(roller_radius), asked_(asked) {}
 
-  [[nodiscard]] Estimate number(std::string_view name) const override {
-    if (const auto same = by_symmetry(*this, name)) return *same;
-    if (const auto found = inside_.number(contact_, name)) return *found;
-    if (is_moment(name)) return moment_of_pressure(*this, name);
-    return std::invoke(elastic_converged_numbers.at(name), contact_);
+  [[nodiscard]] Estimate number(ResultId id) const override {
+    if (const auto same = by_symmetry(*this, id)) return *same;
+    if (const auto found = inside_.number(contact_, id)) return *found;
+    if (is_moment(id)) return moment_of_pressure(*this, id);
+    return std::invoke(elastic_converged_numbers.at(id), contact_);
   }
-  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
-    return std::invoke(elastic_converged_profiles.at(name), contact_, y);
+  [[nodiscard]] Estimate at(ResultId id, double y) const override {
+    return std::invoke(elastic_converged_profiles.at(id), contact_, y);
   }
-  [[nodiscard]] std::vector<Estimate> inside(std::string_view name,
-                                             const data::FieldPlaces& places) const override {
-    return inside_.field(contact_, name, places);
+  [[nodiscard]] std::vector<Estimate> inside(ResultId id, const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, id, places);
   }
-  [[nodiscard]] std::vector<Estimate> list(std::string_view) const override { return contact_.shear_zeros(); }
+  [[nodiscard]] std::vector<Estimate> list(ResultId) const override { return contact_.shear_zeros(); }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().value / 2};
   }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
     const double half = contact_.contact_length().value / 2;
-    return nip_result_size(name, y, {roller_radius_, -half, half, asked_},
+    return nip_result_size(id, y, {roller_radius_, -half, half, asked_},
                            [&] { return pressure_in_the_middle(); });
   }
   bool refine() override {

@@ -25,13 +25,13 @@ using fast::Work;
 /// Of the continuous contact that line loads are set against: they are no closer than about 1e-3.
 constexpr double truth_accuracy = 1e-5;
 
-const std::map<std::string_view, double LineLoadSolution::*> elastic_line_load_numbers{
-    {"contact_length", &LineLoadSolution::contact_length},
-    {"load", &LineLoadSolution::load},
-    {"indentation", &LineLoadSolution::indentation},
-    {"edge_displacement", &LineLoadSolution::edge_displacement},
-    {"peak_pressure", &LineLoadSolution::peak_pressure},
-    {"peak_shear", &LineLoadSolution::peak_shear},
+const std::map<ResultId, double LineLoadSolution::*> elastic_line_load_numbers{
+    {ResultId::contact_length, &LineLoadSolution::contact_length},
+    {ResultId::load, &LineLoadSolution::load},
+    {ResultId::indentation, &LineLoadSolution::indentation},
+    {ResultId::edge_displacement, &LineLoadSolution::edge_displacement},
+    {ResultId::peak_pressure, &LineLoadSolution::peak_pressure},
+    {ResultId::peak_shear, &LineLoadSolution::peak_shear},
 };
 
 /// The load that is given, or the length, without friction.
@@ -106,24 +106,24 @@ class LineLoadContact : public SolvedContact<Estimate> {
         method_(std::move(method)),
         solution_(solve_loads(problem, method_, work_)) {}
 
-  [[nodiscard]] Estimate number(std::string_view name) const override {
-    if (const auto same = by_symmetry(*this, name)) return *same;
-    if (is_moment(name)) return beside(moment(name), moment_of_pressure(*truth_, name));
-    if (name == "peak_pressure_position")
-      return beside(fast::place_of_largest_pressure(solution_), truth_->number(name));
-    if (name == "peak_shear_position")
-      return beside(fast::place_of_largest_shear(solution_), truth_->number(name));
-    const double value = name == "creep_ratio" ? fast::creep_ratio(nip_, solution_, method_, &work_)
-                                               : solution_.*elastic_line_load_numbers.at(name);
-    return beside(value, truth_->number(name));
+  [[nodiscard]] Estimate number(ResultId id) const override {
+    if (const auto same = by_symmetry(*this, id)) return *same;
+    if (is_moment(id)) return beside(moment(id), moment_of_pressure(*truth_, id));
+    if (id == ResultId::peak_pressure_position)
+      return beside(fast::place_of_largest_pressure(solution_), truth_->number(id));
+    if (id == ResultId::peak_shear_position)
+      return beside(fast::place_of_largest_shear(solution_), truth_->number(id));
+    const double value = id == ResultId::creep_ratio ? fast::creep_ratio(nip_, solution_, method_, &work_)
+                                                     : solution_.*elastic_line_load_numbers.at(id);
+    return beside(value, truth_->number(id));
   }
-  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
-    return beside(profile(name, y), truth_->at(name, y));
+  [[nodiscard]] Estimate at(ResultId id, double y) const override {
+    return beside(profile(id, y), truth_->at(id, y));
   }
   /// Each beside the nearest of the continuous contact.
-  [[nodiscard]] std::vector<Estimate> list(std::string_view name) const override {
-    if (name == "creep_range") return creep_range();
-    const std::vector<Estimate> truth = truth_->list(name);
+  [[nodiscard]] std::vector<Estimate> list(ResultId id) const override {
+    if (id == ResultId::creep_range) return creep_range();
+    const std::vector<Estimate> truth = truth_->list(id);
     std::vector<Estimate> zeros;
     for (const double place : fast::shear_borders(solution_)) {
       zeros.push_back(beside(place, *std::ranges::min_element(truth, {}, [&](const Estimate& zero) {
@@ -144,21 +144,21 @@ class LineLoadContact : public SolvedContact<Estimate> {
   [[nodiscard]] std::vector<Estimate> creep_range() const {
     const auto creep = fast::thesis_creep(nip_, method_, solution_.contact_length, &work_);
     if (!creep) SolveAtThesisCreep::refuse("contact_length", solution_.contact_length);
-    const Estimate truth = truth_->number("creep_ratio");
+    const Estimate truth = truth_->number(ResultId::creep_ratio);
     return {beside(creep->range.lower, truth), beside(creep->range.upper, truth),
             beside(creep->chosen, truth)};
   }
   /// Of one side; the other mirrors it.
-  [[nodiscard]] double moment(std::string_view name) const {
+  [[nodiscard]] double moment(ResultId id) const {
     double sum = 0;
     for (std::size_t k = 0; k < solution_.line_loads.size(); ++k)
       sum += solution_.line_loads[k] * (static_cast<double>(k) + 0.5) * solution_.element_width();
-    return name == "leading_moment" ? sum : -sum;
+    return id == ResultId::leading_moment ? sum : -sum;
   }
-  [[nodiscard]] double profile(std::string_view name, double y) const {
-    if (name == "pressure") return fast::element_pressure(solution_, y);
-    if (name == "shear") return fast::element_shear(solution_, y);
-    if (name == "normal_displacement") {
+  [[nodiscard]] double profile(ResultId id, double y) const {
+    if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
+    if (id == ResultId::shear) return fast::element_shear(solution_, y);
+    if (id == ResultId::normal_displacement) {
       return fast::normal_displacement(nip_, solution_, method_, y, &work_);
     }
     return fast::tangential_displacement(nip_, solution_, method_, y, &work_);

@@ -32,9 +32,10 @@ EnergyBalance balance_of(const data::Scene& scene, const data::ViscoelasticNip& 
                          const SolvedContact<Number>& contact) {
   EnergyBalance balance;
   balance.warnings = beyond_theory(scene, contact);
-  balance.work = product(in_double(contact.number("load")), in_double(contact.number("rolling_resistance")));
+  balance.work = product(in_double(contact.number(ResultId::load)),
+                         in_double(contact.number(ResultId::rolling_resistance)));
   balance.loss = loss_integral(nip, contact.profile_extent(),
-                               [&](double y) { return in_double(contact.at("pressure", y)); });
+                               [&](double y) { return in_double(contact.at(ResultId::pressure, y)); });
   return balance;
 }
 

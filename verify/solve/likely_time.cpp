@@ -54,8 +54,9 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   bool has_field = false;
   for (const std::string& name : scene.wanted) {
     const data::SceneResult& result = *data::find_scene_result(name);
-    has_field = has_field || result.is_field;
-    if (result.is_profile && name != "pressure" && name != "shear")
+    has_field = has_field || result.shape == data::Shape::field;
+    if (result.shape == data::Shape::profile && result.id != data::ResultId::pressure &&
+        result.id != data::ResultId::shear)
       seconds += 0.02 * (1 + ratio / 4) * std::visit(CountPlaces(), *problem.profile);
   }
   return has_field ? seconds + 0.05 * (1 + ratio) * static_cast<double>(problem.field->size()) : seconds;

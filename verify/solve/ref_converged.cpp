@@ -26,51 +26,51 @@ Enclosure half_of(Enclosure x) {
   return x;
 }
 
-const std::map<std::string_view, std::function<Enclosure(const ConvergedElasticNip&)>> numbers{
-    {"contact_length", &ConvergedElasticNip::contact_length},
-    {"leading_length", [](const auto& contact) { return half_of(contact.contact_length()); }},
-    {"trailing_length", [](const auto& contact) { return half_of(contact.contact_length()); }},
-    {"load", &ConvergedElasticNip::load},
-    {"indentation", &ConvergedElasticNip::indentation},
-    {"edge_displacement", &ConvergedElasticNip::edge_displacement},
-    {"trailing_displacement", &ConvergedElasticNip::edge_displacement},
-    {"rolling_resistance", [](const auto&) { return nothing(); }},
-    {"creep_ratio", &ConvergedElasticNip::creep_ratio},
-    {"peak_pressure", &ConvergedElasticNip::peak_pressure},
-    {"peak_pressure_position", &ConvergedElasticNip::peak_pressure_position},
-    {"peak_shear", [](const auto&) { return nothing(); }},
+const std::map<ResultId, std::function<Enclosure(const ConvergedElasticNip&)>> numbers{
+    {ResultId::contact_length, &ConvergedElasticNip::contact_length},
+    {ResultId::leading_length, [](const auto& contact) { return half_of(contact.contact_length()); }},
+    {ResultId::trailing_length, [](const auto& contact) { return half_of(contact.contact_length()); }},
+    {ResultId::load, &ConvergedElasticNip::load},
+    {ResultId::indentation, &ConvergedElasticNip::indentation},
+    {ResultId::edge_displacement, &ConvergedElasticNip::edge_displacement},
+    {ResultId::trailing_displacement, &ConvergedElasticNip::edge_displacement},
+    {ResultId::rolling_resistance, [](const auto&) { return nothing(); }},
+    {ResultId::creep_ratio, &ConvergedElasticNip::creep_ratio},
+    {ResultId::peak_pressure, &ConvergedElasticNip::peak_pressure},
+    {ResultId::peak_pressure_position, &ConvergedElasticNip::peak_pressure_position},
+    {ResultId::peak_shear, [](const auto&) { return nothing(); }},
 };
 
-const std::map<std::string_view, std::function<Enclosure(const ConvergedElasticNip&, double y)>> profiles{
-    {"pressure", &ConvergedElasticNip::pressure},
-    {"shear", [](const auto&, double) { return nothing(); }},
-    {"normal_displacement", &ConvergedElasticNip::normal_displacement},
-    {"tangential_displacement", &ConvergedElasticNip::tangential_displacement},
-    {"surface_strain", &ConvergedElasticNip::surface_strain},
+const std::map<ResultId, std::function<Enclosure(const ConvergedElasticNip&, double y)>> profiles{
+    {ResultId::pressure, &ConvergedElasticNip::pressure},
+    {ResultId::shear, [](const auto&, double) { return nothing(); }},
+    {ResultId::normal_displacement, &ConvergedElasticNip::normal_displacement},
+    {ResultId::tangential_displacement, &ConvergedElasticNip::tangential_displacement},
+    {ResultId::surface_strain, &ConvergedElasticNip::surface_strain},
 };
 
 class RefConverged : public SolvedContact<LongEstimate> {
  public:
   RefConverged(ConvergedElasticNip contact, int digits) : contact_(std::move(contact)), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const override {
-    if (const auto found = inside_.number(contact_, name)) return *found;
-    return long_estimate(numbers.at(name)(contact_));
+  [[nodiscard]] LongEstimate number(ResultId id) const override {
+    if (const auto found = inside_.number(contact_, id)) return *found;
+    return long_estimate(numbers.at(id)(contact_));
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
-    return long_estimate(profiles.at(name)(contact_, y));
+  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
+    return long_estimate(profiles.at(id)(contact_, y));
   }
-  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+  [[nodiscard]] std::vector<LongEstimate> inside(ResultId id,
                                                  const data::FieldPlaces& places) const override {
-    return inside_.field(contact_, name, places);
+    return inside_.field(contact_, id, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, contact_.contact_length().to_double() / 2};
   }
   /// Of stresses inside; other errors are measured by the results themselves.
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
     const double half = contact_.contact_length().to_double() / 2;
-    return inside_result_size(name, y, {1, -half, half, std::pow(10.0, -digits_)},
+    return inside_result_size(id, y, {1, -half, half, std::pow(10.0, -digits_)},
                               [&] { return contact_.pressure(0).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {

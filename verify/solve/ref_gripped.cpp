@@ -24,46 +24,46 @@ Estimated half_length(const GrippedElasticNip& contact) {
   return x;
 }
 
-const std::map<std::string_view, std::function<Estimated(const GrippedElasticNip&)>> gripped_numbers{
-    {"contact_length", &GrippedElasticNip::contact_length},
-    {"leading_length", half_length},
-    {"trailing_length", half_length},
-    {"load", &GrippedElasticNip::load},
-    {"indentation", &GrippedElasticNip::indentation},
-    {"edge_displacement", &GrippedElasticNip::edge_displacement},
-    {"trailing_displacement", &GrippedElasticNip::edge_displacement},
-    {"creep_ratio", &GrippedElasticNip::creep_ratio},
-    {"peak_pressure", &GrippedElasticNip::peak_pressure},
-    {"peak_shear", &GrippedElasticNip::peak_shear},
-    {"peak_shear_position", &GrippedElasticNip::peak_shear_position},
+const std::map<ResultId, std::function<Estimated(const GrippedElasticNip&)>> gripped_numbers{
+    {ResultId::contact_length, &GrippedElasticNip::contact_length},
+    {ResultId::leading_length, half_length},
+    {ResultId::trailing_length, half_length},
+    {ResultId::load, &GrippedElasticNip::load},
+    {ResultId::indentation, &GrippedElasticNip::indentation},
+    {ResultId::edge_displacement, &GrippedElasticNip::edge_displacement},
+    {ResultId::trailing_displacement, &GrippedElasticNip::edge_displacement},
+    {ResultId::creep_ratio, &GrippedElasticNip::creep_ratio},
+    {ResultId::peak_pressure, &GrippedElasticNip::peak_pressure},
+    {ResultId::peak_shear, &GrippedElasticNip::peak_shear},
+    {ResultId::peak_shear_position, &GrippedElasticNip::peak_shear_position},
 };
 
-const std::map<std::string_view, Estimated (GrippedElasticNip::*)(double) const> gripped_profiles{
-    {"pressure", &GrippedElasticNip::pressure},
-    {"shear", &GrippedElasticNip::shear},
-    {"normal_displacement", &GrippedElasticNip::normal_displacement},
-    {"tangential_displacement", &GrippedElasticNip::tangential_displacement},
-    {"surface_strain", &GrippedElasticNip::surface_strain},
+const std::map<ResultId, Estimated (GrippedElasticNip::*)(double) const> gripped_profiles{
+    {ResultId::pressure, &GrippedElasticNip::pressure},
+    {ResultId::shear, &GrippedElasticNip::shear},
+    {ResultId::normal_displacement, &GrippedElasticNip::normal_displacement},
+    {ResultId::tangential_displacement, &GrippedElasticNip::tangential_displacement},
+    {ResultId::surface_strain, &GrippedElasticNip::surface_strain},
 };
 
 class RefGripped : public SolvedContact<LongEstimate> {
  public:
   RefGripped(GrippedElasticNip contact, int digits) : contact_(std::move(contact)), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const override {
-    if (const auto found = inside_.number(contact_, name)) return *found;
-    if (name == "rolling_resistance" || name == "peak_pressure_position")
+  [[nodiscard]] LongEstimate number(ResultId id) const override {
+    if (const auto found = inside_.number(contact_, id)) return *found;
+    if (id == ResultId::rolling_resistance || id == ResultId::peak_pressure_position)
       return long_estimate(ref::exact_zero(16));
-    return long_estimate(gripped_numbers.at(name)(contact_));
+    return long_estimate(gripped_numbers.at(id)(contact_));
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
-    return long_estimate(std::invoke(gripped_profiles.at(name), contact_, y));
+  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
+    return long_estimate(std::invoke(gripped_profiles.at(id), contact_, y));
   }
-  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+  [[nodiscard]] std::vector<LongEstimate> inside(ResultId id,
                                                  const data::FieldPlaces& places) const override {
-    return inside_.field(contact_, name, places);
+    return inside_.field(contact_, id, places);
   }
-  [[nodiscard]] std::vector<LongEstimate> list(std::string_view) const override {
+  [[nodiscard]] std::vector<LongEstimate> list(ResultId) const override {
     std::vector<LongEstimate> zeros;
     for (const Estimated& zero : contact_.shear_zeros()) zeros.push_back(long_estimate(zero));
     return zeros;
@@ -72,9 +72,9 @@ class RefGripped : public SolvedContact<LongEstimate> {
     return {0, contact_.contact_length().to_double() / 2};
   }
   /// Of stresses inside; other errors are measured by the results themselves.
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
     const double half = contact_.contact_length().to_double() / 2;
-    return inside_result_size(name, y, {1, -half, half, std::pow(10.0, -digits_)},
+    return inside_result_size(id, y, {1, -half, half, std::pow(10.0, -digits_)},
                               [&] { return contact_.pressure(0).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {

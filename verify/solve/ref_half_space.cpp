@@ -44,40 +44,41 @@ class RefOnHalfSpace : public SolvedContact<LongEstimate> {
   RefOnHalfSpace(RefSurface surface, const data::HalfSpaceProblem& problem, int digits, Make make)
       : surface_(std::move(surface)), problem_(problem), digits_(digits), make_(make) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const final {
-    if (name == "span_along") return span(0);
-    if (name == "span_across") return span(90);
-    if (name == "span_ratio") return long_estimate(contact().span_ratio(ref::Exact(90.0)));
-    if (name == "normal_force") return force();
-    if (name == "friction_force") return friction_force();
-    if (name == "peak_pressure") return long_estimate(contact().peak_pressure());
-    if (name == "critical_speed") return surface_.critical_speed(digits_);
-    if (name == "centre_along" || name == "centre_across") return centre(name);
-    return of_ellipse(name);
+  [[nodiscard]] LongEstimate number(ResultId id) const final {
+    if (id == ResultId::span_along) return span(0);
+    if (id == ResultId::span_across) return span(90);
+    if (id == ResultId::span_ratio) return long_estimate(contact().span_ratio(ref::Exact(90.0)));
+    if (id == ResultId::normal_force) return force();
+    if (id == ResultId::friction_force) return friction_force();
+    if (id == ResultId::peak_pressure) return long_estimate(contact().peak_pressure());
+    if (id == ResultId::critical_speed) return surface_.critical_speed(digits_);
+    if (id == ResultId::centre_along || id == ResultId::centre_across) return centre(id);
+    return of_ellipse(id);
   }
   /// `place`: an angle from the motion, or a position on the scene's line.
-  [[nodiscard]] LongEstimate at(std::string_view name, double place) const final {
-    if (name == "pressure") return long_estimate(pressure(place));
-    if (name == "shear") return shear(place);
-    if (name == "span") return span(place);
-    if (name == "leading_end") return long_estimate(leading_end(ref::Exact(place)));
-    if (name == "trailing_end") return long_estimate(trailing_end(place));
-    if (name == "creep" || name == "compressed_radius") return of_rolling(name, ref::Exact(place));
-    if (name == "compliance") return long_estimate(surface_.compliance(place, digits_));
+  [[nodiscard]] LongEstimate at(ResultId id, double place) const final {
+    if (id == ResultId::pressure) return long_estimate(pressure(place));
+    if (id == ResultId::shear) return shear(place);
+    if (id == ResultId::span) return span(place);
+    if (id == ResultId::leading_end) return long_estimate(leading_end(ref::Exact(place)));
+    if (id == ResultId::trailing_end) return long_estimate(trailing_end(place));
+    if (id == ResultId::creep || id == ResultId::compressed_radius) return of_rolling(id, ref::Exact(place));
+    if (id == ResultId::compliance) return long_estimate(surface_.compliance(place, digits_));
     return long_estimate(surface_.coupling(place, digits_));
   }
   [[nodiscard]] ProfileExtent profile_extent() const final {
     if (!problem_.line) return {-90, 90};
     return {trailing_end(*problem_.line).to_double(), leading_end(ref::Exact(*problem_.line)).to_double()};
   }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double place) const final {
-    if (name == "pressure" || name == "shear") {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double place) const final {
+    if (id == ResultId::pressure || id == ResultId::shear) {
       const auto [first, last] = profile_extent();
       return traction_size(place, first, last, std::pow(10.0, -digits_)) *
              contact().peak_pressure().to_double();
     }
-    if (name == "centre_along" || name == "centre_across") return contact().span(ref::Exact(0.0)).to_double();
-    return half_space_result_size(name, [&] { return surface_.compliance(place, least_digits).to_double(); });
+    if (id == ResultId::centre_along || id == ResultId::centre_across)
+      return contact().span(ref::Exact(0.0)).to_double();
+    return half_space_result_size(id, [&] { return surface_.compliance(place, least_digits).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;
@@ -133,28 +134,30 @@ class RefOnHalfSpace : public SolvedContact<LongEstimate> {
     mpfr_neg(end.value.get(), end.value.get(), MPFR_RNDN);
     return end;
   }
-  [[nodiscard]] LongEstimate centre(std::string_view name) const {
+  [[nodiscard]] LongEstimate centre(ResultId id) const {
     if constexpr (requires { contact().centre_along(); }) {
       if (problem_.friction != 0)
-        return long_estimate(name == "centre_along" ? contact().centre_along() : contact().centre_across());
+        return long_estimate(id == ResultId::centre_along ? contact().centre_along()
+                                                          : contact().centre_across());
     }
     return exactly(0, 1, digits_);
   }
   /// Scene::check lets these be wanted of a rolling sphere only.
-  [[nodiscard]] LongEstimate of_rolling(std::string_view name, const ref::Exact& degrees) const {
+  [[nodiscard]] LongEstimate of_rolling(ResultId id, const ref::Exact& degrees) const {
     if constexpr (requires { contact().creep(degrees); }) {
-      return long_estimate(name == "creep" ? contact().creep(degrees) : contact().compressed_radius(degrees));
+      return long_estimate(id == ResultId::creep ? contact().creep(degrees)
+                                                 : contact().compressed_radius(degrees));
     }
-    throw data::BadInput("wanted", name, "must be out of what this method has");
+    throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
   /// Scene::check lets these be wanted of the exact method only.
-  [[nodiscard]] LongEstimate of_ellipse(std::string_view name) const {
+  [[nodiscard]] LongEstimate of_ellipse(ResultId id) const {
     if constexpr (requires { contact().axis_ratio(); }) {
-      if (name == "axis_ratio") return long_estimate(contact().axis_ratio());
-      if (name == "approach") return long_estimate(contact().approach());
+      if (id == ResultId::axis_ratio) return long_estimate(contact().axis_ratio());
+      if (id == ResultId::approach) return long_estimate(contact().approach());
       return orientation();
     }
-    throw data::BadInput("wanted", name, "must be out of what this method has");
+    throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
   /// From x1, -90 to 90: an axis has no sense.
   [[nodiscard]] LongEstimate orientation() const {

@@ -13,14 +13,14 @@ namespace {
 using ref::Enclosure;
 using ref::LineLoadSolution;
 
-const std::map<std::string_view, Enclosure LineLoadSolution::*> numbers{
-    {"contact_length", &LineLoadSolution::contact_length},
-    {"load", &LineLoadSolution::load},
-    {"indentation", &LineLoadSolution::indentation},
-    {"edge_displacement", &LineLoadSolution::edge_displacement},
-    {"trailing_displacement", &LineLoadSolution::edge_displacement},
-    {"peak_pressure", &LineLoadSolution::peak_pressure},
-    {"peak_shear", &LineLoadSolution::peak_shear},
+const std::map<ResultId, Enclosure LineLoadSolution::*> numbers{
+    {ResultId::contact_length, &LineLoadSolution::contact_length},
+    {ResultId::load, &LineLoadSolution::load},
+    {ResultId::indentation, &LineLoadSolution::indentation},
+    {ResultId::edge_displacement, &LineLoadSolution::edge_displacement},
+    {ResultId::trailing_displacement, &LineLoadSolution::edge_displacement},
+    {ResultId::peak_pressure, &LineLoadSolution::peak_pressure},
+    {ResultId::peak_shear, &LineLoadSolution::peak_shear},
 };
 
 class RefLineLoads : public SolvedContact<LongEstimate> {
@@ -29,25 +29,27 @@ class RefLineLoads : public SolvedContact<LongEstimate> {
                int digits)
       : nip_(nip), method_(method), solution_(std::move(solution)), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const override {
-    if (name == "rolling_resistance") return long_estimate(ref::exact_zero(digits_));
-    if (name == "creep_ratio") return long_estimate(ref::creep_ratio(nip_, solution_, method_, digits_));
-    if (name == "peak_pressure_position")
+  [[nodiscard]] LongEstimate number(ResultId id) const override {
+    if (id == ResultId::rolling_resistance) return long_estimate(ref::exact_zero(digits_));
+    if (id == ResultId::creep_ratio)
+      return long_estimate(ref::creep_ratio(nip_, solution_, method_, digits_));
+    if (id == ResultId::peak_pressure_position)
       return long_estimate(ref::place_of_largest_pressure(solution_, digits_));
-    if (name == "peak_shear_position") return long_estimate(ref::place_of_largest_shear(solution_, digits_));
-    if (name == "leading_length" || name == "trailing_length")
+    if (id == ResultId::peak_shear_position)
+      return long_estimate(ref::place_of_largest_shear(solution_, digits_));
+    if (id == ResultId::leading_length || id == ResultId::trailing_length)
       return long_estimate(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
-    return long_estimate(solution_.*numbers.at(name));
+    return long_estimate(solution_.*numbers.at(id));
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
-    if (name == "pressure") return long_estimate(ref::element_pressure(solution_, y, digits_));
-    if (name == "shear") return long_estimate(ref::element_shear(solution_, y, digits_));
+  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
+    if (id == ResultId::pressure) return long_estimate(ref::element_pressure(solution_, y, digits_));
+    if (id == ResultId::shear) return long_estimate(ref::element_shear(solution_, y, digits_));
     const auto displacement =
-        name == "normal_displacement" ? ref::normal_displacement : ref::tangential_displacement;
+        id == ResultId::normal_displacement ? ref::normal_displacement : ref::tangential_displacement;
     return long_estimate(displacement(nip_, solution_, method_, y, digits_));
   }
-  [[nodiscard]] std::vector<LongEstimate> list(std::string_view name) const override {
-    if (name == "creep_range") {
+  [[nodiscard]] std::vector<LongEstimate> list(ResultId id) const override {
+    if (id == ResultId::creep_range) {
       const auto [lower, upper, chosen] = ref::creep_range(nip_, solution_, method_, digits_);
       return {long_estimate(lower), long_estimate(upper), long_estimate(chosen)};
     }

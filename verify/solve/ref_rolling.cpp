@@ -20,25 +20,25 @@ using RollingNip = ref::ConvergedViscoelasticNip;
 /// Of a contact without friction.
 LongEstimate no_shear() { return long_estimate(ref::exact_zero(16)); }
 
-const std::map<std::string_view, ref::Estimated (RollingNip::*)() const> rolling_numbers{
-    {"contact_length", &RollingNip::contact_length},
-    {"leading_length", &RollingNip::leading_length},
-    {"trailing_length", &RollingNip::trailing_length},
-    {"load", &RollingNip::load},
-    {"indentation", &RollingNip::indentation},
-    {"edge_displacement", &RollingNip::leading_displacement},
-    {"trailing_displacement", &RollingNip::trailing_displacement},
-    {"creep_ratio", &RollingNip::creep_ratio},
-    {"rolling_resistance", &RollingNip::rolling_resistance},
-    {"peak_pressure", &RollingNip::peak_pressure},
-    {"peak_pressure_position", &RollingNip::peak_pressure_position},
+const std::map<ResultId, ref::Estimated (RollingNip::*)() const> rolling_numbers{
+    {ResultId::contact_length, &RollingNip::contact_length},
+    {ResultId::leading_length, &RollingNip::leading_length},
+    {ResultId::trailing_length, &RollingNip::trailing_length},
+    {ResultId::load, &RollingNip::load},
+    {ResultId::indentation, &RollingNip::indentation},
+    {ResultId::edge_displacement, &RollingNip::leading_displacement},
+    {ResultId::trailing_displacement, &RollingNip::trailing_displacement},
+    {ResultId::creep_ratio, &RollingNip::creep_ratio},
+    {ResultId::rolling_resistance, &RollingNip::rolling_resistance},
+    {ResultId::peak_pressure, &RollingNip::peak_pressure},
+    {ResultId::peak_pressure_position, &RollingNip::peak_pressure_position},
 };
 
-const std::map<std::string_view, ref::Estimated (RollingNip::*)(double) const> rolling_profiles{
-    {"pressure", &RollingNip::pressure},
-    {"normal_displacement", &RollingNip::normal_displacement},
-    {"tangential_displacement", &RollingNip::tangential_displacement},
-    {"surface_strain", &RollingNip::surface_strain},
+const std::map<ResultId, ref::Estimated (RollingNip::*)(double) const> rolling_profiles{
+    {ResultId::pressure, &RollingNip::pressure},
+    {ResultId::normal_displacement, &RollingNip::normal_displacement},
+    {ResultId::tangential_displacement, &RollingNip::tangential_displacement},
+    {ResultId::surface_strain, &RollingNip::surface_strain},
 };
 
 class RefRolling : public SolvedContact<LongEstimate> {
@@ -46,25 +46,25 @@ class RefRolling : public SolvedContact<LongEstimate> {
   RefRolling(RollingNip contact, double roller_radius, int digits)
       : contact_(std::move(contact)), roller_radius_(roller_radius), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const override {
-    if (const auto found = inside_.number(contact_, name)) return *found;
-    if (name == "peak_shear") return no_shear();
-    return long_estimate(std::invoke(rolling_numbers.at(name), contact_));
+  [[nodiscard]] LongEstimate number(ResultId id) const override {
+    if (const auto found = inside_.number(contact_, id)) return *found;
+    if (id == ResultId::peak_shear) return no_shear();
+    return long_estimate(std::invoke(rolling_numbers.at(id), contact_));
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
-    if (name == "shear") return no_shear();
-    return long_estimate(std::invoke(rolling_profiles.at(name), contact_, y));
+  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
+    if (id == ResultId::shear) return no_shear();
+    return long_estimate(std::invoke(rolling_profiles.at(id), contact_, y));
   }
-  [[nodiscard]] std::vector<LongEstimate> inside(std::string_view name,
+  [[nodiscard]] std::vector<LongEstimate> inside(ResultId id,
                                                  const data::FieldPlaces& places) const override {
-    return inside_.field(contact_, name, places);
+    return inside_.field(contact_, id, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().to_double(), contact_.leading_length().to_double()};
   }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
     const auto [first, last] = profile_extent();
-    return nip_result_size(name, y, {roller_radius_, first, last, std::pow(10.0, -digits_)},
+    return nip_result_size(id, y, {roller_radius_, first, last, std::pow(10.0, -digits_)},
                            [&] { return contact_.pressure(0).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
@@ -97,11 +97,11 @@ struct SolveRolling {
 }  // namespace
 
 void check_ref_rolling(const data::Scene& scene) {
-  std::vector<std::string_view> known{"peak_shear", "shear", "slip"};
+  std::vector<ResultId> known{ResultId::peak_shear, ResultId::shear, ResultId::slip};
   for (const auto& number : rolling_numbers) known.push_back(number.first);
   for (const auto& profile : rolling_profiles) known.push_back(profile.first);
   for (const data::SceneResult& result : data::scene_results()) {
-    if (result.is_inside) known.push_back(result.name);
+    if (result.is_inside) known.push_back(result.id);
   }
   check_wanted_of_ref(scene, known);
 }

@@ -12,20 +12,20 @@ namespace {
 using RefViscoelasticLineLoads = ref::ViscoelasticLineLoads;
 using RefEstimate = ref::Estimated (RefViscoelasticLineLoads::*)() const;
 
-const std::map<std::string_view, RefEstimate> rolling_line_load_numbers{
-    {"contact_length", &RefViscoelasticLineLoads::contact_length},
-    {"leading_length", &RefViscoelasticLineLoads::leading_length},
-    {"trailing_length", &RefViscoelasticLineLoads::trailing_length},
-    {"load", &RefViscoelasticLineLoads::load},
-    {"indentation", &RefViscoelasticLineLoads::indentation},
-    {"edge_displacement", &RefViscoelasticLineLoads::leading_displacement},
-    {"trailing_displacement", &RefViscoelasticLineLoads::trailing_displacement},
-    {"rolling_resistance", &RefViscoelasticLineLoads::rolling_resistance},
-    {"leading_moment", &RefViscoelasticLineLoads::leading_moment},
-    {"trailing_moment", &RefViscoelasticLineLoads::trailing_moment},
-    {"creep_ratio", &RefViscoelasticLineLoads::creep_ratio},
-    {"peak_pressure", &RefViscoelasticLineLoads::peak_pressure},
-    {"peak_pressure_position", &RefViscoelasticLineLoads::peak_pressure_position},
+const std::map<ResultId, RefEstimate> rolling_line_load_numbers{
+    {ResultId::contact_length, &RefViscoelasticLineLoads::contact_length},
+    {ResultId::leading_length, &RefViscoelasticLineLoads::leading_length},
+    {ResultId::trailing_length, &RefViscoelasticLineLoads::trailing_length},
+    {ResultId::load, &RefViscoelasticLineLoads::load},
+    {ResultId::indentation, &RefViscoelasticLineLoads::indentation},
+    {ResultId::edge_displacement, &RefViscoelasticLineLoads::leading_displacement},
+    {ResultId::trailing_displacement, &RefViscoelasticLineLoads::trailing_displacement},
+    {ResultId::rolling_resistance, &RefViscoelasticLineLoads::rolling_resistance},
+    {ResultId::leading_moment, &RefViscoelasticLineLoads::leading_moment},
+    {ResultId::trailing_moment, &RefViscoelasticLineLoads::trailing_moment},
+    {ResultId::creep_ratio, &RefViscoelasticLineLoads::creep_ratio},
+    {ResultId::peak_pressure, &RefViscoelasticLineLoads::peak_pressure},
+    {ResultId::peak_pressure_position, &RefViscoelasticLineLoads::peak_pressure_position},
 };
 
 class RefRollingLineLoads : public SolvedContact<LongEstimate> {
@@ -33,14 +33,14 @@ class RefRollingLineLoads : public SolvedContact<LongEstimate> {
   RefRollingLineLoads(RefViscoelasticLineLoads solution, int digits)
       : solution_(std::move(solution)), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(std::string_view name) const override {
-    if (name == "peak_shear") return long_estimate(ref::exact_zero(digits_));
-    return long_estimate((solution_.*rolling_line_load_numbers.at(name))());
+  [[nodiscard]] LongEstimate number(ResultId id) const override {
+    if (id == ResultId::peak_shear) return long_estimate(ref::exact_zero(digits_));
+    return long_estimate((solution_.*rolling_line_load_numbers.at(id))());
   }
-  [[nodiscard]] LongEstimate at(std::string_view name, double y) const override {
-    if (name == "shear") return long_estimate(ref::exact_zero(digits_));
-    if (name == "pressure") return long_estimate(solution_.pressure(y));
-    if (name == "normal_displacement") return long_estimate(solution_.normal_displacement(y));
+  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
+    if (id == ResultId::shear) return long_estimate(ref::exact_zero(digits_));
+    if (id == ResultId::pressure) return long_estimate(solution_.pressure(y));
+    if (id == ResultId::normal_displacement) return long_estimate(solution_.normal_displacement(y));
     return long_estimate(solution_.tangential_displacement(y));
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {

@@ -20,8 +20,7 @@ std::string_view error_word(const auto& number) { return is_proven(number) ? "bo
 
 template <class Number>
 Json values_json(const typename SceneSolution<Number>::Result& result, auto Number::*member) {
-  if (!result.what->is_profile && !result.what->is_field && !result.what->is_list)
-    return result.numbers.front().*member;
+  if (result.what->shape == data::Shape::number) return result.numbers.front().*member;
   return json_list(result.numbers, [&](const Number& number) { return number.*member; });
 }
 
@@ -152,11 +151,11 @@ std::string solution_text(const SceneSolution<Number>& solution, bool full) {
   text += accuracy_text(solution);
   text += warnings_text(solution.warnings);
   for (const auto& result : solution.results) {
-    if (result.what->is_field) {
+    if (result.what->shape == data::Shape::field) {
       append_field<Number>(result, solution.field, text);
-    } else if (result.what->is_profile) {
+    } else if (result.what->shape == data::Shape::profile) {
       append_profile<Number>(result, solution.positions, text);
-    } else if (result.what->is_list) {
+    } else if (result.what->shape == data::Shape::list) {
       append_list<Number>(result, text);
     } else {
       append_number<Number>(result, full, text);

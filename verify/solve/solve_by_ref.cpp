@@ -39,7 +39,7 @@ Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& prob
 
 void refuse_moments(const data::Scene& scene) {
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    if (is_moment(scene.wanted[i])) {
+    if (is_moment(data::find_scene_result(scene.wanted[i])->id)) {
       scene.origin.refuse(
           fmt::format("wanted[{}]", i), scene.wanted[i],
           "must be wanted of the fast path: the reference has the eccentricity, their sum over the load, "
@@ -96,12 +96,15 @@ struct SolveSystem {
 
 }  // namespace
 
-void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known) {
+void check_wanted_of_ref(const data::Scene& scene, const std::vector<ResultId>& known) {
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    if (std::ranges::find(known, scene.wanted[i]) != known.end() || is_product(scene.wanted[i])) continue;
+    const ResultId wanted = data::find_scene_result(scene.wanted[i])->id;
+    if (std::ranges::find(known, wanted) != known.end() || is_product(wanted)) continue;
+    std::vector<std::string_view> names;
+    for (const ResultId id : known) names.push_back(data::scene_result(id).name);
     scene.origin.refuse(
         fmt::format("wanted[{}]", i), scene.wanted[i],
-        fmt::format("must be one of what the reference has here: {}", fmt::join(known, ", ")));
+        fmt::format("must be one of what the reference has here: {}", fmt::join(names, ", ")));
   }
 }
 

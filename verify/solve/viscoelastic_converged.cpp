@@ -16,28 +16,27 @@ namespace {
 using fast::ConvergedViscoelasticNip;
 using fast::Estimate;
 
-const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)() const>
-    viscoelastic_converged_numbers{
-        {"contact_length", &ConvergedViscoelasticNip::contact_length},
-        {"leading_length", &ConvergedViscoelasticNip::leading_length},
-        {"trailing_length", &ConvergedViscoelasticNip::trailing_length},
-        {"load", &ConvergedViscoelasticNip::load},
-        {"indentation", &ConvergedViscoelasticNip::indentation},
-        {"edge_displacement", &ConvergedViscoelasticNip::leading_displacement},
-        {"trailing_displacement", &ConvergedViscoelasticNip::trailing_displacement},
-        {"creep_ratio", &ConvergedViscoelasticNip::creep_ratio},
-        {"rolling_resistance", &ConvergedViscoelasticNip::rolling_resistance},
-        {"peak_pressure", &ConvergedViscoelasticNip::peak_pressure},
-        {"peak_pressure_position", &ConvergedViscoelasticNip::peak_pressure_position},
-    };
+const std::map<ResultId, Estimate (ConvergedViscoelasticNip::*)() const> viscoelastic_converged_numbers{
+    {ResultId::contact_length, &ConvergedViscoelasticNip::contact_length},
+    {ResultId::leading_length, &ConvergedViscoelasticNip::leading_length},
+    {ResultId::trailing_length, &ConvergedViscoelasticNip::trailing_length},
+    {ResultId::load, &ConvergedViscoelasticNip::load},
+    {ResultId::indentation, &ConvergedViscoelasticNip::indentation},
+    {ResultId::edge_displacement, &ConvergedViscoelasticNip::leading_displacement},
+    {ResultId::trailing_displacement, &ConvergedViscoelasticNip::trailing_displacement},
+    {ResultId::creep_ratio, &ConvergedViscoelasticNip::creep_ratio},
+    {ResultId::rolling_resistance, &ConvergedViscoelasticNip::rolling_resistance},
+    {ResultId::peak_pressure, &ConvergedViscoelasticNip::peak_pressure},
+    {ResultId::peak_pressure_position, &ConvergedViscoelasticNip::peak_pressure_position},
+};
 
-const std::map<std::string_view, Estimate (ConvergedViscoelasticNip::*)(double) const>
+const std::map<ResultId, Estimate (ConvergedViscoelasticNip::*)(double) const>
     viscoelastic_converged_profiles{
-        {"pressure", &ConvergedViscoelasticNip::pressure},
-        {"normal_displacement", &ConvergedViscoelasticNip::normal_displacement},
-        {"tangential_displacement", &ConvergedViscoelasticNip::tangential_displacement},
-        {"surface_strain", &ConvergedViscoelasticNip::surface_strain},
-        {"slip", &ConvergedViscoelasticNip::slip},
+        {ResultId::pressure, &ConvergedViscoelasticNip::pressure},
+        {ResultId::normal_displacement, &ConvergedViscoelasticNip::normal_displacement},
+        {ResultId::tangential_displacement, &ConvergedViscoelasticNip::tangential_displacement},
+        {ResultId::surface_strain, &ConvergedViscoelasticNip::surface_strain},
+        {ResultId::slip, &ConvergedViscoelasticNip::slip},
     };
 
 class Rolling : public SolvedContact<Estimate> {
@@ -45,26 +44,25 @@ class Rolling : public SolvedContact<Estimate> {
   Rolling(ConvergedViscoelasticNip contact, double roller_radius, double asked)
       : contact_(std::move(contact)), roller_radius_(roller_radius), asked_(asked) {}
 
-  [[nodiscard]] Estimate number(std::string_view name) const override {
-    if (name == "peak_shear") return {0, 0};  // without friction
-    if (const auto found = inside_.number(contact_, name)) return *found;
-    if (is_moment(name)) return moment_of_pressure(*this, name);
-    return std::invoke(viscoelastic_converged_numbers.at(name), contact_);
+  [[nodiscard]] Estimate number(ResultId id) const override {
+    if (id == ResultId::peak_shear) return {0, 0};  // without friction
+    if (const auto found = inside_.number(contact_, id)) return *found;
+    if (is_moment(id)) return moment_of_pressure(*this, id);
+    return std::invoke(viscoelastic_converged_numbers.at(id), contact_);
   }
-  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
-    if (name == "shear") return {0, 0};
-    return std::invoke(viscoelastic_converged_profiles.at(name), contact_, y);
+  [[nodiscard]] Estimate at(ResultId id, double y) const override {
+    if (id == ResultId::shear) return {0, 0};
+    return std::invoke(viscoelastic_converged_profiles.at(id), contact_, y);
   }
-  [[nodiscard]] std::vector<Estimate> inside(std::string_view name,
-                                             const data::FieldPlaces& places) const override {
-    return inside_.field(contact_, name, places);
+  [[nodiscard]] std::vector<Estimate> inside(ResultId id, const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, id, places);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-contact_.trailing_length().value, contact_.leading_length().value};
   }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
     const auto [first, last] = profile_extent();
-    return nip_result_size(name, y, {roller_radius_, first, last, asked_},
+    return nip_result_size(id, y, {roller_radius_, first, last, asked_},
                            [&] { return pressure_in_the_middle(); });
   }
   bool refine() override {

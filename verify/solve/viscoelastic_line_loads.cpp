@@ -22,15 +22,15 @@ using fast::Work;
 /// Of the continuous contact that line loads are set against, as in the elastic nip.
 constexpr double truth_accuracy = 1e-5;
 
-const std::map<std::string_view, double ViscoelasticLineLoads::*> viscoelastic_line_load_numbers{
-    {"leading_length", &ViscoelasticLineLoads::leading_length},
-    {"trailing_length", &ViscoelasticLineLoads::trailing_length},
-    {"load", &ViscoelasticLineLoads::load},
-    {"indentation", &ViscoelasticLineLoads::indentation},
-    {"edge_displacement", &ViscoelasticLineLoads::leading_displacement},
-    {"trailing_displacement", &ViscoelasticLineLoads::trailing_displacement},
-    {"rolling_resistance", &ViscoelasticLineLoads::rolling_resistance},
-    {"peak_pressure", &ViscoelasticLineLoads::peak_pressure},
+const std::map<ResultId, double ViscoelasticLineLoads::*> viscoelastic_line_load_numbers{
+    {ResultId::leading_length, &ViscoelasticLineLoads::leading_length},
+    {ResultId::trailing_length, &ViscoelasticLineLoads::trailing_length},
+    {ResultId::load, &ViscoelasticLineLoads::load},
+    {ResultId::indentation, &ViscoelasticLineLoads::indentation},
+    {ResultId::edge_displacement, &ViscoelasticLineLoads::leading_displacement},
+    {ResultId::trailing_displacement, &ViscoelasticLineLoads::trailing_displacement},
+    {ResultId::rolling_resistance, &ViscoelasticLineLoads::rolling_resistance},
+    {ResultId::peak_pressure, &ViscoelasticLineLoads::peak_pressure},
 };
 
 struct SolveViscoelasticLineLoads {
@@ -59,12 +59,12 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
         method_(method_of(loads, solution_)),
         surface_(nip_, solution_, method_) {}
 
-  [[nodiscard]] Estimate number(std::string_view name) const override {
-    if (is_moment(name)) return beside(moment(name), moment_of_pressure(*truth_, name));
-    return beside(value(name), truth_->number(name));
+  [[nodiscard]] Estimate number(ResultId id) const override {
+    if (is_moment(id)) return beside(moment(id), moment_of_pressure(*truth_, id));
+    return beside(value(id), truth_->number(id));
   }
-  [[nodiscard]] Estimate at(std::string_view name, double y) const override {
-    return beside(profile(name, y), truth_->at(name, y));
+  [[nodiscard]] Estimate at(ResultId id, double y) const override {
+    return beside(profile(id, y), truth_->at(id, y));
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-solution_.trailing_length, solution_.leading_length};
@@ -93,11 +93,11 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     return {value, std::fabs(value - truth.value) + truth.error};
   }
   /// (thesis 7.13)
-  [[nodiscard]] double moment(std::string_view name) const {
+  [[nodiscard]] double moment(ResultId id) const {
     double sum = 0;
     for (std::size_t j = 0; j < solution_.loads.size(); ++j) {
       const double y = solution_.leading_length - (static_cast<double>(j) + 0.5) * solution_.element_width();
-      if ((y > 0) == (name == "leading_moment")) sum += solution_.loads[j] * y;
+      if ((y > 0) == (id == ResultId::leading_moment)) sum += solution_.loads[j] * y;
     }
     return sum;
   }
@@ -105,17 +105,17 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     const auto largest = std::ranges::max_element(solution_.loads) - solution_.loads.begin();
     return solution_.leading_length - (static_cast<double>(largest) + 0.5) * solution_.element_width();
   }
-  [[nodiscard]] double value(std::string_view name) const {
-    if (name == "peak_shear") return 0;  // without friction
-    if (name == "peak_pressure_position") return place_of_largest_load();
-    if (name == "contact_length") return solution_.contact_length();
-    if (name == "creep_ratio") return fast::creep_ratio(nip_, solution_, method_);
-    return solution_.*viscoelastic_line_load_numbers.at(name);
+  [[nodiscard]] double value(ResultId id) const {
+    if (id == ResultId::peak_shear) return 0;  // without friction
+    if (id == ResultId::peak_pressure_position) return place_of_largest_load();
+    if (id == ResultId::contact_length) return solution_.contact_length();
+    if (id == ResultId::creep_ratio) return fast::creep_ratio(nip_, solution_, method_);
+    return solution_.*viscoelastic_line_load_numbers.at(id);
   }
-  [[nodiscard]] double profile(std::string_view name, double y) const {
-    if (name == "shear") return 0;
-    if (name == "pressure") return fast::element_pressure(solution_, y);
-    if (name == "normal_displacement") return surface_.normal_displacement(y);
+  [[nodiscard]] double profile(ResultId id, double y) const {
+    if (id == ResultId::shear) return 0;
+    if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
+    if (id == ResultId::normal_displacement) return surface_.normal_displacement(y);
     return surface_.tangential_displacement(y);
   }
 

@@ -101,7 +101,7 @@ void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string&
     origin.refuse(key, name, "must be left out with similar-contour: each line has its own peak");
   if (!std::holds_alternative<RigidRollingSphere>(problem.body) && std::ranges::count(of_rolling, name) != 0)
     origin.refuse(key, name, "must be wanted of a rolling sphere only");
-  if (!problem.profile || !find_scene_result(name)->is_profile) return;
+  if (!problem.profile || find_scene_result(name)->shape != Shape::profile) return;
   const bool is_on_line = std::ranges::count(on_line, name) != 0;
   if (is_on_line && !problem.line)
     origin.refuse(key, name, "must be wanted with profile.direction, the angle of its line from the motion");

@@ -203,8 +203,8 @@ namespace {
 /// Counts how often its strain is computed, which is -0.5 everywhere; its other numbers are 0.25.
 class CountedStrain : public verify::SolvedContact<verify::LongEstimate> {
  public:
-  [[nodiscard]] verify::LongEstimate number(std::string_view) const override { return {"0.25", "0", false}; }
-  [[nodiscard]] verify::LongEstimate at(std::string_view, double) const override {
+  [[nodiscard]] verify::LongEstimate number(data::ResultId) const override { return {"0.25", "0", false}; }
+  [[nodiscard]] verify::LongEstimate at(data::ResultId, double) const override {
     ++strains;
     return {"-0.5", "0", false};
   }
@@ -221,8 +221,8 @@ TEST_CASE("the reference computes the strain of a place once, for itself and for
   const CountedStrain contact;
   const verify::WithDerivedResults derived(scene, contact);
   for (const double y : {0.25, 0.5}) {
-    CHECK(std::stod(derived.at("surface_strain", y).value) == -0.5);
-    CHECK(std::stod(derived.at("slip", y).value) == -0.75);
+    CHECK(std::stod(derived.at(data::ResultId::surface_strain, y).value) == -0.5);
+    CHECK(std::stod(derived.at(data::ResultId::slip, y).value) == -0.75);
   }
   CHECK(contact.strains == 2);
 }

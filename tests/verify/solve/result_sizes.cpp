@@ -17,12 +17,13 @@
 #include "support/unfolded.hpp"
 
 using namespace nipref;
+using data::ResultId;
 
 namespace {
 
 /// L = 2, R = 4, pressure 10 in the middle.
-double size_of(const std::string& name, double y = 0, double accuracy = 1e-6) {
-  return verify::nip_result_size(name, y, {4, -1, 1, accuracy}, [] { return 10.0; });
+double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
+  return verify::nip_result_size(id, y, {4, -1, 1, accuracy}, [] { return 10.0; });
 }
 
 std::string scene(const std::string& friction, double length, double accuracy) {
@@ -36,21 +37,23 @@ std::string scene(const std::string& friction, double length, double accuracy) {
 }  // namespace
 
 TEST_CASE("what may be 0 is measured by the size of its kind, everything else by itself") {
-  for (const char* itself : {"contact_length", "load", "indentation", "peak_pressure"})
+  for (const ResultId itself :
+       {ResultId::contact_length, ResultId::load, ResultId::indentation, ResultId::peak_pressure})
     CHECK(size_of(itself) == 0);
-  for (const char* displacement : {"edge_displacement", "trailing_displacement", "normal_displacement"})
+  for (const ResultId displacement :
+       {ResultId::edge_displacement, ResultId::trailing_displacement, ResultId::normal_displacement})
     CHECK(size_of(displacement) == 1.0 / 8);  // (L/2)^2/(2R)
-  CHECK(size_of("leading_length") == 1);
-  CHECK(size_of("creep_ratio") == 1.0 / 8);  // L/(4R)
-  CHECK(size_of("tangential_displacement", 0.5) == 0.5 / 8);
-  CHECK(size_of("tangential_displacement", -30) == 1.0 / 8);
-  CHECK(size_of("peak_shear") == 1);
-  CHECK(size_of("rolling_resistance") == doctest::Approx(1e-8 / 4));
-  CHECK(size_of("rolling_resistance", 0, 1e-13) == doctest::Approx(0.1 / 4));
-  CHECK(verify::half_space_result_size("orientation", [] { return 3.0; }) * std::acos(-1) ==
+  CHECK(size_of(ResultId::leading_length) == 1);
+  CHECK(size_of(ResultId::creep_ratio) == 1.0 / 8);  // L/(4R)
+  CHECK(size_of(ResultId::tangential_displacement, 0.5) == 0.5 / 8);
+  CHECK(size_of(ResultId::tangential_displacement, -30) == 1.0 / 8);
+  CHECK(size_of(ResultId::peak_shear) == 1);
+  CHECK(size_of(ResultId::rolling_resistance) == doctest::Approx(1e-8 / 4));
+  CHECK(size_of(ResultId::rolling_resistance, 0, 1e-13) == doctest::Approx(0.1 / 4));
+  CHECK(verify::half_space_result_size(ResultId::orientation, [] { return 3.0; }) * std::acos(-1) ==
         doctest::Approx(180));
-  CHECK(verify::half_space_result_size("coupling", [] { return 3.0; }) == 3);
-  CHECK(verify::half_space_result_size("compliance", [] { return 3.0; }) == 0);
+  CHECK(verify::half_space_result_size(ResultId::coupling, [] { return 3.0; }) == 3);
+  CHECK(verify::half_space_result_size(ResultId::compliance, [] { return 3.0; }) == 0);
 }
 
 TEST_CASE("next to an end a traction may be off by what moving that end by the accuracy changes") {
@@ -60,10 +63,10 @@ TEST_CASE("next to an end a traction may be off by what moving that end by the a
     CAPTURE(e);
     const double change = semicircle(e + accuracy) - semicircle(e);
     for (const double y : {1 - e, e - 1})
-      CHECK(accuracy * size_of("pressure", y, accuracy) == doctest::Approx(change).epsilon(0.01));
-    CHECK(size_of("shear", 1 - e, accuracy) == doctest::Approx(0.1 * size_of("pressure", 1 - e, accuracy)));
+      CHECK(accuracy * size_of(ResultId::pressure, y, accuracy) == doctest::Approx(change).epsilon(0.01));
+    CHECK(size_of(ResultId::shear, 1 - e, accuracy) == doctest::Approx(0.1 * size_of(ResultId::pressure, 1 - e, accuracy)));
   }
-  CHECK(size_of("pressure", 0) == 10);
+  CHECK(size_of(ResultId::pressure, 0) == 10);
 }
 
 TEST_CASE("a result meets the accuracy if each of its errors is no larger than it allows") {

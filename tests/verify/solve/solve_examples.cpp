@@ -53,9 +53,11 @@ TEST_CASE("every scene in data/scenes is solved, and gives all that it wants wit
     REQUIRE(solution.results.size() == scene.wanted.size());
     for (const auto& result : solution.results) {
       CAPTURE(std::string(result.what->name));
-      const std::size_t places = result.what->is_field ? solution.field.size() : solution.positions.size();
-      const bool has_places = result.what->is_profile || result.what->is_field;
-      if (!result.what->is_list) CHECK(result.numbers.size() == (has_places ? places : 1));
+      const std::size_t places =
+          result.what->shape == data::Shape::field ? solution.field.size() : solution.positions.size();
+      const bool has_places =
+          result.what->shape == data::Shape::profile || result.what->shape == data::Shape::field;
+      if (result.what->shape != data::Shape::list) CHECK(result.numbers.size() == (has_places ? places : 1));
       CHECK_FALSE(result.numbers.empty());
       for (const fast::Estimate& number : result.numbers) {
         CHECK(std::isfinite(number.value));

@@ -167,10 +167,10 @@ TEST_CASE("a result that is no number is refused by its name") {
   class NoNumber : public verify::SolvedContact<fast::Estimate> {
    public:
     explicit NoNumber(fast::Estimate estimate) : estimate_(estimate) {}
-    [[nodiscard]] fast::Estimate number(std::string_view name) const override {
-      return name == "load" ? estimate_ : fast::Estimate{0, 0};
+    [[nodiscard]] fast::Estimate number(data::ResultId id) const override {
+      return id == data::ResultId::load ? estimate_ : fast::Estimate{0, 0};
     }
-    [[nodiscard]] fast::Estimate at(std::string_view, double) const override { return estimate_; }
+    [[nodiscard]] fast::Estimate at(data::ResultId, double) const override { return estimate_; }
     [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {0, 1}; }
     [[nodiscard]] fast::Work work() const override { return {}; }
 

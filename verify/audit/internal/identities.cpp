@@ -190,8 +190,10 @@ std::vector<double> mirrored_stiffness(std::vector<double> upper) {
 std::optional<Variant> mirrored(const DrawnScene& drawn) {
   if (drawn.has("rolling.speed") && !is_half_space(drawn)) return {};
   Variant variant{"mirror", drawn, [](const data::SceneResult& what, const Estimate& number) {
-                    const bool is_odd = what.name == "shear" || what.name == "tangential_displacement" ||
-                                        what.name == "orientation" || what.name == "centre_across";
+                    const bool is_odd = what.id == data::ResultId::shear ||
+                                        what.id == data::ResultId::tangential_displacement ||
+                                        what.id == data::ResultId::orientation ||
+                                        what.id == data::ResultId::centre_across;
                     return Estimate{is_odd ? -number.value : number.value, number.error};
                   }};
   variant.scene.set("profile.positions", negated(drawn.numbers("profile.positions")));
@@ -208,7 +210,7 @@ std::optional<Variant> turned_motion(const DrawnScene& drawn, Random& random) {
   if (drawn.has("half_space.stiffness")) return {};
   const double from = drawn.number("sliding.direction"), to = random.uniform(-90, 90);
   Variant variant{"turned", drawn, [turn = from - to](const data::SceneResult& what, const Estimate& number) {
-                    if (what.name != "orientation") return number;
+                    if (what.id != data::ResultId::orientation) return number;
                     return Estimate{number.value + turn, number.error + 0x1p-51 * 180};
                   }};
   variant.scene.set("sliding.direction", to);

@@ -115,7 +115,7 @@ class Comparisons {
   static double distance(const data::SceneResult& what, long double mine, long double other) {
     const long double difference = mine - other;
     return static_cast<double>(
-        std::fabs(what.name == "orientation" ? std::remainder(difference, 180.0L) : difference));
+        std::fabs(what.id == ResultId::orientation ? std::remainder(difference, 180.0L) : difference));
   }
 
   /// Over a rounding of the value where the estimates are less, so that those of 0 can be told apart.
@@ -131,10 +131,10 @@ class Comparisons {
     if (ratio <= findings_.largest_ratio) return;
     findings_.largest_ratio = ratio;
     const Estimate& mine = result.numbers[i];
-    findings_.where =
-        fmt::format("{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}", result.what->name,
-                    result.what->is_profile ? fmt::format(" at {}", solved_.positions[i]) : "", mine.value,
-                    mine.error, name, static_cast<double>(other.value), other.error);
+    findings_.where = fmt::format(
+        "{}{} = {:.17g}, estimate {:.2g}; {}: {:.17g}, estimate {:.2g}", result.what->name,
+        result.what->shape == data::Shape::profile ? fmt::format(" at {}", solved_.positions[i]) : "",
+        mine.value, mine.error, name, static_cast<double>(other.value), other.error);
   }
 
   SceneFindings& findings_;
@@ -159,7 +159,7 @@ struct OtherOf {
   /// Of a list the nearest, as what is sure to one need not be to the other.
   [[nodiscard]] Estimate other_number(const Solution::Result& result, std::size_t i) const {
     const std::vector<Estimate>& numbers = solution.profile(result.what->name);
-    if (!result.what->is_list) return numbers[i];
+    if (result.what->shape != data::Shape::list) return numbers[i];
     return *std::ranges::min_element(numbers, {}, [&](const Estimate& other) {
       const Estimate back = variant == nullptr ? other : variant->back(*result.what, other);
       return std::fabs(back.value - result.numbers[i].value);
@@ -168,23 +168,25 @@ struct OtherOf {
 };
 
 /// Integrals over all lines, and scans of them.
-bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name) {
-  if (name == "compliance" || name == "coupling") return false;
-  if (name == "critical_speed") return !surface.all_lines_are_alike();
-  if (problem.rule == data::ContourRule::exact || name == "normal_force" || name == "friction_force")
+bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id) {
+  if (id == ResultId::compliance || id == ResultId::coupling) return false;
+  if (id == ResultId::critical_speed) return !surface.all_lines_are_alike();
+  if (problem.rule == data::ContourRule::exact || id == ResultId::normal_force ||
+      id == ResultId::friction_force)
     return true;
-  return name != "span_ratio" && std::holds_alternative<data::GivenNormalForce>(problem.given);
+  return id != ResultId::span_ratio && std::holds_alternative<data::GivenNormalForce>(problem.given);
 }
 
 /// Twofold integrals next to the critical speed, and integrals over lines that differ, next to it or with 21 constants:
 /// they take the reference minutes.
-bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, std::string_view name,
+bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id,
                  double critical_speed) {
-  if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, name);
-  if (problem.rule != data::ContourRule::exact && (name == "centre_along" || name == "centre_across"))
+  if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, id);
+  if (problem.rule != data::ContourRule::exact &&
+      (id == ResultId::centre_along || id == ResultId::centre_across))
     return true;
   const bool lines_crowd = !surface.all_lines_are_alike() && problem.speed > fastest_by_ref * critical_speed;
-  return lines_crowd && name != "critical_speed" && is_dear(problem, surface, name);
+  return lines_crowd && id != ResultId::critical_speed && is_dear(problem, surface, id);
 }
 
 /// What takes the reference a second or ten of the scenes drawn for it only.
@@ -195,12 +197,13 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved["critical_speed"].value;
   comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
-    const std::string_view name = result.what->name;
-    if (is_too_dear(problem, surface, name, critical_speed) || (!dear && is_dear(problem, surface, name)))
+    const ResultId id = result.what->id;
+    if (is_too_dear(problem, surface, id, critical_speed) || (!dear && is_dear(problem, surface, id)))
       return std::optional<Other>();
     try {
-      const LongEstimate number =
-          result.what->is_profile ? contact->at(name, solved.positions[i]) : contact->number(name);
+      const LongEstimate number = result.what->shape == data::Shape::profile
+                                      ? contact->at(id, solved.positions[i])
+                                      : contact->number(id);
       return std::optional(Other{ref_number(number), true});
     } catch (const data::BadInput&) {
       return std::optional<Other>();  // where no proof is found, or not the digits

@@ -25,8 +25,9 @@ struct PlacePoints {
 
 std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const ProfileExtent& extent) {
-  const bool wanted = std::ranges::any_of(
-      scene.wanted, [](const std::string& name) { return data::find_scene_result(name)->is_profile; });
+  const bool wanted = std::ranges::any_of(scene.wanted, [](const std::string& name) {
+    return data::find_scene_result(name)->shape == data::Shape::profile;
+  });
   return wanted ? std::visit(PlacePoints{extent}, *profile) : std::vector<double>{};
 }
 
@@ -57,9 +58,9 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
                                         const std::vector<double>& along_field) {
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    double place = result.what->is_profile ? positions[i] : 0;
-    if (result.what->is_field) place = along_field[i % along_field.size()];
-    const auto size = contact.least_size(result.what->name, place);
+    double place = result.what->shape == data::Shape::profile ? positions[i] : 0;
+    if (result.what->shape == data::Shape::field) place = along_field[i % along_field.size()];
+    const auto size = contact.least_size(result.what->id, place);
     if (!size) return {};
     allowed.push_back(accuracy * std::max(*size, std::fabs(result.numbers[i].value)));
   }
@@ -75,9 +76,9 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
     largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    double place = result.what->is_profile ? positions[i] : 0;
-    if (result.what->is_field) place = along_field[i % along_field.size()];
-    const long double least = contact.least_size(result.what->name, place).value_or(0);
+    double place = result.what->shape == data::Shape::profile ? positions[i] : 0;
+    if (result.what->shape == data::Shape::field) place = along_field[i % along_field.size()];
+    const long double least = contact.least_size(result.what->id, place).value_or(0);
     allowed.push_back(accuracy * std::max(largest, least));
   }
   return allowed;

@@ -34,12 +34,12 @@ bool is_by_line_loads(const data::Scene& scene);
 const data::FieldPlaces& field_places(const data::Scene& scene);
 
 template <class Number>
-std::vector<Number> profile_of(const SolvedContact<Number>& contact, const std::string& name,
+std::vector<Number> profile_of(const SolvedContact<Number>& contact, ResultId id,
                                const std::vector<double>& positions, const data::SceneOrigin& origin) {
   std::vector<Number> numbers;
   for (const double y : positions) {
     try {
-      numbers.push_back(contact.at(name, y));
+      numbers.push_back(contact.at(id, y));
     } catch (const data::BadInput& error) {
       origin.refuse_as("profile.positions[" + std::to_string(numbers.size()) + "]", error);
     }
@@ -64,16 +64,20 @@ template <class Number>
 typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
                                                       const SolvedContact<Number>& contact,
                                                       const SceneSolution<Number>& solution) {
-  const std::string& name = scene.wanted[wanted];
-  typename SceneSolution<Number>::Result result{data::find_scene_result(name), {}};
-  if (result.what->is_field) {
-    result.numbers = contact.inside(name, solution.field);
-  } else if (result.what->is_profile) {
-    result.numbers = profile_of(contact, name, solution.positions, scene.origin);
-  } else if (result.what->is_list) {
-    result.numbers = contact.list(name);
-  } else {
-    result.numbers = {contact.number(name)};
+  typename SceneSolution<Number>::Result result{data::find_scene_result(scene.wanted[wanted]), {}};
+  const ResultId id = result.what->id;
+  switch (result.what->shape) {
+    case data::Shape::number:
+      result.numbers = {contact.number(id)};
+      break;
+    case data::Shape::list:
+      result.numbers = contact.list(id);
+      break;
+    case data::Shape::profile:
+      result.numbers = profile_of(contact, id, solution.positions, scene.origin);
+      break;
+    case data::Shape::field:
+      result.numbers = contact.inside(id, solution.field);
   }
   if (!std::ranges::all_of(result.numbers, [](const Number& n) { return is_finite(n); }))
     refuse_result(scene, wanted);
@@ -94,7 +98,8 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   solution.warnings = beyond_theory(scene, contact);
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (std::size_t wanted = 0; wanted < scene.wanted.size(); ++wanted) {
-    if (data::find_scene_result(scene.wanted[wanted])->is_field) solution.field = field_places(scene);
+    if (data::find_scene_result(scene.wanted[wanted])->shape == data::Shape::field)
+      solution.field = field_places(scene);
     solution.results.push_back(collect_result(scene, wanted, contact, solution));
   }
   solution.work = contact.work();

@@ -15,15 +15,15 @@ using fast::Estimate;
 
 /// Times mu_R.
 struct Product {
-  std::string_view name;
+  ResultId id;
   bool has_radius, has_load, has_speed;
 };
-constexpr std::array products{Product{"eccentricity", true, false, false},
-                              Product{"resistance_force", false, true, false},
-                              Product{"power_loss", false, true, true}};
+constexpr std::array products{Product{ResultId::eccentricity, true, false, false},
+                              Product{ResultId::resistance_force, false, true, false},
+                              Product{ResultId::power_loss, false, true, true}};
 
-const Product* product_of(std::string_view name) {
-  const auto found = std::ranges::find(products, name, &Product::name);
+const Product* product_of(ResultId id) {
+  const auto found = std::ranges::find(products, id, &Product::id);
   return found == products.end() ? nullptr : &*found;
 }
 
@@ -85,7 +85,7 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   const auto add = [&](double end, double node, double weight) {
     const double t = (1 + node) / 2, reach = middle - end, y = end + reach * t * t;
     const double factor = weight * t * std::fabs(reach) * y;
-    const Estimate pressure = contact.at("pressure", y);
+    const Estimate pressure = contact.at(ResultId::pressure, y);
     sum.value += factor * pressure.value;
     sum.error += std::fabs(factor) * (pressure.error + 0x1p-51 * std::fabs(pressure.value));
   };
@@ -101,12 +101,13 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
 
 }  // namespace
 
-bool is_product(std::string_view name) { return product_of(name) != nullptr; }
-bool is_moment(std::string_view name) { return name == "leading_moment" || name == "trailing_moment"; }
+bool is_product(ResultId id) { return product_of(id) != nullptr; }
+bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
 
-Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, std::string_view name) {
-  const Estimate leading = contact.number("leading_length"), trailing = contact.number("trailing_length");
-  const bool is_leading = name == "leading_moment";
+Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, ResultId id) {
+  const Estimate leading = contact.number(ResultId::leading_length),
+                 trailing = contact.number(ResultId::trailing_length);
+  const bool is_leading = id == ResultId::leading_moment;
   // All of the contact may be ahead.
   const double a = is_leading ? std::max(0.0, -trailing.value) : -trailing.value;
   const double b = is_leading ? leading.value : 0;
@@ -116,29 +117,30 @@ Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, std::string_
 }
 
 template <class Number>
-Number WithDerivedResults<Number>::number(std::string_view name) const {
-  const Product* const product = product_of(name);
-  if (product == nullptr) return contact_.number(name);
-  Number result = contact_.number("rolling_resistance");
-  if (product->has_load) result = multiplied(result, contact_.number("load"));
+Number WithDerivedResults<Number>::number(ResultId id) const {
+  const Product* const product = product_of(id);
+  if (product == nullptr) return contact_.number(id);
+  Number result = contact_.number(ResultId::rolling_resistance);
+  if (product->has_load) result = multiplied(result, contact_.number(ResultId::load));
   return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
 }
 
 template <class Number>
 const Number& WithDerivedResults<Number>::strain(double y) const {
   const auto known = strains_.find(y);
-  return known != strains_.end() ? known->second
-                                 : strains_.emplace(y, contact_.at("surface_strain", y)).first->second;
+  return known != strains_.end()
+             ? known->second
+             : strains_.emplace(y, contact_.at(ResultId::surface_strain, y)).first->second;
 }
 
 template <>
 Estimate WithDerivedResults<Estimate>::slip(double y) const {
-  return contact_.at("slip", y);
+  return contact_.at(ResultId::slip, y);
 }
 
 template <>
 LongEstimate WithDerivedResults<LongEstimate>::slip(double y) const {
-  if (!creep_) creep_ = contact_.number("creep_ratio");
+  if (!creep_) creep_ = contact_.number(ResultId::creep_ratio);
   const LongEstimate& stretched = strain(y);
   // What sticks has the creep ratio itself for its strain.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
@@ -148,24 +150,25 @@ LongEstimate WithDerivedResults<LongEstimate>::slip(double y) const {
 }
 
 template <class Number>
-Number WithDerivedResults<Number>::at(std::string_view name, double y) const {
-  if (name == "slip") return slip(y);
-  return name == "surface_strain" ? strain(y) : contact_.at(name, y);
+Number WithDerivedResults<Number>::at(ResultId id, double y) const {
+  if (id == ResultId::slip) return slip(y);
+  return id == ResultId::surface_strain ? strain(y) : contact_.at(id, y);
 }
 
 template <class Number>
-std::optional<double> WithDerivedResults<Number>::least_size(std::string_view name, double y) const {
-  if (is_moment(name)) {
-    if (!contact_.least_size("rolling_resistance", y)) return {};
-    const double half =
-        (value_of(contact_.number("leading_length")) + value_of(contact_.number("trailing_length"))) / 2;
-    return half * value_of(contact_.number("load"));
+std::optional<double> WithDerivedResults<Number>::least_size(ResultId id, double y) const {
+  if (is_moment(id)) {
+    if (!contact_.least_size(ResultId::rolling_resistance, y)) return {};
+    const double half = (value_of(contact_.number(ResultId::leading_length)) +
+                         value_of(contact_.number(ResultId::trailing_length))) /
+                        2;
+    return half * value_of(contact_.number(ResultId::load));
   }
-  const Product* const product = product_of(name);
-  if (product == nullptr) return contact_.least_size(name, y);
-  auto size = contact_.least_size("rolling_resistance", y);
+  const Product* const product = product_of(id);
+  if (product == nullptr) return contact_.least_size(id, y);
+  auto size = contact_.least_size(ResultId::rolling_resistance, y);
   if (!size) return {};
-  const double load = product->has_load ? value_of(contact_.number("load")) : 1;
+  const double load = product->has_load ? value_of(contact_.number(ResultId::load)) : 1;
   return *size * load * std::fabs(std::visit(FactorOf{*product}, scene_.system));
 }
 

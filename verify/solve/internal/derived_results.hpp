@@ -11,13 +11,13 @@
 namespace nipref::verify {
 
 /// Whether a result of a nip is a product of others: eccentricity, resistance_force, power_loss.
-bool is_product(std::string_view name);
+bool is_product(ResultId id);
 /// leading_moment, trailing_moment.
-bool is_moment(std::string_view name);
+bool is_moment(ResultId id);
 
 /// leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (thesis 7.13): by
 /// Gauss's rule over the pressure of a contact; the error is that of the pressure and what half as many nodes leave.
-fast::Estimate moment_of_pressure(const SolvedContact<fast::Estimate>& contact, std::string_view name);
+fast::Estimate moment_of_pressure(const SolvedContact<fast::Estimate>& contact, ResultId id);
 
 /// A solved contact, and what follows from its results whatever the method:
 ///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
@@ -33,15 +33,14 @@ class WithDerivedResults : public SolvedContact<Number> {
   WithDerivedResults(const data::Scene& scene, const SolvedContact<Number>& contact)
       : scene_(scene), contact_(contact) {}
 
-  [[nodiscard]] Number number(std::string_view name) const override;
-  [[nodiscard]] Number at(std::string_view name, double y) const override;
-  [[nodiscard]] std::vector<Number> inside(std::string_view name,
-                                           const data::FieldPlaces& places) const override {
-    return contact_.inside(name, places);
+  [[nodiscard]] Number number(ResultId id) const override;
+  [[nodiscard]] Number at(ResultId id, double y) const override;
+  [[nodiscard]] std::vector<Number> inside(ResultId id, const data::FieldPlaces& places) const override {
+    return contact_.inside(id, places);
   }
-  [[nodiscard]] std::vector<Number> list(std::string_view name) const override { return contact_.list(name); }
+  [[nodiscard]] std::vector<Number> list(ResultId id) const override { return contact_.list(id); }
   [[nodiscard]] ProfileExtent profile_extent() const override { return contact_.profile_extent(); }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double y) const override;
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override;
   [[nodiscard]] fast::Work work() const override { return contact_.work(); }
   [[nodiscard]] fast::Work error_work() const override { return contact_.error_work(); }
 

@@ -36,29 +36,29 @@ class OnHalfSpace : public SolvedContact<Estimate> {
         line_(problem.line),
         accuracy_(accuracy) {}
 
-  [[nodiscard]] Estimate number(std::string_view name) const final {
-    if (name == "span_along") return span(along);
-    if (name == "span_across") return span(across);
-    if (name == "span_ratio") return span_ratio(across);
-    if (name == "normal_force") return force();
-    if (name == "friction_force") return Estimate{friction_, 0} * force();
-    if (name == "peak_pressure") return peak_pressure();
-    if (name == "critical_speed") return to_rounding(response_.critical_speed());
-    if (name == "centre_along") return centre_along();
-    if (name == "centre_across") return centre_across();
-    return of_ellipse(name);
+  [[nodiscard]] Estimate number(ResultId id) const final {
+    if (id == ResultId::span_along) return span(along);
+    if (id == ResultId::span_across) return span(across);
+    if (id == ResultId::span_ratio) return span_ratio(across);
+    if (id == ResultId::normal_force) return force();
+    if (id == ResultId::friction_force) return Estimate{friction_, 0} * force();
+    if (id == ResultId::peak_pressure) return peak_pressure();
+    if (id == ResultId::critical_speed) return to_rounding(response_.critical_speed());
+    if (id == ResultId::centre_along) return centre_along();
+    if (id == ResultId::centre_across) return centre_across();
+    return of_ellipse(id);
   }
   /// `place`: an angle from the motion, or a position on the scene's line.
-  [[nodiscard]] Estimate at(std::string_view name, double place) const final {
-    if (name == "pressure") return pressure(Direction::of_degrees(*line_), place);
-    if (name == "shear") return shear(Direction::of_degrees(*line_), place);
+  [[nodiscard]] Estimate at(ResultId id, double place) const final {
+    if (id == ResultId::pressure) return pressure(Direction::of_degrees(*line_), place);
+    if (id == ResultId::shear) return shear(Direction::of_degrees(*line_), place);
     const Direction psi = Direction::of_degrees(place);
-    if (name == "span") return span(psi);
-    if (name == "leading_end") return leading_end(psi);
-    if (name == "trailing_end") return -1 * leading_end(reversed(psi));
-    if (name == "creep" || name == "compressed_radius") return of_rolling(name, psi);
+    if (id == ResultId::span) return span(psi);
+    if (id == ResultId::leading_end) return leading_end(psi);
+    if (id == ResultId::trailing_end) return -1 * leading_end(reversed(psi));
+    if (id == ResultId::creep || id == ResultId::compressed_radius) return of_rolling(id, psi);
     const fast::LineResponse line = response_(psi);
-    if (name == "compliance") return to_rounding(line.compliance);
+    if (id == ResultId::compliance) return to_rounding(line.compliance);
     // Between two bodies couplings subtract, and some vanish where compliances do not.
     return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
   }
@@ -67,13 +67,13 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     const Direction psi = Direction::of_degrees(*line_);
     return {-leading_end(reversed(psi)).value, leading_end(psi).value};
   }
-  [[nodiscard]] std::optional<double> least_size(std::string_view name, double place) const final {
-    if (name == "pressure" || name == "shear") {
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double place) const final {
+    if (id == ResultId::pressure || id == ResultId::shear) {
       const auto [first, last] = profile_extent();
       return traction_size(place, first, last, accuracy_) * peak_pressure().value;
     }
-    if (name == "centre_along" || name == "centre_across") return span(along).value;
-    return half_space_result_size(name, [&] { return response_(Direction::of_degrees(place)).compliance; });
+    if (id == ResultId::centre_along || id == ResultId::centre_across) return span(along).value;
+    return half_space_result_size(id, [&] { return response_(Direction::of_degrees(place)).compliance; });
   }
   [[nodiscard]] fast::Work work() const final {
     fast::Work work;
@@ -95,12 +95,12 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return Estimate{friction_, 0} * pressure(psi, x);
   }
   /// Scene::check lets this be wanted of a rolling sphere only.
-  [[nodiscard]] virtual Estimate of_rolling(std::string_view name, Direction) const {
-    throw data::BadInput("wanted", name, "must be out of what this method has");
+  [[nodiscard]] virtual Estimate of_rolling(ResultId id, Direction) const {
+    throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
   /// axis_ratio, orientation, approach: Scene::check lets them be wanted of the exact method only.
-  [[nodiscard]] virtual Estimate of_ellipse(std::string_view name) const {
-    throw data::BadInput("wanted", name, "must be out of what this method has");
+  [[nodiscard]] virtual Estimate of_ellipse(ResultId id) const {
+    throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
 
  private:
@@ -154,9 +154,9 @@ class Exact : public OnHalfSpace {
   [[nodiscard]] Estimate pressure(Direction psi, double x) const override {
     return contact_.pressure(load_, psi, x);
   }
-  [[nodiscard]] Estimate of_ellipse(std::string_view name) const override {
-    if (name == "axis_ratio") return contact_.axis_ratio();
-    if (name == "approach") return load_.approach;
+  [[nodiscard]] Estimate of_ellipse(ResultId id) const override {
+    if (id == ResultId::axis_ratio) return contact_.axis_ratio();
+    if (id == ResultId::approach) return load_.approach;
     const auto [angle, error] = contact_.orientation();
     // An axis has no sense: -90 to 90 degrees.
     return {std::remainder(angle / degree + motion_, 180),
@@ -228,9 +228,9 @@ class ByRollingRule : public ByRule<fast::RollingSphere> {
   [[nodiscard]] Estimate shear(Direction psi, double x) const override {
     return contact_.along(psi).shear_traction(x);
   }
-  [[nodiscard]] Estimate of_rolling(std::string_view name, Direction psi) const override {
+  [[nodiscard]] Estimate of_rolling(ResultId id, Direction psi) const override {
     const fast::RollingLine line = contact_.along(psi);
-    return name == "creep" ? line.creep : line.compressed_radius();
+    return id == ResultId::creep ? line.creep : line.compressed_radius();
   }
 };
 

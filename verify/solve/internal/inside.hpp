@@ -33,7 +33,7 @@ class Inside {
  public:
   using Number = typename Path::Number;
 
-  [[nodiscard]] std::vector<Number> field(const Contact& contact, std::string_view name,
+  [[nodiscard]] std::vector<Number> field(const Contact& contact, ResultId id,
                                           const data::FieldPlaces& places) const {
     if (!stresses_) {
       std::vector<typename Path::Point> points;
@@ -43,24 +43,26 @@ class Inside {
       stresses_ = contact.inner_stresses(points);
     }
     std::vector<Number> numbers;
-    for (const auto& here : *stresses_) numbers.push_back(Path::number(part_of(here, name)));
+    for (const auto& here : *stresses_) numbers.push_back(Path::number(part_of(here, id)));
     return numbers;
   }
-  /// Nothing if the name is of another kind.
-  [[nodiscard]] std::optional<Number> number(const Contact& contact, std::string_view name) const {
-    if (!name.starts_with("greatest_shear")) return {};
+  /// Nothing if it is of another kind.
+  [[nodiscard]] std::optional<Number> number(const Contact& contact, ResultId id) const {
+    if (id != ResultId::greatest_shear && id != ResultId::greatest_shear_position &&
+        id != ResultId::greatest_shear_depth)
+      return {};
     if (!greatest_) greatest_ = contact.greatest_shear();
-    if (name == "greatest_shear_position") return Path::number(greatest_->y);
-    return Path::number(name == "greatest_shear_depth" ? greatest_->depth : greatest_->value);
+    if (id == ResultId::greatest_shear_position) return Path::number(greatest_->y);
+    return Path::number(id == ResultId::greatest_shear_depth ? greatest_->depth : greatest_->value);
   }
 
  private:
-  static auto part_of(const typename Path::Stresses& here, std::string_view name) {
-    if (name == "stress_across") return here.across;
-    if (name == "stress_along") return here.along;
-    if (name == "stress_shear") return here.shear;
-    if (name == "highest_stress") return here.highest();
-    return name == "lowest_stress" ? here.lowest() : here.maximum_shear();
+  static auto part_of(const typename Path::Stresses& here, ResultId id) {
+    if (id == ResultId::stress_across) return here.across;
+    if (id == ResultId::stress_along) return here.along;
+    if (id == ResultId::stress_shear) return here.shear;
+    if (id == ResultId::highest_stress) return here.highest();
+    return id == ResultId::lowest_stress ? here.lowest() : here.maximum_shear();
   }
 
   mutable std::optional<std::vector<typename Path::Stresses>> stresses_;

@@ -16,7 +16,8 @@ namespace nipref::verify {
 template <class Number>
 std::vector<BeyondTheory> beyond_theory(const data::Scene& scene, const SolvedContact<Number>& contact) {
   const auto of_nip = [&](const auto& problem) {
-    const double indentation = value_of(contact.number("indentation")), half = problem.nip.half_thickness();
+    const double indentation = value_of(contact.number(ResultId::indentation)),
+                 half = problem.nip.half_thickness();
     if (!(indentation < half)) refuse_meeting_faces(scene, problem.given, indentation, half);
     const auto [first, last] = contact.profile_extent();
     const double farther = std::max(std::fabs(first), std::fabs(last));

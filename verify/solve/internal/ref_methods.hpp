@@ -42,7 +42,7 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_half_space(const RefSurfa
                                                                   int digits);
 
 /// Refuses whatever the scene wants beside `known`.
-void check_wanted_of_ref(const data::Scene& scene, const std::vector<std::string_view>& known);
+void check_wanted_of_ref(const data::Scene& scene, const std::vector<ResultId>& known);
 
 inline LongEstimate long_estimate(const ref::Enclosure& enclosure) {
   return {enclosure.value_text(), enclosure.bound_text(), true};

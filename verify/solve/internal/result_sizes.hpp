@@ -1,7 +1,8 @@
 #pragma once
 #include <functional>
 #include <optional>
-#include <string_view>
+
+#include <nipref/data/scene/results.hpp>
 
 namespace nipref::verify {
 
@@ -23,12 +24,12 @@ struct NipSize {
 /// Shear: a tenth of it. Places of peaks and of the shear's zeros:
 /// a hundred halves of the contact. Rolling resistance: half of L/R, as far as rounding, 1e-14 of it, allows no more.
 /// `pressure_in_the_middle` is asked only where it is needed.
-double nip_result_size(std::string_view name, double y, const NipSize& nip,
+double nip_result_size(data::ResultId id, double y, const NipSize& nip,
                        const std::function<double()>& pressure_in_the_middle);
 
 /// The part of it that is about the stresses inside the sheet; nothing for other results. Stresses are measured like the
 /// pressure; a maximum is flat, so that its place is known to the root of what its value is.
-std::optional<double> inside_result_size(std::string_view name, double y, const NipSize& nip,
+std::optional<double> inside_result_size(data::ResultId id, double y, const NipSize& nip,
                                          const std::function<double()>& pressure_in_the_middle);
 
 /// Of a traction over its size at the point of first touch, x between the ends first and last: 1, and more next to an
@@ -36,6 +37,6 @@ std::optional<double> inside_result_size(std::string_view name, double y, const 
 double traction_size(double x, double first, double last, double accuracy);
 
 /// Orientation: a radian. Coupling of a line: its compliance.
-double half_space_result_size(std::string_view name, const std::function<double()>& compliance);
+double half_space_result_size(data::ResultId id, const std::function<double()>& compliance);
 
 }  // namespace nipref::verify

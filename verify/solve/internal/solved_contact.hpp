@@ -1,20 +1,21 @@
 #pragma once
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include <nipref/data/problem/field_places.hpp>
+#include <nipref/data/scene/results.hpp>
 #include <nipref/fast/nip/work.hpp>
 
 namespace nipref::verify {
+
+using data::ResultId;
 
 /// Where evenly spaced profiles begin and end: Y, unit of length.
 struct ProfileExtent {
   double first, last;
 };
 
-/// A solved contact that answers by the names of data::scene_results(). Nothing is computed before it is
-/// asked for.
+/// A solved contact, asked for what data::scene_results() lists. Nothing is computed before it is asked for.
 template <class Number>
 class SolvedContact {
  public:
@@ -23,19 +24,17 @@ class SolvedContact {
   SolvedContact& operator=(const SolvedContact&) = delete;
   virtual ~SolvedContact() = default;
 
-  [[nodiscard]] virtual Number number(std::string_view name) const = 0;
+  [[nodiscard]] virtual Number number(ResultId id) const = 0;
   /// A profile's value at Y, unit of length.
-  [[nodiscard]] virtual Number at(std::string_view name, double y) const = 0;
+  [[nodiscard]] virtual Number at(ResultId id, double y) const = 0;
   /// Stresses inside the sheet at all places, depth after depth; those who have none are not asked.
-  [[nodiscard]] virtual std::vector<Number> inside(std::string_view, const data::FieldPlaces&) const {
-    return {};
-  }
+  [[nodiscard]] virtual std::vector<Number> inside(ResultId, const data::FieldPlaces&) const { return {}; }
   /// Of a result that is a list; those who have none are not asked.
-  [[nodiscard]] virtual std::vector<Number> list(std::string_view) const { return {}; }
+  [[nodiscard]] virtual std::vector<Number> list(ResultId) const { return {}; }
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
   /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
   /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.
-  [[nodiscard]] virtual std::optional<double> least_size(std::string_view, double) const { return {}; }
+  [[nodiscard]] virtual std::optional<double> least_size(ResultId, double) const { return {}; }
   /// Solves with more terms, for smaller errors; false where there are none.
   virtual bool refine() { return false; }
   /// Spent so far on the results, and on nothing but their error estimates.
