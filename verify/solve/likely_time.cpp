@@ -46,20 +46,30 @@ struct CountPlaces {
   }
 };
 
-/// Profiles that are integrals over the contact, and fields; all stresses of a place come together.
+double grip_factor(const data::ElasticNipProblem& problem) {
+  return problem.friction == data::Friction::full ? 3 : 1;  // pressure and shear, both complex
+}
+double grip_factor(const data::ViscoelasticNipProblem&) { return 1; }
+
+/// Profiles that are integrals over the contact, and stresses inside the sheet; all of those of a place come together. The
+/// greatest shear is looked for at as many places as `searched`.
 template <class Problem>
 double seconds_for_places(const data::Scene& scene, const Problem& problem, double length) {
   const double ratio = length / problem.nip.sheet_thickness;
-  double seconds = 0;
-  bool has_field = false;
+  constexpr double searched = 65;
+  double seconds = 0, inside = 0;
+  bool has_field = false, has_greatest = false;
   for (const std::string& name : scene.wanted) {
     const data::SceneResult& result = *data::find_scene_result(name);
     has_field = has_field || result.shape == data::Shape::field;
+    has_greatest = has_greatest || (result.is_inside && result.shape == data::Shape::number);
     if (result.shape == data::Shape::profile && result.id != data::ResultId::pressure &&
         result.id != data::ResultId::shear)
       seconds += 0.02 * (1 + ratio / 4) * std::visit(CountPlaces(), *problem.profile);
   }
-  return has_field ? seconds + 0.05 * (1 + ratio) * static_cast<double>(problem.field->size()) : seconds;
+  if (has_field) inside += static_cast<double>(problem.field->size());
+  if (has_greatest) inside += searched;
+  return seconds + 0.05 * (1 + ratio) * grip_factor(problem) * inside;
 }
 
 struct LikelySeconds {

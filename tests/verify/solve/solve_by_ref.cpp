@@ -239,6 +239,8 @@ TEST_CASE("what takes the reference more than ten seconds is known before it sta
   CHECK(seconds("thick-full-friction", 16, 1000) > 10);
   CHECK(seconds("viscoelastic-short-memory", 16, 0) < 20);
   CHECK(seconds("viscoelastic-short-memory", 30, 0) > 10);
+  const data::Scene inside = data::load_scene(data::example_scene("inside-full-friction"));
+  CHECK(verify::likely_seconds_by_ref(inside, 30) > 10);  // all of it is the greatest shear and the field
   // Refused at once, or nothing that it knows of.
   CHECK(seconds("thick-full-friction", 51, 0) == 0);
   CHECK(seconds("thick-frictionless-line-loads", 30, 0) == 0);
