@@ -59,10 +59,7 @@ SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::
 SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
                                           const data::ViscoelasticNipProblem& problem, int digits) {
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
-  if (loads == nullptr) {
-    refuse_moments(scene);
-    check_ref_rolling(scene);
-  }
+  if (loads == nullptr) refuse_moments(scene);
   const Solved solved = [&] {
     try {
       return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)
@@ -95,18 +92,6 @@ struct SolveSystem {
 };
 
 }  // namespace
-
-void check_wanted_of_ref(const data::Scene& scene, const std::vector<ResultId>& known) {
-  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    const ResultId wanted = data::find_scene_result(scene.wanted[i])->id;
-    if (std::ranges::find(known, wanted) != known.end() || is_product(wanted)) continue;
-    std::vector<std::string_view> names;
-    for (const ResultId id : known) names.push_back(data::scene_result(id).name);
-    scene.origin.refuse(
-        fmt::format("wanted[{}]", i), scene.wanted[i],
-        fmt::format("must be one of what the reference has here: {}", fmt::join(names, ", ")));
-  }
-}
 
 SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();

@@ -1,6 +1,5 @@
 #pragma once
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include <nipref/data/problem/field_places.hpp>
@@ -10,20 +9,37 @@
 
 namespace nipref::verify {
 
-/// What fast and ref have inside the sheet.
-struct FastInside {
+/// What a nip's numbers are in either path.
+struct FastPath {
+  static constexpr bool is_fast = true;
   using Number = fast::Estimate;
   using Point = fast::InnerPoint;
   using Stresses = fast::InnerStresses;
   using Greatest = fast::GreatestShear;
   static Number number(const Number& x) { return x; }
+  static Number half_of(const Number& x) { return 0.5 * x; }
+  static Number zero() { return {0, 0}; }
+  static double in_double(const Number& x) { return x.value; }
 };
-struct RefInside {
+struct RefPath {
+  static constexpr bool is_fast = false;
   using Number = LongEstimate;
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;
   using Greatest = ref::GreatestShear;
-  static Number number(const ref::Estimated& x) { return long_estimate(x); }
+  static Number number(const auto& x) { return long_estimate(x); }
+  static Number half_of(ref::Enclosure x) {
+    mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
+    mpfr_div_2ui(x.error_bound.get(), x.error_bound.get(), 1, MPFR_RNDU);
+    return long_estimate(x);
+  }
+  static Number half_of(ref::Estimated x) {
+    mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
+    mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
+    return long_estimate(x);
+  }
+  static Number zero() { return long_estimate(ref::exact_zero(16)); }
+  static double in_double(const auto& x) { return x.to_double(); }
 };
 
 /// The results inside the sheet of a converged contact by their names; the stresses are computed once for all. A scene
@@ -46,11 +62,8 @@ class Inside {
     for (const auto& here : *stresses_) numbers.push_back(Path::number(part_of(here, id)));
     return numbers;
   }
-  /// Nothing if it is of another kind.
-  [[nodiscard]] std::optional<Number> number(const Contact& contact, ResultId id) const {
-    if (id != ResultId::greatest_shear && id != ResultId::greatest_shear_position &&
-        id != ResultId::greatest_shear_depth)
-      return {};
+  /// greatest_shear, its position or its depth.
+  [[nodiscard]] Number number(const Contact& contact, ResultId id) const {
     if (!greatest_) greatest_ = contact.greatest_shear();
     if (id == ResultId::greatest_shear_position) return Path::number(greatest_->y);
     return Path::number(id == ResultId::greatest_shear_depth ? greatest_->depth : greatest_->value);

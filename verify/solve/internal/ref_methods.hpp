@@ -12,21 +12,17 @@
 
 namespace nipref::verify {
 
-// A contact solved by the reference. Each `check_` throws BadInput for what the reference does not
-// have, naming the scene's key; each `solve_` throws BadInput naming "load" or "contact_length" if that is
-// not allowed.
+// A contact solved by the reference. BadInput naming "load" or "contact_length" if that is not allowed.
 
 /// Proven without friction, estimated with it.
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
                                                                  int digits);
-std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_gripped(const data::ElasticNipProblem& problem,
-                                                               int digits);
 
 /// Proven.
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
                                                                   const data::LineLoads& loads, int digits);
 
-void check_ref_rolling(const data::Scene& scene);
+/// Estimated.
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                int digits);
 
@@ -40,9 +36,6 @@ std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_rolling_line_loads(
 std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_half_space(const RefSurface& surface,
                                                                   const data::HalfSpaceProblem& problem,
                                                                   int digits);
-
-/// Refuses whatever the scene wants beside `known`.
-void check_wanted_of_ref(const data::Scene& scene, const std::vector<ResultId>& known);
 
 inline LongEstimate long_estimate(const ref::Enclosure& enclosure) {
   return {enclosure.value_text(), enclosure.bound_text(), true};

@@ -1,0 +1,180 @@
+#pragma once
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <nipref/verify/solve/internal/derived_results.hpp>
+#include <nipref/verify/solve/internal/inside.hpp>
+#include <nipref/verify/solve/internal/result_sizes.hpp>
+
+namespace nipref::verify {
+
+/// A converged nip of either path, elastic or rolling: a result is the function of its class that is called like it.
+/// What such a class has no function for follows from the symmetry of an elastic nip, or from there being no friction.
+template <class Path, class Contact>
+class ConvergedContact : public SolvedContact<typename Path::Number> {
+ public:
+  using Number = typename Path::Number;
+  using WorkOf = fast::Work (*)(const Contact&);
+
+  /// accuracy: that was asked for, of the reference 10^-digits.
+  ConvergedContact(Contact contact, double roller_radius, double accuracy, WorkOf work_of)
+      : contact_(std::move(contact)), roller_radius_(roller_radius), accuracy_(accuracy), work_of_(work_of) {}
+
+  [[nodiscard]] Number number(ResultId id) const override {
+    switch (id) {
+      case ResultId::contact_length:
+        return Path::number(contact_.contact_length());
+      case ResultId::leading_length:
+        return leading_length();
+      case ResultId::trailing_length:
+        return trailing_length();
+      case ResultId::load:
+        return Path::number(contact_.load());
+      case ResultId::indentation:
+        return Path::number(contact_.indentation());
+      case ResultId::edge_displacement:
+        return edge_displacement();
+      case ResultId::trailing_displacement:
+        return trailing_displacement();
+      case ResultId::creep_ratio:
+        return Path::number(contact_.creep_ratio());
+      case ResultId::peak_pressure:
+        return Path::number(contact_.peak_pressure());
+      case ResultId::greatest_shear:
+      case ResultId::greatest_shear_position:
+      case ResultId::greatest_shear_depth:
+        return inside_.number(contact_, id);
+      default:
+        return special_number(id);
+    }
+  }
+  [[nodiscard]] Number at(ResultId id, double y) const override {
+    switch (id) {
+      case ResultId::pressure:
+        return Path::number(contact_.pressure(y));
+      case ResultId::shear:
+        if constexpr (has_shear) return Path::number(contact_.shear(y));
+        return Path::zero();
+      case ResultId::normal_displacement:
+        return Path::number(contact_.normal_displacement(y));
+      case ResultId::tangential_displacement:
+        return Path::number(contact_.tangential_displacement(y));
+      case ResultId::surface_strain:
+        return Path::number(contact_.surface_strain(y));
+      default:
+        if constexpr (requires { contact_.slip(y); }) {
+          if (id == ResultId::slip) return Path::number(contact_.slip(y));
+        }
+        throw std::logic_error("no profile of this contact");
+    }
+  }
+  [[nodiscard]] std::vector<Number> inside(ResultId id, const data::FieldPlaces& places) const override {
+    return inside_.field(contact_, id, places);
+  }
+  [[nodiscard]] std::vector<Number> list(ResultId) const override {
+    std::vector<Number> zeros;
+    if constexpr (requires { contact_.shear_zeros(); }) {
+      for (const auto& zero : contact_.shear_zeros()) zeros.push_back(Path::number(zero));
+    }
+    return zeros;
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    const auto [first, last] = ends();
+    return is_rolling ? ProfileExtent{first, last} : ProfileExtent{0, last};
+  }
+  [[nodiscard]] std::optional<double> least_size(ResultId id, double y) const override {
+    const auto [first, last] = ends();
+    const NipSize size{roller_radius_, first, last, accuracy_};
+    const auto middle = [&] { return pressure_in_the_middle(); };
+    // The reference's digits of an elastic nip are of the result itself, but for the stresses inside.
+    if constexpr (!Path::is_fast && !is_rolling) return inside_result_size(id, y, size, middle);
+    return nip_result_size(id, y, size, middle);
+  }
+  bool refine() override {
+    if constexpr (Path::is_fast) {
+      middle_.reset();
+      inside_ = {};
+      return contact_.refine();
+    }
+    return false;
+  }
+  [[nodiscard]] fast::Work work() const override { return work_of_(contact_); }
+
+ private:
+  static constexpr bool is_rolling = requires(const Contact& contact) { contact.leading_length(); };
+  static constexpr bool has_shear = requires(const Contact& contact) { contact.shear(0); };
+
+  [[nodiscard]] Number leading_length() const {
+    if constexpr (is_rolling)
+      return Path::number(contact_.leading_length());
+    else
+      return Path::half_of(contact_.contact_length());
+  }
+  [[nodiscard]] Number trailing_length() const {
+    if constexpr (is_rolling)
+      return Path::number(contact_.trailing_length());
+    else
+      return leading_length();
+  }
+  [[nodiscard]] Number edge_displacement() const {
+    if constexpr (is_rolling)
+      return Path::number(contact_.leading_displacement());
+    else
+      return Path::number(contact_.edge_displacement());
+  }
+  [[nodiscard]] Number trailing_displacement() const {
+    if constexpr (is_rolling)
+      return Path::number(contact_.trailing_displacement());
+    else
+      return edge_displacement();
+  }
+  /// What some classes have a function for, and of others is 0.
+  [[nodiscard]] Number special_number(ResultId id) const {
+    if constexpr (is_rolling) {
+      if (id == ResultId::rolling_resistance) return Path::number(contact_.rolling_resistance());
+    }
+    if constexpr (requires { contact_.peak_pressure_position(); }) {
+      if (id == ResultId::peak_pressure_position) return Path::number(contact_.peak_pressure_position());
+    }
+    if constexpr (has_shear) {
+      if (id == ResultId::peak_shear) return Path::number(contact_.peak_shear());
+      if (id == ResultId::peak_shear_position) return Path::number(contact_.peak_shear_position());
+    }
+    if constexpr (Path::is_fast) {
+      if (is_moment(id)) return moment_of_pressure(*this, id);
+    }
+    return Path::zero();
+  }
+
+  [[nodiscard]] ProfileExtent ends() const {
+    if constexpr (is_rolling)
+      return {-Path::in_double(contact_.trailing_length()), Path::in_double(contact_.leading_length())};
+    const double half = Path::in_double(contact_.contact_length()) / 2;
+    return {-half, half};
+  }
+  /// Asked for with every number of a field.
+  [[nodiscard]] double pressure_in_the_middle() const {
+    if (!middle_) middle_ = Path::in_double(contact_.pressure(0));
+    return *middle_;
+  }
+
+  Contact contact_;
+  double roller_radius_, accuracy_;
+  WorkOf work_of_;
+  mutable std::optional<double> middle_;
+  Inside<Contact, Path> inside_;
+};
+
+template <class Path, class Contact>
+std::unique_ptr<SolvedContact<typename Path::Number>> converged_contact(
+    Contact contact, double roller_radius, double accuracy,
+    typename ConvergedContact<Path, Contact>::WorkOf work_of) {
+  return std::make_unique<ConvergedContact<Path, Contact>>(std::move(contact), roller_radius, accuracy,
+                                                           work_of);
+}
+
+}  // namespace nipref::verify
