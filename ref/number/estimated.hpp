@@ -10,8 +10,9 @@ namespace nipref::ref {
 /// proven bound may stand where an estimate is asked for, never the reverse.
 struct Estimated {
   Real value;
-  Real error;  ///< >= 0
-  int digits;  ///< that were asked for
+  Real error;           ///< >= 0
+  int digits;           ///< that were asked for
+  bool proven = false;  ///< the error is a bound
 
   Estimated(Real the_value, Real the_error, int the_digits);
   Estimated(const Enclosure& enclosure);

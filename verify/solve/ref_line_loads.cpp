@@ -23,39 +23,38 @@ const std::map<ResultId, Enclosure LineLoadSolution::*> numbers{
     {ResultId::peak_shear, &LineLoadSolution::peak_shear},
 };
 
-class RefLineLoads : public SolvedContact<LongEstimate> {
+class RefLineLoads : public SolvedContact<ref::Estimated> {
  public:
   RefLineLoads(const data::ElasticNip& nip, const ref::LineLoadMethod& method, LineLoadSolution solution,
                int digits)
       : nip_(nip), method_(method), solution_(std::move(solution)), digits_(digits) {}
 
-  [[nodiscard]] LongEstimate number(ResultId id) const override {
-    if (id == ResultId::rolling_resistance) return long_estimate(ref::exact_zero(digits_));
-    if (id == ResultId::creep_ratio)
-      return long_estimate(ref::creep_ratio(nip_, solution_, method_, digits_));
+  [[nodiscard]] ref::Estimated number(ResultId id) const override {
+    if (id == ResultId::rolling_resistance) return number_of(ref::exact_zero(digits_));
+    if (id == ResultId::creep_ratio) return number_of(ref::creep_ratio(nip_, solution_, method_, digits_));
     if (id == ResultId::peak_pressure_position)
-      return long_estimate(ref::place_of_largest_pressure(solution_, digits_));
+      return number_of(ref::place_of_largest_pressure(solution_, digits_));
     if (id == ResultId::peak_shear_position)
-      return long_estimate(ref::place_of_largest_shear(solution_, digits_));
+      return number_of(ref::place_of_largest_shear(solution_, digits_));
     if (id == ResultId::leading_length || id == ResultId::trailing_length)
-      return long_estimate(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
-    return long_estimate(solution_.*numbers.at(id));
+      return number_of(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
+    return number_of(solution_.*numbers.at(id));
   }
-  [[nodiscard]] LongEstimate at(ResultId id, double y) const override {
-    if (id == ResultId::pressure) return long_estimate(ref::element_pressure(solution_, y, digits_));
-    if (id == ResultId::shear) return long_estimate(ref::element_shear(solution_, y, digits_));
+  [[nodiscard]] ref::Estimated at(ResultId id, double y) const override {
+    if (id == ResultId::pressure) return number_of(ref::element_pressure(solution_, y, digits_));
+    if (id == ResultId::shear) return number_of(ref::element_shear(solution_, y, digits_));
     const auto displacement =
         id == ResultId::normal_displacement ? ref::normal_displacement : ref::tangential_displacement;
-    return long_estimate(displacement(nip_, solution_, method_, y, digits_));
+    return number_of(displacement(nip_, solution_, method_, y, digits_));
   }
-  [[nodiscard]] std::vector<LongEstimate> list(ResultId id) const override {
+  [[nodiscard]] std::vector<ref::Estimated> list(ResultId id) const override {
     if (id == ResultId::creep_range) {
       const auto [lower, upper, chosen] = ref::creep_range(nip_, solution_, method_, digits_);
-      return {long_estimate(lower), long_estimate(upper), long_estimate(chosen)};
+      return {number_of(lower), number_of(upper), number_of(chosen)};
     }
-    std::vector<LongEstimate> borders;
+    std::vector<ref::Estimated> borders;
     for (const Enclosure& border : ref::shear_borders(solution_, digits_))
-      borders.push_back(long_estimate(border));
+      borders.push_back(number_of(border));
     return borders;
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
@@ -95,8 +94,9 @@ struct SolveRefLineLoads {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<LongEstimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
-                                                                  const data::LineLoads& loads, int digits) {
+std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
+                                                                    const data::LineLoads& loads,
+                                                                    int digits) {
   const ref::LineLoadMethod method(loads.leading_elements, loads.residue_terms);
   return std::make_unique<RefLineLoads>(
       problem.nip, method, std::visit(SolveRefLineLoads{problem, method, digits}, problem.given), digits);

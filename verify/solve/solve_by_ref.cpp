@@ -16,7 +16,7 @@
 namespace nipref::verify {
 namespace {
 
-using Solved = std::unique_ptr<SolvedContact<LongEstimate>>;
+using Solved = std::unique_ptr<SolvedContact<ref::Estimated>>;
 
 struct SolveByMethod {
   const data::ElasticNipProblem& problem;
@@ -48,16 +48,16 @@ void refuse_moments(const data::Scene& scene) {
   }
 }
 
-SceneSolution<LongEstimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                                          int digits) {
+SceneSolution<ref::Estimated> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                            int digits) {
   refuse_moments(scene);
   const Solved contact = solve_named(scene, problem, digits);
   return collect_results(scene, problem.profile, WithDerivedResults(scene, *contact),
                          std::pow(10.0L, -digits));
 }
 
-SceneSolution<LongEstimate> solve_rolling(const data::Scene& scene,
-                                          const data::ViscoelasticNipProblem& problem, int digits) {
+SceneSolution<ref::Estimated> solve_rolling(const data::Scene& scene,
+                                            const data::ViscoelasticNipProblem& problem, int digits) {
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) refuse_moments(scene);
   const Solved solved = [&] {
@@ -77,13 +77,13 @@ struct SolveSystem {
   const data::Scene& scene;
   int digits;
 
-  SceneSolution<LongEstimate> operator()(const data::ElasticNipProblem& problem) const {
+  SceneSolution<ref::Estimated> operator()(const data::ElasticNipProblem& problem) const {
     return solve_elastic(scene, problem, digits);
   }
-  SceneSolution<LongEstimate> operator()(const data::ViscoelasticNipProblem& problem) const {
+  SceneSolution<ref::Estimated> operator()(const data::ViscoelasticNipProblem& problem) const {
     return solve_rolling(scene, problem, digits);
   }
-  SceneSolution<LongEstimate> operator()(const data::HalfSpaceProblem& problem) const {
+  SceneSolution<ref::Estimated> operator()(const data::HalfSpaceProblem& problem) const {
     const RefSurface surface(problem);
     surface.check_subcritical(scene.origin);
     return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
@@ -93,9 +93,9 @@ struct SolveSystem {
 
 }  // namespace
 
-SceneSolution<LongEstimate> solve_by_ref(const data::Scene& scene, int digits) {
+SceneSolution<ref::Estimated> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();
-  SceneSolution<LongEstimate> solution;
+  SceneSolution<ref::Estimated> solution;
   const double seconds = seconds_of([&] { solution = std::visit(SolveSystem{scene, digits}, scene.system); });
   solution.seconds = seconds;
   return solution;

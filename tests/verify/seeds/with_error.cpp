@@ -51,7 +51,7 @@ TEST_CASE("the exponent of the load is what the reference's loads have, to its e
                                                                      {"material.young", "1"},
                                                                      {"wanted", R"(["load"])"}});
     std::get<data::ElasticNipProblem>(scene.system).given = data::GivenLength{length};
-    return std::log(std::strtold(verify::solve_by_ref(scene, 24)["load"].value.c_str(), nullptr));
+    return std::log(std::strtold(verify::solve_by_ref(scene, 24)["load"].value_text().c_str(), nullptr));
   };
   const double length = 2;  // L/B = 1
   const long double truth = length * slope(log_load, length, 0x1p-20);

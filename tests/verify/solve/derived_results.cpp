@@ -76,13 +76,13 @@ TEST_CASE("an elastic nip has equal moments and loses nothing") {
 TEST_CASE("the reference has the moments of rolling line loads, whose sum is the eccentric load") {
   const data::Scene scene = resisting("viscoelastic-started");
   const auto by_ref = verify::solve_by_ref(scene, 16);
-  const auto value = [&](const char* name) { return std::stold(by_ref[name].value); };
+  const auto value = [&](const char* name) { return std::stold(by_ref[name].value_text()); };
   CHECK(value("leading_moment") > 0);
   CHECK(value("trailing_moment") < 0);
   const long double both = value("leading_moment") + value("trailing_moment");
   CHECK(std::fabs(both - value("eccentricity") * value("load")) < 1e-15L * value("leading_moment"));
   for (const char* const name : {"leading_moment", "trailing_moment"})
-    CHECK(std::stod(by_ref[name].error) < 1e-15 * static_cast<double>(value("leading_moment")));
+    CHECK(std::stod(by_ref[name].error_text()) < 1e-15 * static_cast<double>(value("leading_moment")));
 }
 
 TEST_CASE(
@@ -95,9 +95,9 @@ TEST_CASE(
   const auto by_ref = verify::solve_by_ref(scene, 16);
   for (const std::string& name : scene.wanted) {
     CAPTURE(name);
-    check_agree(fast[name].value, fast[name].error + std::stod(by_ref[name].error),
-                std::stod(by_ref[name].value));
-    CHECK(std::stod(by_ref[name].error) < 1e-13 * std::fabs(std::stod(by_ref[name].value)));
+    check_agree(fast[name].value, fast[name].error + std::stod(by_ref[name].error_text()),
+                std::stod(by_ref[name].value_text()));
+    CHECK(std::stod(by_ref[name].error_text()) < 1e-13 * std::fabs(std::stod(by_ref[name].value_text())));
     CHECK_FALSE(by_ref[name].proven);
   }
 }
@@ -189,10 +189,10 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
     for (const char* result : {"surface_strain", "slip"}) {
       for (std::size_t i = 0; i < 2; ++i) {
         const fast::Estimate number = fast.profile(result)[i];
-        const verify::LongEstimate& truth = by_ref.profile(result)[i];
-        check_agree(number.value, number.error + std::stod(truth.error), std::stod(truth.value));
+        const ref::Estimated& truth = by_ref.profile(result)[i];
+        check_agree(number.value, number.error + std::stod(truth.error_text()), truth.to_double());
         CHECK(truth.proven == (std::string(name) == "intermediate-frictionless"));
-        CHECK(std::stod(truth.error) < 1e-13);
+        CHECK(std::stod(truth.error_text()) < 1e-13);
       }
     }
   }
@@ -200,13 +200,19 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
 
 namespace {
 
+ref::Estimated exactly(double value) {
+  ref::Real number(64);
+  mpfr_set_d(number.get(), value, MPFR_RNDN);
+  return {number, ref::Real(64), 16};
+}
+
 /// Counts how often its strain is computed, which is -0.5 everywhere; its other numbers are 0.25.
-class CountedStrain : public verify::SolvedContact<verify::LongEstimate> {
+class CountedStrain : public verify::SolvedContact<ref::Estimated> {
  public:
-  [[nodiscard]] verify::LongEstimate number(data::ResultId) const override { return {"0.25", "0", false}; }
-  [[nodiscard]] verify::LongEstimate at(data::ResultId, double) const override {
+  [[nodiscard]] ref::Estimated number(data::ResultId) const override { return exactly(0.25); }
+  [[nodiscard]] ref::Estimated at(data::ResultId, double) const override {
     ++strains;
-    return {"-0.5", "0", false};
+    return exactly(-0.5);
   }
   [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {0, 1}; }
   [[nodiscard]] fast::Work work() const override { return {}; }
@@ -221,8 +227,8 @@ TEST_CASE("the reference computes the strain of a place once, for itself and for
   const CountedStrain contact;
   const verify::WithDerivedResults derived(scene, contact);
   for (const double y : {0.25, 0.5}) {
-    CHECK(std::stod(derived.at(data::ResultId::surface_strain, y).value) == -0.5);
-    CHECK(std::stod(derived.at(data::ResultId::slip, y).value) == -0.75);
+    CHECK(std::stod(derived.at(data::ResultId::surface_strain, y).value_text()) == -0.5);
+    CHECK(std::stod(derived.at(data::ResultId::slip, y).value_text()) == -0.75);
   }
   CHECK(contact.strains == 2);
 }

@@ -215,7 +215,7 @@ TEST_CASE(
     CHECK(range[2].value == solution["creep_ratio"].value);
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(range[i].value ==
-            doctest::Approx(std::stod(by_ref.profile("creep_range")[i].value)).scale(0).epsilon(1e-9));
+            doctest::Approx(std::stod(by_ref.profile("creep_range")[i].value_text())).scale(0).epsilon(1e-9));
       CHECK(by_ref.profile("creep_range")[i].proven);
     }
   }

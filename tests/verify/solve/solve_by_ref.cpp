@@ -78,10 +78,10 @@ TEST_CASE("the reference's converged contact lies within the error estimates of 
       REQUIRE(reference.results[r].numbers.size() == fast.results[r].numbers.size());
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const fast::Estimate& number = fast.results[r].numbers[i];
-        const verify::LongEstimate& truth = reference.results[r].numbers[i];
+        const ref::Estimated& truth = reference.results[r].numbers[i];
         const double rounding = 1e-15 * std::fabs(number.value);
-        CHECK(std::fabs(number.value - std::stod(truth.value)) <= number.error + rounding);
-        CHECK(std::stod(truth.error) <= 1e-19 * std::fmax(std::fabs(number.value), 1e-6));
+        CHECK(std::fabs(number.value - truth.to_double()) <= number.error + rounding);
+        CHECK(std::stod(truth.error_text()) <= 1e-19 * std::fmax(std::fabs(number.value), 1e-6));
       }
     }
     for (const std::size_t kernel : {0U, 2U}) CHECK(reference.work.kernel_evaluations[kernel] > 0);
@@ -107,9 +107,9 @@ TEST_CASE("the reference's line loads are those in double, with friction and wit
     const auto reference = verify::solve_by_ref(scene, 30);
     for (const std::string& name : scene.wanted) {
       CAPTURE(name);
-      CHECK(std::stod(reference[name].value) == doctest::Approx(fast[name].value).epsilon(1e-9));
-      CHECK(std::stod(reference[name].error) <= 1e-30 * std::fmax(1, std::fabs(fast[name].value)));
-      CHECK(reference[name].value.size() > 30);
+      CHECK(std::stod(reference[name].value_text()) == doctest::Approx(fast[name].value).epsilon(1e-9));
+      CHECK(std::stod(reference[name].error_text()) <= 1e-30 * std::fmax(1, std::fabs(fast[name].value)));
+      CHECK(reference[name].value_text().size() > 30);
     }
     CHECK(reference.work.unknowns == (friction ? 11 : 6));
   }
@@ -129,7 +129,7 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   const auto json = json_of(loads);
   CHECK(json.at("results").size() == 3);
   for (const auto& result : json.at("results")) CHECK(result.at("proven") == true);
-  CHECK(json.at("results").at("load").at("error") == loads["load"].error);
+  CHECK(json.at("results").at("load").at("error") == loads["load"].error_text());
   CHECK(verify::solution_text(loads).find(" bound ") != std::string::npos);
   CHECK(verify::solution_text(loads).find(" error ") == std::string::npos);
 
@@ -175,8 +175,8 @@ TEST_CASE("the reference's line loads carry a given load, all of their results a
       CHECK(reference.results[r].met().value_or(false));
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const double value = fast.results[r].numbers[i].value;
-        const verify::LongEstimate& truth = reference.results[r].numbers[i];
-        CHECK(std::fabs(std::stod(truth.value) - value) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
+        const ref::Estimated& truth = reference.results[r].numbers[i];
+        CHECK(std::fabs(truth.to_double() - value) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
         CHECK(truth.proven);
       }
     }
@@ -199,10 +199,10 @@ TEST_CASE("every example that takes the reference less than about a second is so
       CAPTURE(scene.wanted[r]);
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const fast::Estimate& number = fast.results[r].numbers[i];
-        const verify::LongEstimate& truth = reference.results[r].numbers[i];
+        const ref::Estimated& truth = reference.results[r].numbers[i];
         const double rounding = 1e-15 * std::fabs(number.value);
-        CHECK(std::fabs(number.value - std::stod(truth.value)) <=
-              number.error + std::stod(truth.error) + rounding);
+        CHECK(std::fabs(number.value - truth.to_double()) <=
+              number.error + std::stod(truth.error_text()) + rounding);
       }
     }
   }

@@ -67,13 +67,13 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
   return allowed;
 }
 
-std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<LongEstimate>& contact,
-                                        const SceneSolution<LongEstimate>::Result& result,
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimated>& contact,
+                                        const SceneSolution<ref::Estimated>::Result& result,
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field) {
   long double largest = 0;
-  for (const LongEstimate& number : result.numbers)
-    largest = std::max(largest, std::fabs(std::strtold(number.value.c_str(), nullptr)));
+  for (const ref::Estimated& number : result.numbers)
+    largest = std::max(largest, std::fabs(mpfr_get_ld(number.value.get(), MPFR_RNDN)));
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
     double place = result.what->shape == data::Shape::profile ? positions[i] : 0;

@@ -42,38 +42,46 @@ struct FactorOf {
 
 Estimate multiplied(const Estimate& a, const Estimate& b) { return a * b; }
 
-mpq_class rational(const std::string& text) { return ref::Exact::parse(text).value(); }
-
-/// As many digits as the longer of the texts it comes from.
-LongEstimate long_estimate_of(const mpq_class& exact, const mpq_class& error, const LongEstimate& a,
-                              const LongEstimate& b) {
-  const int digits = static_cast<int>(std::max(a.value.size(), b.value.size()));
-  ref::Real value(static_cast<mpfr_prec_t>(4 * digits + 64)), bound(64);
-  mpfr_set_q(value.get(), exact.get_mpq_t(), MPFR_RNDN);
-  // The value's own rounding is far below its last digit's.
-  mpfr_set_q(bound.get(), mpq_class(error * mpq_class(1000001, 1000000)).get_mpq_t(), MPFR_RNDU);
-  const ref::Estimated result(value, bound, digits);
-  return {result.value_text(), result.error_text(), a.proven && b.proven};
+/// With the error `error`, and what the value's own rounding adds, as many digits as the better of the two.
+ref::Estimated estimated_of(ref::Real value, ref::Real error, const ref::Estimated& a,
+                            const ref::Estimated& b) {
+  ref::Real rounding(64);
+  mpfr_abs(rounding.get(), value.get(), MPFR_RNDU);
+  mpfr_div_2si(rounding.get(), rounding.get(), value.precision() - 1, MPFR_RNDU);
+  mpfr_add(error.get(), error.get(), rounding.get(), MPFR_RNDU);
+  ref::Estimated result(std::move(value), std::move(error), std::max(a.digits, b.digits));
+  result.proven = a.proven && b.proven;
+  return result;
 }
 
-/// Of the decimals as they stand.
-LongEstimate multiplied(const LongEstimate& a, const LongEstimate& b) {
-  const mpq_class va = rational(a.value), vb = rational(b.value), ea = rational(a.error),
-                  eb = rational(b.error);
-  return long_estimate_of(va * vb, abs(va) * eb + abs(vb) * ea + ea * eb, a, b);
+ref::Estimated multiplied(const ref::Estimated& a, const ref::Estimated& b) {
+  ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64), part(64);
+  mpfr_mul(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
+  mpfr_mul(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
+  for (const auto& [number, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    mpfr_mul(part.get(), number->value.get(), other->error.get(), MPFR_RNDA);
+    mpfr_abs(part.get(), part.get(), MPFR_RNDU);
+    mpfr_add(error.get(), error.get(), part.get(), MPFR_RNDU);
+  }
+  return estimated_of(std::move(value), std::move(error), a, b);
 }
 
-LongEstimate less(const LongEstimate& a, const LongEstimate& b) {
-  return long_estimate_of(rational(a.value) - rational(b.value), rational(a.error) + rational(b.error), a, b);
+ref::Estimated less(const ref::Estimated& a, const ref::Estimated& b) {
+  ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64);
+  mpfr_sub(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
+  mpfr_add(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
+  return estimated_of(std::move(value), std::move(error), a, b);
 }
 
-bool same(const LongEstimate& a, const LongEstimate& b) { return a.value == b.value && a.error == b.error; }
+bool same(const ref::Estimated& a, const ref::Estimated& b) {
+  return mpfr_equal_p(a.value.get(), b.value.get()) != 0 && mpfr_equal_p(a.error.get(), b.error.get()) != 0;
+}
 
 Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
-LongEstimate exact_number(double value, const LongEstimate&) {
-  ref::Real real(64), none(64);
+ref::Estimated exact_number(double value, const ref::Estimated& like) {
+  ref::Real real(64);
   mpfr_set_d(real.get(), value, MPFR_RNDN);
-  return {ref::Estimated(real, none, 40).value_text(), "0", true};
+  return number_of(ref::Enclosure{std::move(real), ref::Real(64), like.digits});
 }
 
 /// int p Y dY from a to b, of which either may be an end of the contact, where p falls like a root.
@@ -139,14 +147,16 @@ Estimate WithDerivedResults<Estimate>::slip(double y) const {
 }
 
 template <>
-LongEstimate WithDerivedResults<LongEstimate>::slip(double y) const {
+ref::Estimated WithDerivedResults<ref::Estimated>::slip(double y) const {
   if (!creep_) creep_ = contact_.number(ResultId::creep_ratio);
-  const LongEstimate& stretched = strain(y);
+  const ref::Estimated& stretched = strain(y);
   // What sticks has the creep ratio itself for its strain.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
-  if (grips && same(stretched, *creep_)) return {"0", "0", stretched.proven};
-  return less(stretched, *creep_);
+  if (!grips || !same(stretched, *creep_)) return less(stretched, *creep_);
+  ref::Estimated none = exact_number(0, stretched);
+  none.proven = stretched.proven;
+  return none;
 }
 
 template <class Number>
@@ -173,6 +183,6 @@ std::optional<double> WithDerivedResults<Number>::least_size(ResultId id, double
 }
 
 template class WithDerivedResults<Estimate>;
-template class WithDerivedResults<LongEstimate>;
+template class WithDerivedResults<ref::Estimated>;
 
 }  // namespace nipref::verify

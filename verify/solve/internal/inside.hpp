@@ -23,22 +23,22 @@ struct FastPath {
 };
 struct RefPath {
   static constexpr bool is_fast = false;
-  using Number = LongEstimate;
+  using Number = ref::Estimated;
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;
   using Greatest = ref::GreatestShear;
-  static Number number(const auto& x) { return long_estimate(x); }
+  static Number number(const auto& x) { return number_of(x); }
   static Number half_of(ref::Enclosure x) {
     mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
     mpfr_div_2ui(x.error_bound.get(), x.error_bound.get(), 1, MPFR_RNDU);
-    return long_estimate(x);
+    return number_of(x);
   }
   static Number half_of(ref::Estimated x) {
     mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
     mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
-    return long_estimate(x);
+    return number_of(x);
   }
-  static Number zero() { return long_estimate(ref::exact_zero(16)); }
+  static Number zero() { return number_of(ref::exact_zero(16)); }
   static double in_double(const auto& x) { return x.to_double(); }
 };
 

@@ -113,7 +113,7 @@ ref::Estimated RefSurface::critical(const Surface& surface, int digits, bool& pr
   return of_wave ? *of_wave : ref::limiting_speed(surface.solid, motion, motion, digits);
 }
 
-LongEstimate RefSurface::critical_speed(int digits) const {
+ref::Estimated RefSurface::critical_speed(int digits) const {
   bool proven = true;
   ref::Estimated slowest = critical(half_space_, digits, proven);
   // A patch that does not move in the body is never critical there.
@@ -121,7 +121,8 @@ LongEstimate RefSurface::critical_speed(int digits) const {
     ref::Estimated of_body = critical(*body_, digits, proven);
     if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
   }
-  return {slowest.value_text(), slowest.error_text(), proven};
+  slowest.proven = proven;
+  return slowest;
 }
 
 }  // namespace nipref::verify

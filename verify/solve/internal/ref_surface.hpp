@@ -27,7 +27,7 @@ class RefSurface {
   [[nodiscard]] ref::Enclosure coupling(double degrees, int digits) const;
   /// The smallest critical speed of this motion, unit of speed: proven where all lines are alike, otherwise
   /// estimated, in seconds.
-  [[nodiscard]] LongEstimate critical_speed(int digits) const;
+  [[nodiscard]] ref::Estimated critical_speed(int digits) const;
   [[nodiscard]] bool all_lines_are_alike() const { return half_space_.is_alike; }
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
 
