@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <variant>
 
@@ -21,19 +20,13 @@ fast::Estimate in_double(const ref::Estimated& number) {
   return {value, static_cast<double>(error_of(number)) + 0x1p-53 * std::fabs(value)};
 }
 
-fast::Estimate product(const fast::Estimate& x, const fast::Estimate& y) {
-  const double value = x.value * y.value;
-  return {value, x.error * std::fabs(y.value) + y.error * std::fabs(x.value) + x.error * y.error +
-                     std::numeric_limits<double>::epsilon() * std::fabs(value)};
-}
-
 template <class Number>
 EnergyBalance balance_of(const data::Scene& scene, const data::ViscoelasticNip& nip,
                          const SolvedContact<Number>& contact) {
   EnergyBalance balance;
   balance.warnings = beyond_theory(scene, contact);
-  balance.work = product(in_double(contact.number(ResultId::load)),
-                         in_double(contact.number(ResultId::rolling_resistance)));
+  balance.work =
+      in_double(contact.number(ResultId::load)) * in_double(contact.number(ResultId::rolling_resistance));
   balance.loss = loss_integral(nip, contact.profile_extent(),
                                [&](double y) { return in_double(contact.at(ResultId::pressure, y)); });
   return balance;
