@@ -18,14 +18,15 @@ using Complex = std::complex<double>;
 
 void check_term(const RelaxationTerm& term, const std::string& name) {
   if (!(std::isfinite(term.amplitude.real()) && std::isfinite(term.amplitude.imag())))
-    throw BadInput(name + " amplitude", term.amplitude.real(), "must be finite");
+    throw NoMaterial(name + " amplitude", term.amplitude.real(), "must be finite");
   const bool is_viscous = term.rate == 0.0 && term.amplitude.real() > 0 && term.amplitude.imag() == 0;
   if (is_viscous) return;
   if (!(std::isfinite(term.rate.imag()) && std::isfinite(term.rate.real()) && term.rate.real() > 0))
-    throw BadInput(name + " rate", term.rate.real(),
-                   "must be finite, its real part > 0: what is gone must be forgotten; or 0, of a fluid");
+    throw NoMaterial(name + " rate", term.rate.real(),
+                     "must be finite, its real part > 0: what is gone must be forgotten; or 0, of a fluid");
   if (!(std::abs(term.amplitude) / std::abs(term.rate) <= greatest_magnitude))
-    throw BadInput(name + " amplitude", term.amplitude.real(), "must be at most 1e60 times its rate's size");
+    throw NoMaterial(name + " amplitude", term.amplitude.real(),
+                     "must be at most 1e60 times its rate's size");
 }
 
 void check_conjugates(const MaterialFunction& function, const std::string& name) {
@@ -33,7 +34,7 @@ void check_conjugates(const MaterialFunction& function, const std::string& name)
     const bool paired = std::ranges::any_of(function.terms, [&](const RelaxationTerm& other) {
       return other.rate == std::conj(term.rate) && other.amplitude == std::conj(term.amplitude);
     });
-    if (!paired) throw BadInput(name + " rate", term.rate.imag(), "must come with its complex conjugate");
+    if (!paired) throw NoMaterial(name + " rate", term.rate.imag(), "must come with its complex conjugate");
   }
 }
 
@@ -41,20 +42,20 @@ void check_function(const MaterialFunction& function, const std::string& name) {
   const double at_once = function.instantaneous;
   const bool is_nothing = at_once == 0 && !function.terms.empty();
   if (!is_nothing && !(std::isfinite(at_once) && at_once > 0))
-    throw BadInput(name + " instantaneous", at_once, "must be finite and > 0, or 0 where it creeps");
+    throw NoMaterial(name + " instantaneous", at_once, "must be finite and > 0, or 0 where it creeps");
   // theta2 of a nearly incompressible material is far smaller than the inverse of a modulus.
   if (!is_nothing && !(at_once >= 1e-20 * least_magnitude && at_once <= greatest_magnitude))
-    throw BadInput(name + " instantaneous", function.instantaneous, "must be from 1e-80 to 1e60");
+    throw NoMaterial(name + " instantaneous", function.instantaneous, "must be from 1e-80 to 1e60");
   for (std::size_t i = 0; i < function.terms.size(); ++i) {
     check_term(function.terms[i], name);
     for (std::size_t j = 0; j < i; ++j) {
       if (function.terms[i].rate == function.terms[j].rate)
-        throw BadInput(name + " rate", function.terms[i].rate.real(), "must not occur twice");
+        throw NoMaterial(name + " rate", function.terms[i].rate.real(), "must not occur twice");
     }
   }
   check_conjugates(function, name);
   if (!function.is_fluid() && !(function.long_time() > 0))
-    throw BadInput(name + " long-time compliance", function.long_time(), "must be > 0");
+    throw NoMaterial(name + " long-time compliance", function.long_time(), "must be > 0");
 }
 
 std::string gains_energy(double frequency) {
@@ -80,12 +81,12 @@ void check_loss(const MaterialFunction& theta1, const MaterialFunction& theta2, 
   const Complex p(0, frequency);
   const Transformed shear(theta1, p), plane(theta2, p);
   if (shear.value.imag() > shear.rounding * std::abs(shear.value)) {
-    throw BadInput("material shear loss", -shear.value.imag(), gains_energy(frequency));
+    throw NoMaterial("material shear loss", -shear.value.imag(), gains_energy(frequency));
   }
   const Complex dilatation = 3.0 / plane.value - 1.0 / shear.value;
   if (dilatation.imag() <
       -(plane.rounding * std::abs(3.0 / plane.value) + shear.rounding * std::abs(1.0 / shear.value))) {
-    throw BadInput("material dilatation loss", dilatation.imag(), gains_energy(frequency));
+    throw NoMaterial("material dilatation loss", dilatation.imag(), gains_energy(frequency));
   }
 }
 
@@ -117,6 +118,16 @@ std::vector<double> telling_frequencies(const MaterialFunction& theta1, const Ma
   return frequencies;
 }
 
+/// Without the zeros at its end.
+std::vector<double> trimmed(std::vector<double> polynomial, const char* name) {
+  for (const double c : polynomial) {
+    if (!std::isfinite(c)) throw NoMaterial(name, c, "must have finite coefficients");
+  }
+  while (!polynomial.empty() && polynomial.back() == 0) polynomial.pop_back();
+  if (polynomial.empty()) throw NoMaterial(name, "0", "must have a coefficient that is not 0");
+  return polynomial;
+}
+
 }  // namespace
 
 Complex MaterialFunction::transform(Complex p) const {
@@ -129,18 +140,21 @@ bool MaterialFunction::is_fluid() const {
   return std::ranges::any_of(terms, [](const RelaxationTerm& term) { return term.rate == 0.0; });
 }
 
-ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2,
-                                           MaterialConstants constants)
-    : theta1_(std::move(theta1)), theta2_(std::move(theta2)), constants_(std::move(constants)) {
-  check_function(theta1_, "theta1");
-  check_function(theta2_, "theta2");
-  for (const double frequency : telling_frequencies(theta1_, theta2_))
-    check_loss(theta1_, theta2_, frequency);
+std::string NoMaterial::key() const {
+  constexpr std::string_view prefix = "material ";
+  const bool is_prefixed = argument().starts_with(prefix);
+  return "material." + argument().substr(is_prefixed ? prefix.size() : 0);
 }
 
-MaterialFunction ViscoelasticMaterial::normal_compliance() const {
-  MaterialFunction sum{theta1_.instantaneous + theta2_.instantaneous, theta1_.terms};
-  for (const RelaxationTerm& term : theta2_.terms) {
+void MaterialFunctions::check() const {
+  check_function(theta1, "theta1");
+  check_function(theta2, "theta2");
+  for (const double frequency : telling_frequencies(theta1, theta2)) check_loss(theta1, theta2, frequency);
+}
+
+MaterialFunction MaterialFunctions::normal_compliance() const {
+  MaterialFunction sum{theta1.instantaneous + theta2.instantaneous, theta1.terms};
+  for (const RelaxationTerm& term : theta2.terms) {
     const auto same = std::ranges::find(sum.terms, term.rate, &RelaxationTerm::rate);
     if (same == sum.terms.end()) {
       sum.terms.push_back(term);
@@ -149,6 +163,32 @@ MaterialFunction ViscoelasticMaterial::normal_compliance() const {
     }
   }
   return sum;
+}
+
+ViscoelasticMaterial::ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2,
+                                           MaterialConstants constants)
+    : functions_({std::move(theta1), std::move(theta2)}), constants_(std::move(constants)) {
+  functions_->check();
+}
+
+ViscoelasticMaterial::ViscoelasticMaterial(const StandardLinearSolid& s) : constants_(s) {
+  check_magnitude("shear_1", s.shear_1);
+  check_magnitude("shear_2", s.shear_2);
+  check_magnitude("bulk_1", s.bulk_1);
+  check_magnitude("bulk_2", s.bulk_2);
+  check_magnitude("shear_viscosity", s.shear_viscosity);
+  check_magnitude("bulk_viscosity", s.bulk_viscosity);
+}
+
+ViscoelasticMaterial::ViscoelasticMaterial(DifferentialOperators x)
+    : constants_(DifferentialOperators{trimmed(std::move(x.p), "P"), trimmed(std::move(x.q), "Q"),
+                                       trimmed(std::move(x.p_dilatation), "P_dilatation"),
+                                       trimmed(std::move(x.q_dilatation), "Q_dilatation")}) {}
+
+bool ViscoelasticMaterial::gives_way_at_once() const {
+  if (functions_) return functions_->theta1.instantaneous > 0;
+  const auto* operators = std::get_if<DifferentialOperators>(&constants_);
+  return operators == nullptr || operators->p.size() >= operators->q.size();
 }
 
 }  // namespace nipref::data

@@ -1,7 +1,10 @@
 #pragma once
 #include <complex>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/constants.hpp>
 
 namespace nipref::data {
@@ -26,30 +29,46 @@ struct MaterialFunction {
   [[nodiscard]] double long_time() const { return transform(0).real(); }
 };
 
-/// Isotropic linear viscoelastic material in plane strain. There is none that is not physical: it is looked
-/// at over all frequencies once, when it is made, and never changes.
-class ViscoelasticMaterial {
+/// What is refused of a material, whoever finds it: a path that factors operators, or the check of its functions.
+class NoMaterial : public BadInput {
  public:
-  /// Throws BadInput unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
-  /// real parts of the rates positive, or the rate 0) and the material physical: compliances not below 0 at
+  using BadInput::BadInput;
+  /// What the argument is called in a scene: a key of [material].
+  [[nodiscard]] std::string key() const;
+};
+
+/// Both compliances of an isotropic material in plane strain, in time.
+struct MaterialFunctions {
+  MaterialFunction theta1;  ///< 1/(2G) as an operator
+  MaterialFunction theta2;  ///< 3/(6K + 2G) as an operator
+
+  /// Throws NoMaterial unless both functions are well formed (finite, conjugate pairs complete, no rate twice,
+  /// real parts of the rates positive, or the rate 0) and the material is physical: compliances not below 0 at
   /// once and positive after a long time, and in shear and in dilatation no gain of energy at any frequency.
-  /// `constants`: what they were rounded from.
-  ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2, MaterialConstants constants = {});
-
-  /// 1/(2G) as an operator.
-  [[nodiscard]] const MaterialFunction& theta1() const { return theta1_; }
-  /// 3/(6K + 2G) as an operator.
-  [[nodiscard]] const MaterialFunction& theta2() const { return theta2_; }
-
-  /// N = theta1 + theta2, what acts in the normal displacement under a normal load; terms of equal rate
+  void check() const;
+  /// N = theta1 + theta2, the compliance of the normal displacement under a normal load; terms of equal rate are
   /// joined.
   [[nodiscard]] MaterialFunction normal_compliance() const;
+};
 
-  /// For those who need them without the rounding of the functions.
+/// An isotropic linear viscoelastic material in plane strain as it was described; it never changes.
+class ViscoelasticMaterial {
+ public:
+  /// Checks the functions, see above. `constants`: what they were rounded from.
+  ViscoelasticMaterial(MaterialFunction theta1, MaterialFunction theta2, MaterialConstants constants = {});
+  // The rates of these are roots of polynomials. Only the constants are checked here: the path that finds the roots
+  // checks the functions that they make.
+  explicit ViscoelasticMaterial(const StandardLinearSolid& solid);
+  explicit ViscoelasticMaterial(DifferentialOperators operators);
+
+  /// Absent where the rates are roots.
+  [[nodiscard]] const std::optional<MaterialFunctions>& functions() const { return functions_; }
   [[nodiscard]] const MaterialConstants& constants() const { return constants_; }
+  /// Whether theta1(0) > 0.
+  [[nodiscard]] bool gives_way_at_once() const;
 
  private:
-  MaterialFunction theta1_, theta2_;
+  std::optional<MaterialFunctions> functions_;
   MaterialConstants constants_;
 };
 

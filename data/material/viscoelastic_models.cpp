@@ -1,10 +1,8 @@
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/magnitude.hpp>
-#include <nipref/data/material/internal/partial_fractions.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 
 namespace nipref::data {
@@ -22,12 +20,12 @@ ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time
                               const MaterialConstants& constants = {}) {
   // It may be so short or so long that it no longer matters: it need not be a magnitude.
   if (!(std::isfinite(relaxation_time) && relaxation_time > 0))
-    throw BadInput("relaxation_time", relaxation_time, "must be finite and > 0");
+    throw NoMaterial("relaxation_time", relaxation_time, "must be finite and > 0");
   const auto function = [&](double compliance, int rate_factor) -> MaterialFunction {
     const double amplitude = compliance / relaxation_time, rate = rate_factor / relaxation_time;
     if (!(std::isfinite(amplitude) && std::isfinite(rate)))
-      throw BadInput("relaxation_time", relaxation_time,
-                     "must be so long that what is divided by it stays within the range of doubles");
+      throw NoMaterial("relaxation_time", relaxation_time,
+                       "must be so long that what is divided by it stays within the range of doubles");
     return {compliance, {{amplitude, rate}}};
   };
   return {function(at_once.theta1, 1), function(at_once.theta2, theta2_rate_factor), constants};
@@ -35,41 +33,16 @@ ViscoelasticMaterial relaxing(const Compliances& at_once, double relaxation_time
 
 MaterialFunction prony_function(const PronyList& list, const std::string& name) {
   if (list.amplitudes.empty())
-    throw BadInput(name + "_amplitudes", "[]", "must hold at least one: without it the material is elastic");
+    throw NoMaterial(name + "_amplitudes", "[]",
+                     "must hold at least one: without it the material is elastic");
   if (list.rates.size() != list.amplitudes.size()) {
-    throw BadInput(name + "_rates", std::to_string(list.rates.size()) + " of them",
-                   "must be as many as amplitudes, " + std::to_string(list.amplitudes.size()));
+    throw NoMaterial(name + "_rates", std::to_string(list.rates.size()) + " of them",
+                     "must be as many as amplitudes, " + std::to_string(list.amplitudes.size()));
   }
   MaterialFunction function{list.instantaneous, {}};
   for (std::size_t i = 0; i < list.rates.size(); ++i)
     function.terms.push_back({list.amplitudes[i], list.rates[i]});
   return function;
-}
-
-/// Without the zeros at its end.
-Polynomial polynomial(const std::vector<double>& coefficients, const char* name) {
-  for (const double c : coefficients) {
-    if (!std::isfinite(c)) throw BadInput(name, c, "must have finite coefficients");
-  }
-  Polynomial trimmed(coefficients.begin(), coefficients.end());
-  while (!trimmed.empty() && trimmed.back() == 0) trimmed.pop_back();
-  if (trimmed.empty()) throw BadInput(name, "0", "must have a coefficient that is not 0");
-  return trimmed;
-}
-
-struct Operators {
-  Polynomial p, q, p_dilatation, q_dilatation;
-};
-
-ViscoelasticMaterial from_operators(const Operators& operators, const MaterialConstants& constants) {
-  const auto& [p, q, p_dilatation, q_dilatation] = operators;
-  const Polynomial six = product({6}, q_dilatation), two = product({2}, q);
-  const MaterialFunction theta1 = partial_fractions({p}, two, "Q");
-  // A factor P that both have is left out at once: rounding would part its double root.
-  if (p == p_dilatation)
-    return {theta1, partial_fractions({{3}, p}, sum(six, two), "Q_dilatation"), constants};
-  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
-  return {theta1, partial_fractions({{3}, p, p_dilatation}, denominator, "Q_dilatation"), constants};
 }
 
 }  // namespace
@@ -80,19 +53,8 @@ ViscoelasticMaterial elastic_solid(const ElasticMaterial& material) {
   return {{material.theta1(), {}}, {material.theta2(), {}}, material};
 }
 
-ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& s) {
-  check_magnitude("shear_1", s.shear_1);
-  check_magnitude("shear_2", s.shear_2);
-  check_magnitude("bulk_1", s.bulk_1);
-  check_magnitude("bulk_2", s.bulk_2);
-  check_magnitude("shear_viscosity", s.shear_viscosity);
-  check_magnitude("bulk_viscosity", s.bulk_viscosity);
-  const auto ratio = [](const Wide& first, const Wide& second, const Wide& viscosity) {
-    return std::pair(Polynomial{first + second, viscosity}, Polynomial{first * second, first * viscosity});
-  };
-  const auto [p, q] = ratio(s.shear_1, s.shear_2, s.shear_viscosity);
-  const auto [p_dilatation, q_dilatation] = ratio(s.bulk_1, s.bulk_2, s.bulk_viscosity);
-  return from_operators({p, q, p_dilatation, q_dilatation}, s);
+ViscoelasticMaterial standard_linear_solid(const StandardLinearSolid& solid) {
+  return ViscoelasticMaterial(solid);
 }
 
 ViscoelasticMaterial single_relaxation_time_solid(double bulk, double shear, double relaxation_time) {
@@ -118,10 +80,7 @@ ViscoelasticMaterial prony_solid(const PronyList& theta1, const PronyList& theta
 }
 
 ViscoelasticMaterial operator_solid(const DifferentialOperators& operators) {
-  return from_operators({polynomial(operators.p, "P"), polynomial(operators.q, "Q"),
-                         polynomial(operators.p_dilatation, "P_dilatation"),
-                         polynomial(operators.q_dilatation, "Q_dilatation")},
-                        operators);
+  return ViscoelasticMaterial(operators);
 }
 
 }  // namespace nipref::data

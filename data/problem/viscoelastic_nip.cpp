@@ -12,9 +12,9 @@ namespace {
 /// one. Ahead of an inverse root at the leading end the gap can open, like a power 3/2; behind one at the trailing
 /// end roller and sheet would overlap. theta2 alone may give way to nothing at once; where theta1 does, theta2
 /// does as well, or the material would gain energy.
-void check_gives_way_at_once(const MaterialFunction& theta1) {
-  if (!(theta1.instantaneous > 0))
-    throw BadInput("theta1 instantaneous", theta1.instantaneous,
+void check_gives_way_at_once(const ViscoelasticMaterial& material) {
+  if (!material.gives_way_at_once())
+    throw BadInput("theta1 instantaneous", 0,
                    "must be > 0: under a roller a sheet that gives way to nothing at once has an infinite "
                    "pressure at the leading end of the contact");
 }
@@ -25,7 +25,7 @@ void ViscoelasticNip::check() const {
   check_magnitude("roller_radius", roller_radius);
   check_magnitude("sheet_thickness", sheet_thickness);
   check_magnitude("speed", speed);
-  check_gives_way_at_once(material.theta1());
+  check_gives_way_at_once(material);
 }
 
 }  // namespace nipref::data

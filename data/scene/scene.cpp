@@ -113,7 +113,7 @@ struct MethodCheck {
   }
 };
 
-/// The thesis searches for m2 at a given load only, and its sums are for real rates, none of them 0.
+/// The thesis searches for m2 at a given load only.
 void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const SceneOrigin& origin) {
   const auto* loads = std::get_if<ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) return;
@@ -121,17 +121,6 @@ void check_viscoelastic_line_loads(const ViscoelasticNipProblem& problem, const 
     origin.refuse("method.trailing_elements", "(missing)",
                   "must be given with [contact] length: the search for it is at a given load");
   }
-  const auto is_real = [](const MaterialFunction& function) {
-    return std::ranges::all_of(function.terms,
-                               [](const RelaxationTerm& term) { return term.rate.imag() == 0; });
-  };
-  const ViscoelasticMaterial& material = problem.nip.material;
-  require(loads->residue_terms == 0 || (is_real(material.theta1()) && is_real(material.theta2())), origin,
-          "method.residue_terms", loads->residue_terms,
-          "must be 0: the material has complex relaxation rates");
-  require(loads->residue_terms == 0 || !material.normal_compliance().is_fluid(), origin,
-          "method.residue_terms", loads->residue_terms,
-          "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
 }
 
 void check_creep(const ElasticNipProblem& problem, const SceneOrigin& origin) {

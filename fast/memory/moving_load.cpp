@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
@@ -107,18 +108,17 @@ struct MovingLoad::Fades {
 
 MovingLoad::MovingLoad(const data::ViscoelasticMaterial& material, double speed, double half_thickness,
                        Accuracy accuracy)
-    : theta1_(material.theta1()), theta2_(material.theta2()), accuracy_(accuracy) {
+    : functions_(material_functions(material)), normal_(functions_.normal_compliance()), accuracy_(accuracy) {
   check_positive("speed", speed);
   check_positive("half_thickness", half_thickness);
   way_per_time_ = Two{speed, 0} / half_thickness;
   time_unit_ = Two{half_thickness, 0} / speed;
-  normal_ = material.normal_compliance();
   const auto fading = [&](const data::MaterialFunction& theta, std::initializer_list<Kernel> kernels) {
     return fades(theta, time_unit_, kernels, accuracy);
   };
   fades_ = std::make_shared<const Fades>(Fades{fading(normal_, {Kernel::I1}),
-                                               fading(theta1_, {Kernel::I3, Kernel::I5}),
-                                               fading(theta2_, {Kernel::I3, Kernel::I4})});
+                                               fading(functions_.theta1, {Kernel::I3, Kernel::I5}),
+                                               fading(functions_.theta2, {Kernel::I3, Kernel::I4})});
 }
 
 double MovingLoad::normal_displacement(double t, double T) const {
@@ -169,14 +169,15 @@ double MovingLoad::normal_displacement(const LoadPath& load_path) const {
 
 double MovingLoad::tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const {
   const double under_point = kernel_at(Kernel::I3, to_point.start, accuracy_);
-  double sum = theta1_.instantaneous * (under_point - kernel_at(Kernel::I5, to_pin.start, accuracy_)) +
-               theta2_.instantaneous *
-                   (under_point + kernel_at(Kernel::I4, to_pin.start, accuracy_) - pi / 2 * to_point.sign());
+  double sum =
+      functions_.theta1.instantaneous * (under_point - kernel_at(Kernel::I5, to_pin.start, accuracy_)) +
+      functions_.theta2.instantaneous *
+          (under_point + kernel_at(Kernel::I4, to_pin.start, accuracy_) - pi / 2 * to_point.sign());
   if (to_point.length.high == 0) return sum / pi;
-  sum += over_terms(theta1_, fades_->theta1, time_unit_, [&](const auto& rate) {
+  sum += over_terms(functions_.theta1, fades_->theta1, time_unit_, [&](const auto& rate) {
     return to_point.memory(Kernel::I3, rate, accuracy_) - to_pin.memory(Kernel::I5, rate, accuracy_);
   });
-  sum += over_terms(theta2_, fades_->theta2, time_unit_, [&](const auto& rate) {
+  sum += over_terms(functions_.theta2, fades_->theta2, time_unit_, [&](const auto& rate) {
     return to_point.memory(Kernel::I3, rate, accuracy_) + to_pin.memory(Kernel::I4, rate, accuracy_) -
            pi / 2 * memory_of_sign(to_point.behind(), to_point.length.high, rate);
   });

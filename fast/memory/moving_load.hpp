@@ -47,7 +47,8 @@ class MovingLoad {
   [[nodiscard]] double normal_displacement(const LoadPath& load_path) const;
   [[nodiscard]] double tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const;
 
-  data::MaterialFunction theta1_, theta2_, normal_;
+  data::MaterialFunctions functions_;
+  data::MaterialFunction normal_;
   internal::Two way_per_time_, time_unit_;  ///< F0/b and b/F0
   Accuracy accuracy_;
   std::shared_ptr<const Fades> fades_;

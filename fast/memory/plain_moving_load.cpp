@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
 #include <nipref/fast/sheet/plain_series.hpp>
 #include <nipref/fast/sheet/roots.hpp>
@@ -50,17 +51,21 @@ PlainMovingLoad::PlainMovingLoad(const data::ViscoelasticMaterial& material, dou
     : roots_(roots(terms)) {
   positive(speed, "speed");
   positive(half_thickness, "half_thickness");
-  for (const data::MaterialFunction* function : {&material.theta1(), &material.theta2()}) {
+  const data::MaterialFunctions functions = material_functions(material);
+  const auto check_rate = [&](bool is_allowed, const char* why) {
+    if (!is_allowed) throw data::BadInput("residue_terms", terms, why);
+  };
+  for (const data::MaterialFunction* function : {&functions.theta1, &functions.theta2}) {
     for (const data::RelaxationTerm& term : function->terms) {
-      if (term.rate.imag() != 0)
-        throw data::BadInput("rate", term.rate.imag(), "must be real: the thesis's sums have no others");
-      if (term.rate == 0.0) throw data::BadInput("rate", 0, "must be > 0: the thesis's sums divide by it");
+      check_rate(term.rate.imag() == 0, "must be 0: the material has complex relaxation rates");
+      check_rate(term.rate != 0.0,
+                 "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
       const double rate = term.rate.real() * half_thickness / speed;
       if (std::ranges::find(rates_, rate) == rates_.end()) rates_.push_back(rate);
     }
   }
-  theta1_ = memory(material.theta1(), speed, half_thickness);
-  theta2_ = memory(material.theta2(), speed, half_thickness);
+  theta1_ = memory(functions.theta1, speed, half_thickness);
+  theta2_ = memory(functions.theta2, speed, half_thickness);
   both_ = theta1_;
   both_.instantaneous += theta2_.instantaneous;
   for (std::size_t r = 0; r < rates_.size(); ++r) both_.amplitude[r] += theta2_.amplitude[r];

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/nip/internal/contact_field.hpp>
 #include <nipref/fast/nip/internal/domain.hpp>
 #include <nipref/fast/nip/internal/places.hpp>
@@ -24,9 +25,11 @@ ContactUnits units_of(const data::ViscoelasticNip& nip, const EffectiveSheet& sh
 /// What a contact of about this load meets: its length is guessed for a sheet whose memories are all those that
 /// the shortest contact meets.
 EffectiveSheet effective_sheet_for_load(const data::ViscoelasticNip& nip, double load, double accuracy) {
-  const EffectiveSheet shortest = effective_sheet(nip, shortest_half_length, accuracy);
+  const data::MaterialFunctions functions = material_functions(nip.material);
+  const EffectiveSheet shortest = effective_sheet(nip, functions, shortest_half_length, accuracy);
   const ViscoelasticNipLevels levels(shortest.material);
-  return effective_sheet(nip, levels.half_length_guess(load / units_of(nip, shortest).load), accuracy);
+  return effective_sheet(nip, functions, levels.half_length_guess(load / units_of(nip, shortest).load),
+                         accuracy);
 }
 
 /// Beyond it pressures are nearly as large next to the leading end as where nothing gives way at once, and levels
@@ -466,7 +469,7 @@ ConvergedViscoelasticNip converged_for_length(const data::ViscoelasticNip& nip, 
   check_contact_accuracy(accuracy);
   check_contact_length(shape(nip), contact_length);
   const double half_length = contact_length / nip.sheet_thickness;
-  const EffectiveSheet sheet = effective_sheet(nip, half_length, accuracy);
+  const EffectiveSheet sheet = effective_sheet(nip, material_functions(nip.material), half_length, accuracy);
   const ViscoelasticNipLevels levels(sheet.material);
   check_softening(levels, half_length);
   return ConvergedViscoelasticNip(std::make_unique<ConvergedViscoelasticNip::Implementation>(

@@ -65,7 +65,7 @@ ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Viscoelastic
   Eigen::MatrixXd matrix(cells.loads + 1, cells.loads + 1);
   matrix.col(0).setOnes();
   // Loads in units that give displacements over b.
-  const double compliance = nip.material.normal_compliance().instantaneous;
+  const double compliance = sheet.compliance();
   matrix.rightCols(cells.loads) = -influence(sheet, cells) / compliance;
   Eigen::VectorXd gap(cells.loads + 1);
   for (int i = 0; i <= cells.loads; ++i) {
@@ -96,8 +96,7 @@ ViscoelasticLineLoads solve(const data::ViscoelasticNip& nip, const Viscoelastic
 
 ViscoelasticLineLoads solve_for_load(const data::ViscoelasticNip& nip, const ViscoelasticSheet& sheet,
                                      const ViscoelasticLineLoadMethod& method, double load) {
-  const double half_space =
-      std::sqrt(load * nip.roller_radius * nip.material.normal_compliance().instantaneous);
+  const double half_space = std::sqrt(load * nip.roller_radius * sheet.compliance());
   LengthSearch lengths(load, half_space, {.tolerance = 1e-10, .longest = nip.roller_radius});
   int systems = 0;
   ViscoelasticLineLoads result = solution_at_end(lengths, [&](double length) {

@@ -5,19 +5,22 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/ref/material/internal/inverse_transform.hpp>
+#include <nipref/ref/material/internal/material_compliances.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/memory/exact_material.hpp>
 
 namespace nipref::ref {
 namespace {
 
-ExactFunction exact_function(const data::MaterialFunction& function, const char* name) {
-  ExactFunction result{mpq_class(function.instantaneous), {}, {}};
-  for (const data::RelaxationTerm& term : function.terms) {
-    if (term.rate.imag() != 0)
-      throw data::BadInput(std::string(name) + " rate", term.rate.imag(),
+mpq_class exactly(const Float& x) { return to_exact(x).value(); }
+
+ExactFunction exact_function(const Compliance& compliance, const char* name) {
+  ExactFunction result{exactly(compliance.at_once), {}, {}};
+  for (const ComplianceTerm& term : compliance.terms) {
+    if (term.rate.im != 0)
+      throw data::BadInput(std::string(name) + " rate", static_cast<double>(term.rate.im),
                            "must be real on the reference path");
-    result.terms.push_back({mpq_class(term.amplitude.real()), mpq_class(term.rate.real())});
+    result.terms.push_back({exactly(term.amplitude.re), exactly(term.rate.re)});
   }
   return result;
 }
@@ -71,8 +74,10 @@ ExactFunction ExactMaterial::normal() const {
   return sum;
 }
 
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material) {
-  return {exact_function(material.theta1(), "theta1"), exact_function(material.theta2(), "theta2")};
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material, int digits) {
+  const WorkingDigits working(digits);
+  const auto [theta1, theta2] = material_compliances(material);
+  return {exact_function(theta1, "theta1"), exact_function(theta2, "theta2")};
 }
 
 ExactMaterial exact_material(const ExactRationalSolid& solid) {

@@ -30,8 +30,9 @@ struct ExactMaterial {
   [[nodiscard]] ExactFunction normal() const;
 };
 
-/// The doubles of a material, exactly. BadInput unless its rates are real.
-ExactMaterial exact_material(const data::ViscoelasticMaterial& material);
+/// To this many digits, from the exact values of the doubles that describe the material. BadInput unless its rates are
+/// real.
+ExactMaterial exact_material(const data::ViscoelasticMaterial& material, int digits);
 
 /// By its compliances theta1 and theta2. BadInput, naming `last`, for what gives way without bound at once, for repeated
 /// roots and for strains that do not fade, but for a fluid's.

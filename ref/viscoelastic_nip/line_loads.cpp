@@ -113,12 +113,14 @@ RollingLoads checked(const data::ViscoelasticNip& nip, const ViscoelasticLineLoa
     throw BadInput("approach_lengths", method.approach, "must be > 0 and at most 500 in the reference");
   if (method.residue_terms < 0 || method.residue_terms > 500)
     throw BadInput("residue_terms", std::to_string(method.residue_terms), "must be from 0 to 500");
-  if (method.residue_terms > 0 && nip.material.normal_compliance().is_fluid())
+  const ExactMaterial material = exact_material(nip.material, digits + guard_digits);
+  if (method.residue_terms > 0 &&
+      std::ranges::any_of(material.normal().terms, [](const auto& term) { return term.rate == 0; }))
     throw BadInput("residue_terms", std::to_string(method.residue_terms),
-                   "must be 0 for a fluid: the thesis's sums divide by its rate");
-  return {nip,      exact_material(nip.material), method.leading_elements,
-          trailing, mpq_class(method.approach),   method.residue_terms,
-          digits};
+                   "must be 0: the material is a fluid, and the thesis's sums divide by its rate, 0");
+  return {
+      nip,   material, method.leading_elements, trailing, mpq_class(method.approach), method.residue_terms,
+      digits};
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ struct ViscoelasticLineLoadMethod {
   int residue_terms;      ///< of the plain sums, 1 to 500; 0: exact kernels
 };
 
-/// That contact in multiprecision, of the doubles exactly; the material's rates real. Errors are estimated: those of
+/// That contact in multiprecision, of the exact values of the doubles that describe it; the material must have real
+/// rates. Errors are estimated: those of
 /// the influences go through the system as enclosed_system.hpp says, and what a length that carries a load lacks
 /// goes into every result by how it changed over the last step of the search for it.
 class ViscoelasticLineLoads {

@@ -71,15 +71,6 @@ Build read_model(const TomlTable& material) {
   return read_operators(material);
 }
 
-/// Throws again what a material refused, as a key of [material] and with its place: the material's own names
-/// are those of its functions, "theta1 rate"; all stand in one table.
-[[noreturn]] void refuse_material(const BadInput& error, const SceneOrigin& origin) {
-  std::string name = error.argument();
-  constexpr std::string_view prefix = "material ";
-  if (name.starts_with(prefix)) name.erase(0, prefix.size());
-  origin.refuse_as("material." + name, error);
-}
-
 }  // namespace
 
 std::string material_model(const TomlTable& material) {
@@ -91,8 +82,10 @@ ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const
   const Build build = read_model(material);
   try {
     return build();
+  } catch (const NoMaterial& error) {
+    origin.refuse_as(error.key(), error);
   } catch (const BadInput& error) {
-    refuse_material(error, origin);
+    origin.refuse_as("material." + error.argument(), error);
   }
 }
 

@@ -1,3 +1,4 @@
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/sheet.hpp>
 
 namespace nipref::fast {
@@ -11,7 +12,8 @@ std::variant<MovingLoad, PlainMovingLoad> moving_load(const data::ViscoelasticNi
 }  // namespace
 
 ViscoelasticSheet::ViscoelasticSheet(const data::ViscoelasticNip& nip, int residue_terms)
-    : time_(residue_terms == 0 ? nip.half_thickness() / nip.speed : 1),
+    : compliance_(material_functions(nip.material).normal_compliance().instantaneous),
+      time_(residue_terms == 0 ? nip.half_thickness() / nip.speed : 1),
       load_(moving_load(nip, residue_terms)) {}
 
 double ViscoelasticSheet::normal_displacement(double t, double T) const {

@@ -16,10 +16,13 @@ class ViscoelasticSheet {
 
   /// Null if the displacements are exact.
   [[nodiscard]] const PlainMovingLoad* plain() const { return std::get_if<PlainMovingLoad>(&load_); }
+  /// theta1 + theta2 at once, 1/stress.
+  [[nodiscard]] double compliance() const { return compliance_; }
   [[nodiscard]] double normal_displacement(double t, double T) const;
   [[nodiscard]] double tangential_displacement(double t, double T, double t0) const;
 
  private:
+  double compliance_;
   double time_;  ///< b/speed in what the exact load is given, whose times have a unit
   std::variant<MovingLoad, PlainMovingLoad> load_;
 };

@@ -89,10 +89,11 @@ double EffectiveSheet::neglected_behind(double half_length, double distance) con
   return several * held * std::sqrt(fade / edge(half_length)) * std::exp(-distance / fade);
 }
 
-EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy) {
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, const data::MaterialFunctions& functions,
+                               double half_length, double accuracy) {
   const Ways ways(nip, half_length, accuracy);
-  const data::MaterialFunction normal = nip.material.normal_compliance();
-  const data::MaterialFunction& theta2 = nip.material.theta2();
+  const data::MaterialFunction normal = functions.normal_compliance();
+  const data::MaterialFunction& theta2 = functions.theta2;
   const double compliance = ways.at_once(normal);
   EffectiveSheet sheet{
       compliance,

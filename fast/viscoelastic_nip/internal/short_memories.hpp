@@ -35,6 +35,8 @@ struct EffectiveSheet {
   [[nodiscard]] double neglected_behind(double half_length, double distance) const;
 };
 
-EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, double half_length, double accuracy);
+/// `functions`: those of the nip's material.
+EffectiveSheet effective_sheet(const data::ViscoelasticNip& nip, const data::MaterialFunctions& functions,
+                               double half_length, double accuracy);
 
 }  // namespace nipref::fast

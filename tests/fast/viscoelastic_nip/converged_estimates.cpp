@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/nip/internal/counted_kernels.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/internal/short_memories.hpp>
@@ -74,7 +75,8 @@ TEST_CASE(
                                   1};
   const auto asked = fast::converged_for_length(nip, 2, 1e-4);
 
-  const fast::EffectiveSheet sheet = fast::effective_sheet(nip, 1, 1e-4);
+  const fast::EffectiveSheet sheet =
+      fast::effective_sheet(nip, fast::material_functions(nip.material), 1, 1e-4);
   const std::vector<int> pieces{1, 1, 1, 1, 1, 1, 1, 2, 3, 6, 12, 20, 4,
                                 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1,  1,  1};
   fast::Work work;

@@ -48,7 +48,7 @@ TEST_CASE("plain sums: before the load they are exact, after it their rest falls
   const auto error = [&](int terms, double t, double T) {
     const fast::PlainMovingLoad plain(material, speed, half, terms);
     return (plain.normal_displacement(t, T) - exact.normal_displacement(t * unit, T * unit)) /
-           (material.normal_compliance().terms[0].amplitude.real() * unit / std::acos(-1.0));
+           (material.functions()->normal_compliance().terms[0].amplitude.real() * unit / std::acos(-1.0));
   };
   CHECK(std::fabs(error(500, 1, 2)) < 1e-13);
   CHECK(std::fabs(error(500, 2, -1)) < 1e-13);  // passed before it started
@@ -62,7 +62,7 @@ TEST_CASE("plain sums of the tangential displacement agree with the exact one as
   const ViscoelasticMaterial material = solid(2);
   const fast::MovingLoad exact(material, 1, 1);
   const fast::PlainMovingLoad plain(material, 1, 1, 500);
-  const double scale = material.theta1().long_time();
+  const double scale = material.functions()->theta1.long_time();
   for (const auto& [t, T, t0] :
        {std::tuple(1.0, 2.0, 1.5), std::tuple(2.0, 1.0, 1.5), std::tuple(2.0, 1.0, 2.5),
         std::tuple(1.5, -0.5, 2.0), std::tuple(0.5, -1.0, -1.5)}) {
@@ -117,7 +117,7 @@ TEST_CASE("the contact is linear: a stiffer sheet carries as much more at the sa
     return function;
   };
   ViscoelasticNip stiff = nip(0.1);
-  stiff.material = {stiffer(stiff.material.theta1()), stiffer(stiff.material.theta2())};
+  stiff.material = {stiffer(stiff.material.functions()->theta1), stiffer(stiff.material.functions()->theta2)};
   const ViscoelasticLineLoads soft = for_length(0.1, method(4, 3), 0.05);
   const ViscoelasticLineLoads hard = fast::viscoelastic_line_loads_for_length(stiff, method(4, 3), 0.05);
   check_close(hard.load, 7 * soft.load, 1e-12);

@@ -311,9 +311,9 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
   CHECK(thesis.theta2.terms[0].amplitude == solid.theta2.terms[0].amplitude);
   CHECK(solid.normal().terms.size() == 1);
   CHECK(thesis.normal().terms.size() == 2);
-  // The double path's is the same, rounded.
+  // The same from doubles.
   const ExactMaterial rounded = exact_material(
-      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25));
+      nipref::data::misprinted_thesis_solid(3, 3 * nipref::data::thesis_shear_over_bulk, 0.25), 40);
   CHECK(rounded.theta2.terms[0].rate == thesis.theta2.terms[0].rate);
   CHECK(rounded.theta1.instantaneous.get_d() ==
         doctest::Approx(thesis.theta1.instantaneous.get_d()).epsilon(1e-15));
@@ -323,14 +323,22 @@ TEST_CASE("moving load: the two solids differ in the fading of theta2 alone") {
 
 TEST_CASE("moving load: a material in double is taken as it is, complex rates are refused") {
   const nipref::data::ViscoelasticMaterial material{{1.5, {{0.5, 2.0}}}, {0.5, {{0.125, 2.0}}}};
-  const ExactMaterial taken = exact_material(material);
+  const ExactMaterial taken = exact_material(material, 40);
   CHECK(taken.theta1.instantaneous == mpq_class(3, 2));
   CHECK(taken.theta2.terms[0].amplitude == mpq_class(1, 8));
   CHECK(taken.normal().terms[0].amplitude == mpq_class(5, 8));
   const nipref::data::ViscoelasticMaterial waves{
       {1.5, {{{0.25, 0}, {2.0, 0.125}}, {{0.25, 0}, {2.0, -0.125}}}},
       {0.5, {{{0.0625, 0}, {2.0, 0.125}}, {{0.0625, 0}, {2.0, -0.125}}}}};
-  CHECK_THROWS_AS(exact_material(waves), BadInput);
+  CHECK_THROWS_AS(exact_material(waves, 40), BadInput);
+}
+
+TEST_CASE("moving load: a standard linear solid is as its constants say, to more digits than a double has") {
+  // theta1 = 1/2 (1 + 1/(1 + 3 p)) with G1 = G2 = 1 and the viscosity 3: the rate and twice the amplitude are 1/3.
+  const ExactMaterial solid = exact_material(nipref::data::standard_linear_solid({1, 1, 5, 7, 3, 11}), 40);
+  REQUIRE(solid.theta1.terms.size() == 1);
+  CHECK(abs(solid.theta1.terms[0].rate - mpq_class(1, 3)) < 1e-38);
+  CHECK(abs(2 * solid.theta1.terms[0].amplitude - mpq_class(1, 3)) < 1e-38);
 }
 
 TEST_CASE("moving load: the bounds hold against more digits, whatever the rate and the place") {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/audit/internal/draw_nip.hpp>
 
 namespace nipref::verify {
@@ -218,7 +219,8 @@ DrawnScene draw_rolling_nip(Random& random, RollingMaterial material) {
   try {
     drawn.set("title", "its material");
     const auto problem = std::get<data::ViscoelasticNipProblem>(drawn.scene().system);
-    const double compliance = long_or_short(random, problem.nip.material.normal_compliance());
+    const double compliance =
+        long_or_short(random, fast::material_functions(problem.nip.material).normal_compliance());
     give_load(drawn, about_load(size, compliance, compliance));
   } catch (const data::BadInput&) {
     // Whoever reads the scene is told.

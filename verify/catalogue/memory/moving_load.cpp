@@ -9,6 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
@@ -134,15 +135,17 @@ struct LoadPath {
 class Sizes {
  public:
   explicit Sizes(Arguments x)
-      : material_(material_of(x)), rounded_(x[2] != prony_solid), way_per_time_(x[0] / x[1]) {}
+      : material_(fast::material_functions(material_of(x))),
+        rounded_(x[2] != prony_solid),
+        way_per_time_(x[0] / x[1]) {}
 
   [[nodiscard]] double Un(LoadPath point) const {
     return of(material_.normal_compliance(), magnitude_I1, point) / pi;
   }
   [[nodiscard]] double Vn(LoadPath point, LoadPath pin) const {
     const auto sign = [](double) { return pi / 2; };
-    return (of(material_.normal_compliance(), magnitude_I3, point) + of(material_.theta2(), sign, point) +
-            of(material_.theta2(), magnitude_I4, pin) + of(material_.theta1(), magnitude_I5, pin)) /
+    return (of(material_.normal_compliance(), magnitude_I3, point) + of(material_.theta2, sign, point) +
+            of(material_.theta2, magnitude_I4, pin) + of(material_.theta1, magnitude_I5, pin)) /
            pi;
   }
 
@@ -152,7 +155,7 @@ class Sizes {
     return convolved({theta, rounded_}, way_per_time_, magnitude, way.from, way.to);
   }
 
-  data::ViscoelasticMaterial material_;
+  data::MaterialFunctions material_;
   bool rounded_;
   double way_per_time_;
 };
@@ -209,7 +212,7 @@ void keep_passive(double* x) {
 bool is_soon_confirmed(Arguments sheet) {
   constexpr double most_turns = 30;
   try {
-    const data::ViscoelasticMaterial material = material_of(sheet);
+    const data::MaterialFunctions material = fast::material_functions(material_of(sheet));
     return std::ranges::all_of(material.normal_compliance().terms, [](const data::RelaxationTerm& term) {
       return std::fabs(term.rate.imag()) <= most_turns * term.rate.real();
     });

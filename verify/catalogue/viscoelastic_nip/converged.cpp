@@ -63,14 +63,15 @@ data::ViscoelasticNip rolling_nip(NipArguments x) {
 
 /// N at once as the material has it.
 mpq_class exact_compliance(const data::ViscoelasticNip& nip) {
-  return mpq_class(nip.material.theta1().instantaneous) + mpq_class(nip.material.theta2().instantaneous);
+  const data::MaterialFunctions& functions = *nip.material.functions();
+  return mpq_class(functions.theta1.instantaneous) + mpq_class(functions.theta2.instantaneous);
 }
 
 NipEstimates rolling_by_fast(NipArguments x, fast::Accuracy accuracy) {
   const data::ViscoelasticNip nip = rolling_nip(x);
   const auto contact = fast::converged_for_length(nip, x[0], nip_accuracy(accuracy));
   const double over_length = nip_roller_radius / x[0];
-  const double compliance = nip.material.theta1().instantaneous + nip.material.theta2().instantaneous;
+  const double compliance = nip.material.functions()->normal_compliance().instantaneous;
   return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / x[0]),
           in_unit(contact.load(), compliance * over_length / x[0]),
           in_unit(contact.indentation(), over_length / x[0]), in_unit(contact.creep_ratio(), over_length)};

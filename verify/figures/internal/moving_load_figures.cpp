@@ -28,8 +28,8 @@ double creep_response(const data::MaterialFunction& theta, double t) {
 }
 
 std::vector<Panel> creep_responses() {
-  const auto defined = data::single_relaxation_time_solid(stated_bulk, stated_shear, 1);
-  const auto printed = data::misprinted_thesis_solid(stated_bulk, stated_shear, 1);
+  const auto defined = *data::single_relaxation_time_solid(stated_bulk, stated_shear, 1).functions();
+  const auto printed = *data::misprinted_thesis_solid(stated_bulk, stated_shear, 1).functions();
   const std::vector<double> t = evenly(0, 6, 121);
   const auto response = [&](const std::string& label, const std::string& role, Mark mark,
                             const data::MaterialFunction& theta) {
@@ -38,10 +38,10 @@ std::vector<Panel> creep_responses() {
   const std::string right = "solid as defined", wrong = "solid as printed (6.29)";
   return {{{"time over the relaxation time t/tau"},
            {"strain over the strain at once"},
-           {response("theta1 = 1/(2G)", right, Mark::line, defined.theta1()),
-            response("theta2 = 3/(6K + 2G)", right, Mark::line, defined.theta2()),
+           {response("theta1 = 1/(2G)", right, Mark::line, defined.theta1),
+            response("theta2 = 3/(6K + 2G)", right, Mark::line, defined.theta2),
             response("theta1 + theta2", right, Mark::line, defined.normal_compliance()),
-            response("theta2 = 3/(6K + 2G)", wrong, Mark::marked_line, printed.theta2()),
+            response("theta2 = 3/(6K + 2G)", wrong, Mark::marked_line, printed.theta2),
             response("theta1 + theta2", wrong, Mark::marked_line, printed.normal_compliance())}}};
 }
 

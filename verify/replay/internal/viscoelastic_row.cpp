@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 
 namespace nipref::verify {
@@ -69,11 +70,12 @@ double underflown(const data::MaterialFunction& function, const std::vector<doub
 /// At the leading end less at the trailing one.
 double underflown_memory(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
                          const fast::ViscoelasticLineLoads& loads) {
+  const data::MaterialFunctions functions = fast::material_functions(nip.material);
   const double step = loads.element_width() / nip.speed;
   const double start = method.approach * nip.half_thickness() / nip.speed;
   const auto at = [&](double t) {
-    return underflown(nip.material.theta1(), loads.loads, t, start + step / 2, step) -
-           underflown(nip.material.theta2(), loads.loads, t, start + step / 2, step);
+    return underflown(functions.theta1, loads.loads, t, start + step / 2, step) -
+           underflown(functions.theta2, loads.loads, t, start + step / 2, step);
   };
   return at(start) - at(start + loads.contact_length() / nip.speed);
 }

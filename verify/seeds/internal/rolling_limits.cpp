@@ -34,7 +34,7 @@ WithError of_material(double value) { return {value, 0x1p-48 * std::fabs(value)}
 
 /// F0 sum(gamma/lambda^2)/(R N(infinity)): what a short memory leaves of the resistance.
 WithError short_memory_resistance(const data::ViscoelasticMaterial& material) {
-  const data::MaterialFunction n = material.normal_compliance();
+  const data::MaterialFunction n = material.functions()->normal_compliance();
   WithError sum = 0;
   for (const data::RelaxationTerm& term : n.terms)
     sum = sum + of_material((term.amplitude / (term.rate * term.rate)).real());
@@ -44,7 +44,7 @@ WithError short_memory_resistance(const data::ViscoelasticMaterial& material) {
 /// mu_R of a long memory: the elastic contact of the compliance at once, over all of which the amplitudes act: sum(gamma)
 /// (d0 - int p Y^2/(2 R W))/(F0 N(0)).
 WithError long_memory_resistance(const data::ViscoelasticMaterial& material, double length) {
-  const data::MaterialFunction n = material.normal_compliance();
+  const data::MaterialFunction n = material.functions()->normal_compliance();
   const data::ElasticNip nip{rolling_radius, 2, {2 / n.instantaneous, 0}};
   const auto contact = fast::converged_for_length(nip, data::Friction::none, length, rolling_accuracy);
   constexpr int nodes = 200;

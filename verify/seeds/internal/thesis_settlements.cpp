@@ -75,14 +75,15 @@ Settlement one_factor_for_two_sums() {
 Settlement interchanged_functions() {
   const data::ViscoelasticMaterial solid = data::single_relaxation_time_solid(1, 3.0 / 8, 1);
   const WithError printed = 4 / WithError(9) * 1.5, at_once = 4 / WithError(3);
-  return {"theta1 K0 after a long time", printed, of_solid(solid.theta1().long_time()), 2 * at_once};
+  return {"theta1 K0 after a long time", printed, of_solid(solid.functions()->theta1.long_time()),
+          2 * at_once};
 }
 
 Settlement rate_of_theta2() {
   constexpr double p = 1;  // over tau
   const WithError share = (WithError(p) + 1) / (WithError(p) + 2), truth = 3 / (6 * share + 0.75 * share);
   const auto at = [&](const data::ViscoelasticMaterial& solid) {
-    return of_solid(solid.theta2().transform(p).real());
+    return of_solid(solid.functions()->theta2.transform(p).real());
   };
   return {"theta2 K0 at p = 1/tau", at(data::misprinted_thesis_solid(1, 3.0 / 8, 1)),
           at(data::single_relaxation_time_solid(1, 3.0 / 8, 1)), truth};

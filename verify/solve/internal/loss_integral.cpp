@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include <nipref/fast/material/functions.hpp>
 #include <nipref/verify/solve/internal/loss_integral.hpp>
 
 namespace nipref::verify {
@@ -175,7 +176,7 @@ Loss integral(const data::ViscoelasticNip& nip, const data::MaterialFunction& co
 
 fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ProfileExtent& extent,
                              const std::function<fast::Estimate(double y)>& pressure) {
-  const data::MaterialFunction compliance = nip.material.normal_compliance();
+  const data::MaterialFunction compliance = fast::material_functions(nip.material).normal_compliance();
   if (compliance.terms.empty()) return {0, 0};
   const double length = extent.last - extent.first;
   ExpandedPressure fine(extent, pressure, 22), coarse(extent, pressure, 17);

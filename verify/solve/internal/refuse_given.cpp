@@ -26,6 +26,9 @@ struct NameGiven {
 
 void refuse_given(const data::Scene& scene, const data::Given& given, const data::BadInput& error) {
   const auto [key, value, argument] = std::visit(NameGiven{}, given);
+  if (const auto* refused = dynamic_cast<const data::NoMaterial*>(&error))
+    scene.origin.refuse_as(refused->key(), error);
+  if (error.argument() == "residue_terms") scene.origin.refuse_as("method.residue_terms", error);
   if (error.argument() == argument) scene.origin.refuse_as(key, error);
   scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
 }

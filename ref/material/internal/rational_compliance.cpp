@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <utility>
 
-#include <nipref/data/bad_input.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rational_compliance.hpp>
+#include <nipref/data/material/viscoelastic.hpp>
+#include <nipref/ref/material/internal/rational_compliance.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -19,14 +19,14 @@ bool are_zeros(const FloatPolynomial& p, const std::vector<ComplexFloat>& zeros,
 }
 
 /// All zeros, checked; one that is 0 exactly, and last.
-std::vector<ComplexFloat> zeros_of(Polynomial p, const Float& unit) {
+std::vector<ComplexFloat> zeros_of(Polynomial p, const Float& unit, const char* name) {
   const bool flows = sgn(p[0]) == 0;
   if (flows) p.erase(p.begin());
   const FloatPolynomial others(p);
   std::vector<ComplexFloat> zeros = approximate_zeros(others, unit);
   if (sgn(p[0]) == 0 || !are_zeros(others, zeros, unit)) {
-    throw data::BadInput("nip.material", "(operators)",
-                         "must have rates that are apart: two of them are one, or nearly so");
+    throw data::NoMaterial(name, "(its roots)",
+                           "must have rates that are apart: two of them are one, or nearly so");
   }
   if (flows) zeros.emplace_back();
   return zeros;
@@ -38,8 +38,11 @@ ComplexFloat rounded(const ComplexFloat& x) {
 
 }  // namespace
 
-Compliance rational_compliance(Polynomial numerator, Polynomial denominator) {
+Compliance rational_compliance(Polynomial numerator, Polynomial denominator, const char* name) {
   cancel(numerator, denominator);
+  if (numerator.size() > denominator.size() || numerator.size() + 1 < denominator.size())
+    throw data::NoMaterial(name, "(its degree)",
+                           "must give way at once by a finite compliance or by a dashpot");
   const mpq_class gain =
       numerator.size() < denominator.size() ? mpq_class(0) : mpq_class(numerator.back() / denominator.back());
 
@@ -49,7 +52,7 @@ Compliance rational_compliance(Polynomial numerator, Polynomial denominator) {
   {
     const WorkingDigits working(static_cast<int>(static_cast<double>(2 * bits) * 0.302) + 10);
     const FloatPolynomial above(numerator), below(denominator);
-    for (ComplexFloat zero : zeros_of(denominator, unit)) {
+    for (ComplexFloat zero : zeros_of(denominator, unit, name)) {
       if (abs(zero.im) <= unit * abs(zero)) zero.im = 0;
       if (zero.im > 0) continue;  // its conjugate stands for both
       const ComplexFloat residue = above.at(zero).first / below.at(zero).second;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/viscoelastic_nip/internal/rational_compliance.hpp>
+#include <nipref/ref/material/internal/rational_compliance.hpp>
 
 using namespace nipref::ref;
 
@@ -18,7 +18,7 @@ TEST_CASE("rational compliance: real rates and a conjugate pair, as they were pu
   const Polynomial single{mpq_class(1, 7), 1}, pair{10, 2, 1};
   const Polynomial numerator =
       sum(sum(product(product({2}, single), pair), product({3}, pair)), product({5, 1}, single));
-  const Compliance compliance = rational_compliance(numerator, product(single, pair));
+  const Compliance compliance = rational_compliance(numerator, product(single, pair), "Q");
   CHECK(near(compliance.at_once, 2));
   REQUIRE(compliance.terms.size() == 2);
   for (const ComplianceTerm& term : compliance.terms) {
@@ -38,13 +38,13 @@ TEST_CASE("rational compliance: real rates and a conjugate pair, as they were pu
 TEST_CASE("rational compliance: common factors cancel exactly, and rates need not be doubles' size apart") {
   const WorkingDigits working(40);
   const Polynomial common{mpq_class(1, 3), 1}, rest{2, 1}, zero{5, 1};
-  const Compliance compliance = rational_compliance(product(common, zero), product(common, rest));
+  const Compliance compliance = rational_compliance(product(common, zero), product(common, rest), "Q");
   REQUIRE(compliance.terms.size() == 1);
   CHECK(near(compliance.terms[0].rate.re, 2));
   CHECK(near(compliance.terms[0].amplitude.re, 3));
   const mpq_class small = mpq_class(1) / mpq_class(mpz_class("100000000000000000000"));
   const Compliance close =
-      rational_compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}));
+      rational_compliance(product(zero, zero), product(Polynomial{2, 1}, Polynomial{2 + small, 1}), "Q");
   CHECK(close.terms.size() == 2);
 }
 
@@ -55,15 +55,15 @@ TEST_CASE(
   const Polynomial rate{7, 1}, flow{0, 1};
   const Polynomial numerator =
       sum(sum(product({2}, product(flow, rate)), product({3}, rate)), product({5}, flow));
-  const Compliance fluid = rational_compliance(numerator, product(flow, rate));
+  const Compliance fluid = rational_compliance(numerator, product(flow, rate), "Q");
   REQUIRE(fluid.terms.size() == 2);
   for (const ComplianceTerm& term : fluid.terms) {
     CHECK((term.rate.re == 0 || near(term.rate.re, 7)));
     CHECK(near(term.amplitude.re, term.rate.re == 0 ? 3 : 5));
   }
-  CHECK_THROWS_AS((void)rational_compliance(numerator, product(flow, product(flow, rate))),
+  CHECK_THROWS_AS((void)rational_compliance(numerator, product(flow, product(flow, rate)), "Q"),
                   nipref::data::BadInput);
-  const Compliance creeping = rational_compliance({3}, {14, 18});
+  const Compliance creeping = rational_compliance({3}, {14, 18}, "Q");
   CHECK(creeping.at_once == 0);
   REQUIRE(creeping.terms.size() == 1);
   CHECK(near(creeping.terms[0].amplitude.re, Float(1) / 6));
@@ -73,9 +73,9 @@ TEST_CASE("rational compliance: a twofold rate is refused by name") {
   const WorkingDigits working(40);
   const Polynomial twice{2, 1}, zero{5, 1};
   try {
-    (void)rational_compliance(product(zero, zero), product(twice, twice));
+    (void)rational_compliance(product(zero, zero), product(twice, twice), "Q");
     FAIL("accepted");
   } catch (const nipref::data::BadInput& error) {
-    CHECK(error.argument() == "nip.material");
+    CHECK(error.argument() == "Q");
   }
 }

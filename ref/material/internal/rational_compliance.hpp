@@ -1,0 +1,26 @@
+#pragma once
+#include <vector>
+
+#include <nipref/ref/material/internal/polynomial.hpp>
+
+namespace nipref::ref {
+
+/// Re amplitude e^(-rate t)
+struct ComplianceTerm {
+  ComplexFloat amplitude;  ///< 1/(stress time); of two conjugate terms their sum's, twice that of one
+  ComplexFloat rate;       ///< 1/time; imaginary part >= 0; exactly 0 if the denominator has no p^0
+};
+
+/// theta(t) = at_once delta(t) + sum of the terms
+struct Compliance {
+  Float at_once;  ///< 1/stress
+  std::vector<ComplianceTerm> terms;
+};
+
+/// The function whose transform is numerator/denominator, to the working precision. Common factors are cancelled
+/// exactly. The denominator's zeros are found by Aberth's method with twice the digits: for p of degree n, one zero is
+/// within n |p/p'| of each approximation. Throws data::NoMaterial, naming `name`, unless that distance is below rounding and the
+/// numerator's degree is the denominator's or, for a function that is 0 at once, one less.
+Compliance rational_compliance(Polynomial numerator, Polynomial denominator, const char* name);
+
+}  // namespace nipref::ref
