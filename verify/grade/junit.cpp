@@ -12,8 +12,6 @@ namespace nipref::verify {
 namespace {
 
 using boost::property_tree::ptree;
-using Outcome = JUnitCase::Outcome;
-
 /// Times are read as xs:decimal, which has no exponents.
 std::string seconds_text(double seconds) { return fmt::format("{:.6f}", seconds); }
 
@@ -23,14 +21,16 @@ std::string printable(std::string text) {
   return text;
 }
 
-const char* element_of(Outcome outcome) { return outcome == Outcome::failed ? "failure" : "error"; }
+const char* element_of(JUnitCase::Outcome outcome) {
+  return outcome == JUnitCase::Outcome::failed ? "failure" : "error";
+}
 
 ptree tree_of(const std::string& suite, const JUnitCase& one) {
   ptree tree;
   tree.put("<xmlattr>.classname", printable(suite));
   tree.put("<xmlattr>.name", printable(one.name));
   tree.put("<xmlattr>.time", seconds_text(one.seconds));
-  if (one.outcome != Outcome::passed) {
+  if (one.outcome != JUnitCase::Outcome::passed) {
     ptree result;
     result.put("<xmlattr>.message", printable(one.message));
     result.put("<xmlattr>.type", element_of(one.outcome));
@@ -43,14 +43,16 @@ ptree tree_of(const std::string& suite, const JUnitCase& one) {
 }  // namespace
 
 std::string junit_text(const std::string& suite, const std::vector<JUnitCase>& cases) {
-  const auto count = [&](Outcome outcome) { return std::ranges::count(cases, outcome, &JUnitCase::outcome); };
+  const auto count = [&](JUnitCase::Outcome outcome) {
+    return std::ranges::count(cases, outcome, &JUnitCase::outcome);
+  };
   const double seconds = std::accumulate(cases.begin(), cases.end(), 0.0,
                                          [](double sum, const JUnitCase& one) { return sum + one.seconds; });
   ptree tests;
   tests.put("<xmlattr>.name", printable(suite));
   tests.put("<xmlattr>.tests", cases.size());
-  tests.put("<xmlattr>.failures", count(Outcome::failed));
-  tests.put("<xmlattr>.errors", count(Outcome::error));
+  tests.put("<xmlattr>.failures", count(JUnitCase::Outcome::failed));
+  tests.put("<xmlattr>.errors", count(JUnitCase::Outcome::error));
   tests.put("<xmlattr>.time", seconds_text(seconds));
   for (const JUnitCase& one : cases) tests.add_child("testcase", tree_of(suite, one));
   ptree root;

@@ -19,19 +19,15 @@ namespace {
 
 using fast::Estimate;
 using fast::LineLoadMethod;
-using fast::LineLoadSolution;
 using fast::Work;
 
-/// Of the continuous contact that line loads are set against: they are no closer than about 1e-3.
-constexpr double truth_accuracy = 1e-5;
-
-const std::map<ResultId, double LineLoadSolution::*> elastic_line_load_numbers{
-    {ResultId::contact_length, &LineLoadSolution::contact_length},
-    {ResultId::load, &LineLoadSolution::load},
-    {ResultId::indentation, &LineLoadSolution::indentation},
-    {ResultId::edge_displacement, &LineLoadSolution::edge_displacement},
-    {ResultId::peak_pressure, &LineLoadSolution::peak_pressure},
-    {ResultId::peak_shear, &LineLoadSolution::peak_shear},
+const std::map<ResultId, double fast::LineLoadSolution::*> elastic_line_load_numbers{
+    {ResultId::contact_length, &fast::LineLoadSolution::contact_length},
+    {ResultId::load, &fast::LineLoadSolution::load},
+    {ResultId::indentation, &fast::LineLoadSolution::indentation},
+    {ResultId::edge_displacement, &fast::LineLoadSolution::edge_displacement},
+    {ResultId::peak_pressure, &fast::LineLoadSolution::peak_pressure},
+    {ResultId::peak_shear, &fast::LineLoadSolution::peak_shear},
 };
 
 /// The load that is given, or the length, without friction.
@@ -40,10 +36,10 @@ struct SolveFrictionless {
   const LineLoadMethod& method;
   Work* work;
 
-  LineLoadSolution operator()(const data::GivenLoad& load) const {
+  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
     return fast::line_loads_for_load(nip, method, load.per_length, {}, work);
   }
-  LineLoadSolution operator()(const data::GivenLength& length) const {
+  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
     return fast::line_loads_for_length(nip, method, length.contact_length, work);
   }
 };
@@ -55,10 +51,10 @@ struct SolveAtCreep {
   double creep;
   Work* work;
 
-  LineLoadSolution operator()(const data::GivenLoad& load) const {
+  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
     return fast::gripped_line_loads_for_load(nip, method, load.per_length, creep, {}, work);
   }
-  LineLoadSolution operator()(const data::GivenLength& length) const {
+  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
     return fast::gripped_line_loads_for_length(nip, method, length.contact_length, creep, work);
   }
 };
@@ -69,12 +65,12 @@ struct SolveAtThesisCreep {
   const LineLoadMethod& method;
   Work* work;
 
-  LineLoadSolution operator()(const data::GivenLoad& load) const {
+  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
     auto solution = fast::thesis_line_loads_for_load(nip, method, load.per_length, {}, work);
     if (!solution) refuse("load", load.per_length);
     return *std::move(solution);
   }
-  LineLoadSolution operator()(const data::GivenLength& length) const {
+  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
     auto solution = fast::thesis_line_loads_for_length(nip, method, length.contact_length, work);
     if (!solution) refuse("contact_length", length.contact_length);
     return *std::move(solution);
@@ -87,8 +83,8 @@ struct SolveAtThesisCreep {
   }
 };
 
-LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const LineLoadMethod& method,
-                             Work& work) {
+fast::LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const LineLoadMethod& method,
+                                   Work& work) {
   if (problem.friction == data::Friction::none) {
     return std::visit(SolveFrictionless{problem.nip, method, &work}, problem.given);
   }
@@ -168,7 +164,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
   data::ElasticNip nip_;
   LineLoadMethod method_;
   mutable Work work_;  ///< grows with what is asked for
-  LineLoadSolution solution_;
+  fast::LineLoadSolution solution_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 namespace nipref::verify {
 namespace {
 
-struct SolveFrictionless {
+struct SolveRefFrictionless {
   const data::ElasticNip& nip;
   int digits;
 
@@ -23,7 +23,7 @@ struct SolveFrictionless {
   }
 };
 
-struct SolveGripped {
+struct SolveRefGripped {
   const data::ElasticNip& nip;
   int digits;
 
@@ -35,7 +35,7 @@ struct SolveGripped {
   }
 };
 
-struct SolveRolling {
+struct SolveRefRolling {
   const data::ViscoelasticNip& nip;
   int digits;
 
@@ -65,12 +65,12 @@ std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_converged(const data::E
                                                                    int digits) {
   if (problem.friction == data::Friction::none) {
     return converged_contact<RefPath>(
-        std::visit(SolveFrictionless{problem.nip, digits}, problem.given), problem.nip.roller_radius,
+        std::visit(SolveRefFrictionless{problem.nip, digits}, problem.given), problem.nip.roller_radius,
         accuracy_of(digits), [](const ref::ConvergedElasticNip& contact) {
           return work_of(contact.terms(), contact.kernel_values(), contact.coupling_values());
         });
   }
-  return converged_contact<RefPath>(std::visit(SolveGripped{problem.nip, digits}, problem.given),
+  return converged_contact<RefPath>(std::visit(SolveRefGripped{problem.nip, digits}, problem.given),
                                     problem.nip.roller_radius, accuracy_of(digits),
                                     [](const ref::GrippedElasticNip& contact) {
                                       return work_of(contact.terms() + 2, contact.normal_values(),
@@ -80,7 +80,7 @@ std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_converged(const data::E
 
 std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
                                                                  int digits) {
-  return converged_contact<RefPath>(std::visit(SolveRolling{problem.nip, digits}, problem.given),
+  return converged_contact<RefPath>(std::visit(SolveRefRolling{problem.nip, digits}, problem.given),
                                     problem.nip.roller_radius, accuracy_of(digits),
                                     [](const ref::ConvergedViscoelasticNip& contact) {
                                       return work_of(contact.unknowns(), contact.normal_kernel_values(),

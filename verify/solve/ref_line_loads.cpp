@@ -10,22 +10,19 @@
 namespace nipref::verify {
 namespace {
 
-using ref::Enclosure;
-using ref::LineLoadSolution;
-
-const std::map<ResultId, Enclosure LineLoadSolution::*> numbers{
-    {ResultId::contact_length, &LineLoadSolution::contact_length},
-    {ResultId::load, &LineLoadSolution::load},
-    {ResultId::indentation, &LineLoadSolution::indentation},
-    {ResultId::edge_displacement, &LineLoadSolution::edge_displacement},
-    {ResultId::trailing_displacement, &LineLoadSolution::edge_displacement},
-    {ResultId::peak_pressure, &LineLoadSolution::peak_pressure},
-    {ResultId::peak_shear, &LineLoadSolution::peak_shear},
+const std::map<ResultId, ref::Enclosure ref::LineLoadSolution::*> ref_line_load_numbers{
+    {ResultId::contact_length, &ref::LineLoadSolution::contact_length},
+    {ResultId::load, &ref::LineLoadSolution::load},
+    {ResultId::indentation, &ref::LineLoadSolution::indentation},
+    {ResultId::edge_displacement, &ref::LineLoadSolution::edge_displacement},
+    {ResultId::trailing_displacement, &ref::LineLoadSolution::edge_displacement},
+    {ResultId::peak_pressure, &ref::LineLoadSolution::peak_pressure},
+    {ResultId::peak_shear, &ref::LineLoadSolution::peak_shear},
 };
 
 class RefLineLoads : public SolvedContact<ref::Estimated> {
  public:
-  RefLineLoads(const data::ElasticNip& nip, const ref::LineLoadMethod& method, LineLoadSolution solution,
+  RefLineLoads(const data::ElasticNip& nip, const ref::LineLoadMethod& method, ref::LineLoadSolution solution,
                int digits)
       : nip_(nip), method_(method), solution_(std::move(solution)), digits_(digits) {}
 
@@ -38,7 +35,7 @@ class RefLineLoads : public SolvedContact<ref::Estimated> {
       return number_of(ref::place_of_largest_shear(solution_, digits_));
     if (id == ResultId::leading_length || id == ResultId::trailing_length)
       return number_of(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
-    return number_of(solution_.*numbers.at(id));
+    return number_of(solution_.*ref_line_load_numbers.at(id));
   }
   [[nodiscard]] ref::Estimated at(ResultId id, double y) const override {
     if (id == ResultId::pressure) return number_of(ref::element_pressure(solution_, y, digits_));
@@ -53,7 +50,7 @@ class RefLineLoads : public SolvedContact<ref::Estimated> {
       return {number_of(lower), number_of(upper), number_of(chosen)};
     }
     std::vector<ref::Estimated> borders;
-    for (const Enclosure& border : ref::shear_borders(solution_, digits_))
+    for (const ref::Enclosure& border : ref::shear_borders(solution_, digits_))
       borders.push_back(number_of(border));
     return borders;
   }
@@ -69,7 +66,7 @@ class RefLineLoads : public SolvedContact<ref::Estimated> {
  private:
   data::ElasticNip nip_;
   ref::LineLoadMethod method_;
-  LineLoadSolution solution_;
+  ref::LineLoadSolution solution_;
   int digits_;
 };
 
@@ -84,10 +81,10 @@ struct SolveRefLineLoads {
   const ref::LineLoadMethod& method;
   int digits;
 
-  LineLoadSolution operator()(const data::GivenLoad& load) const {
+  ref::LineLoadSolution operator()(const data::GivenLoad& load) const {
     return ref::line_loads_for_load(problem.nip, method, load.per_length, digits, grip_of(problem));
   }
-  LineLoadSolution operator()(const data::GivenLength& length) const {
+  ref::LineLoadSolution operator()(const data::GivenLength& length) const {
     return ref::line_loads_for_length(problem.nip, method, length.contact_length, digits, grip_of(problem));
   }
 };

@@ -16,21 +16,21 @@
 namespace nipref::verify {
 namespace {
 
-using Solved = std::unique_ptr<SolvedContact<ref::Estimated>>;
+using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimated>>;
 
-struct SolveByMethod {
+struct SolveRefByMethod {
   const data::ElasticNipProblem& problem;
   int digits;
 
-  Solved operator()(const data::ConvergedMethod&) const { return solve_ref_converged(problem, digits); }
-  Solved operator()(const data::LineLoads& loads) const {
+  SolvedByRef operator()(const data::ConvergedMethod&) const { return solve_ref_converged(problem, digits); }
+  SolvedByRef operator()(const data::LineLoads& loads) const {
     return solve_ref_line_loads(problem, loads, digits);
   }
 };
 
-Solved solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem, int digits) {
+SolvedByRef solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem, int digits) {
   try {
-    return std::visit(SolveByMethod{problem, digits}, problem.method);
+    return std::visit(SolveRefByMethod{problem, digits}, problem.method);
   } catch (const data::BadInput& error) {
     if (error.argument() == "digits") throw;
     refuse_given(scene, problem.given, error);
@@ -51,7 +51,7 @@ void refuse_moments(const data::Scene& scene) {
 SceneSolution<ref::Estimated> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
                                             int digits) {
   refuse_moments(scene);
-  const Solved contact = solve_named(scene, problem, digits);
+  const SolvedByRef contact = solve_named(scene, problem, digits);
   return collect_results(scene, problem.profile, WithDerivedResults(scene, *contact),
                          std::pow(10.0L, -digits));
 }
@@ -60,7 +60,7 @@ SceneSolution<ref::Estimated> solve_rolling(const data::Scene& scene,
                                             const data::ViscoelasticNipProblem& problem, int digits) {
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) refuse_moments(scene);
-  const Solved solved = [&] {
+  const SolvedByRef solved = [&] {
     try {
       return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)
                               : solve_ref_rolling(problem, digits);
@@ -73,7 +73,7 @@ SceneSolution<ref::Estimated> solve_rolling(const data::Scene& scene,
                          std::pow(10.0L, -digits));
 }
 
-struct SolveSystem {
+struct SolveSystemByRef {
   const data::Scene& scene;
   int digits;
 
@@ -96,7 +96,9 @@ struct SolveSystem {
 SceneSolution<ref::Estimated> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();
   SceneSolution<ref::Estimated> solution;
-  const double seconds = seconds_of([&] { solution = std::visit(SolveSystem{scene, digits}, scene.system); });
+  const double seconds = seconds_of([&] {
+    solution = std::visit(SolveSystemByRef{scene, digits}, scene.system);
+  });
   solution.seconds = seconds;
   return solution;
 }

@@ -19,9 +19,6 @@ using fast::ViscoelasticLineLoadMethod;
 using fast::ViscoelasticLineLoads;
 using fast::Work;
 
-/// Of the continuous contact that line loads are set against, as in the elastic nip.
-constexpr double truth_accuracy = 1e-5;
-
 const std::map<ResultId, double ViscoelasticLineLoads::*> viscoelastic_line_load_numbers{
     {ResultId::leading_length, &ViscoelasticLineLoads::leading_length},
     {ResultId::trailing_length, &ViscoelasticLineLoads::trailing_length},

@@ -7,6 +7,9 @@
 
 namespace nipref::verify {
 
+/// Of the continuous contact that line loads are compared with: they come no closer to it than about 1e-3.
+inline constexpr double truth_accuracy = 1e-5;
+
 // The elastic nip solved in double by each method. `accuracy` is the scene's. BadInput naming "load" or
 // "contact_length" if the contact's length is not allowed.
 
