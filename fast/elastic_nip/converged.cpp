@@ -96,7 +96,7 @@ struct ConvergedElasticNip::Implementation {
   }
   [[nodiscard]] bool grips() const { return surface.friction == data::Friction::full; }
   /// What pressure and shear together lack at y, unit of length, dimensionless.
-  [[nodiscard]] double tractions_lack(double y) const {
+  [[nodiscard]] double traction_error(double y) const {
     const double shear =
         grips() ? 2 * traction_at(y, &Traction::shear, fast::peak_shear(ladder.last())).error : 0;
     return (pressure_at(y).error + shear) / units.pressure;
@@ -337,7 +337,7 @@ Estimate ConvergedElasticNip::surface_strain(double y) const {
   const double unsure = given_length ? 0 : implementation_->half_length_estimate().error;
   if (implementation_->grips() && from_end >= 0) {
     Estimate creep = implementation_->gripped_creep();
-    if (from_end < unsure) creep.error += implementation_->tractions_lack(position);
+    if (from_end < unsure) creep.error += implementation_->traction_error(position);
     return times(units.creep, creep);
   }
   const double alpha = position / units.length;

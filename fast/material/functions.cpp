@@ -7,25 +7,24 @@
 namespace nipref::fast {
 namespace {
 
+using internal::Octuple;
 using internal::partial_fractions;
+using internal::Polynomial;
 using internal::product;
-using internal::Quad;
-using internal::QuadPolynomial;
 using internal::sum;
 
-struct QuadOperators {
-  QuadPolynomial p, q, p_dilatation, q_dilatation;
+struct ExactOperators {
+  Polynomial p, q, p_dilatation, q_dilatation;
 };
 
-QuadOperators operators_of(const data::DifferentialOperators& x) {
-  const auto in_quad = [](const std::vector<double>& c) { return QuadPolynomial(c.begin(), c.end()); };
-  return {in_quad(x.p), in_quad(x.q), in_quad(x.p_dilatation), in_quad(x.q_dilatation)};
+ExactOperators operators_of(const data::DifferentialOperators& x) {
+  const auto exactly = [](const std::vector<double>& c) { return Polynomial(c.begin(), c.end()); };
+  return {exactly(x.p), exactly(x.q), exactly(x.p_dilatation), exactly(x.q_dilatation)};
 }
 
-QuadOperators operators_of(const data::StandardLinearSolid& s) {
-  const auto ratio = [](const Quad& first, const Quad& second, const Quad& viscosity) {
-    return std::pair(QuadPolynomial{first + second, viscosity},
-                     QuadPolynomial{first * second, first * viscosity});
+ExactOperators operators_of(const data::StandardLinearSolid& s) {
+  const auto ratio = [](const Octuple& first, const Octuple& second, const Octuple& viscosity) {
+    return std::pair(Polynomial{first + second, viscosity}, Polynomial{first * second, first * viscosity});
   };
   const auto [p, q] = ratio(s.shear_1, s.shear_2, s.shear_viscosity);
   const auto [p_dilatation, q_dilatation] = ratio(s.bulk_1, s.bulk_2, s.bulk_viscosity);
@@ -33,13 +32,13 @@ QuadOperators operators_of(const data::StandardLinearSolid& s) {
 }
 
 /// theta1 = P/(2Q), theta2 = 3 P P'/(6 Q' P + 2 Q P')
-data::MaterialFunctions factored(const QuadOperators& operators) {
+data::MaterialFunctions factored(const ExactOperators& operators) {
   const auto& [p, q, p_dilatation, q_dilatation] = operators;
-  const QuadPolynomial six = product({6}, q_dilatation), two = product({2}, q);
+  const Polynomial six = product({6}, q_dilatation), two = product({2}, q);
   const data::MaterialFunction theta1 = partial_fractions({p}, two, "Q");
   // A factor P that both have is left out at once: rounding would split its double root.
   if (p == p_dilatation) return {theta1, partial_fractions({{3}, p}, sum(six, two), "Q_dilatation")};
-  const QuadPolynomial denominator = sum(product(six, p), product(two, p_dilatation));
+  const Polynomial denominator = sum(product(six, p), product(two, p_dilatation));
   return {theta1, partial_fractions({{3}, p, p_dilatation}, denominator, "Q_dilatation")};
 }
 

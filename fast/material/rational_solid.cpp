@@ -10,12 +10,12 @@
 namespace nipref::fast {
 namespace {
 
+using internal::Octuple;
 using internal::Polynomial;
 using internal::product;
 using internal::Rational;
 using internal::Sized;
 using internal::times;
-using internal::Wide;
 
 /// Of the parts that a value is made of; they are good to less.
 constexpr double least_scale = 0x1p-150;
@@ -110,8 +110,8 @@ struct Build {
     data::check_magnitude("bulk", x.bulk);
     data::check_magnitude("shear", x.shear);
     data::check_magnitude("tau", x.relaxation_time);
-    const Wide tau = x.relaxation_time, shear = x.shear, both = 6 * Wide(x.bulk) + 2 * shear;
-    const Wide factor = x.theta2_rate_factor;
+    const Octuple tau = x.relaxation_time, shear = x.shear, both = 6 * Octuple(x.bulk) + 2 * shear;
+    const Octuple factor = x.theta2_rate_factor;
     // theta1 = (2 + tau p)/(2 shear (1 + tau p)), theta2 = 3 (1 + factor + tau p)/(both (factor + tau p))
     const Polynomial d1{2 * shear, 2 * shear * tau}, d2{factor * both, both * tau};
     return of_compliances({{2, tau}, {d1}, d1}, {{3 * (1 + factor), 3 * tau}, {d2}, d2});
@@ -154,13 +154,13 @@ Fading in_time(const Rational& transform, double t) {
 
 /// p(i omega), real and imaginary, and the same of magnitudes.
 struct Swing {
-  Wide re = 0, im = 0, size = 0;
+  Octuple re = 0, im = 0, size = 0;
 
   Swing(const Polynomial& p, double omega) {
-    Wide power = 1;
+    Octuple power = 1;
     for (std::size_t k = 0; k < p.size(); ++k, power *= omega) {
-      const Wide term = p[k] * power;
-      (k % 2 == 0 ? re : im) += k % 4 < 2 ? term : Wide(-term);
+      const Octuple term = p[k] * power;
+      (k % 2 == 0 ? re : im) += k % 4 < 2 ? term : Octuple(-term);
       size += abs(term);
     }
   }
@@ -169,7 +169,7 @@ struct Swing {
 Fading at_frequency(const Operators& modulus, double omega, bool loses) {
   check_not_negative("omega", omega);
   const Swing n(modulus.q, omega), d(modulus.p, omega);
-  const Wide square = d.re * d.re + d.im * d.im;
+  const Octuple square = d.re * d.re + d.im * d.im;
   if (square == 0) throw data::BadInput("omega", omega, "must not be where the modulus is infinite");
   return rounded(
       {(loses ? n.im * d.re - n.re * d.im : n.re * d.re + n.im * d.im) / square, n.size * d.size / square},

@@ -9,7 +9,7 @@ namespace nipref::fast {
 namespace {
 
 using internal::Two;
-using Wide = long double;
+using Extended = long double;
 
 constexpr double largest = 1e150;
 
@@ -25,30 +25,30 @@ void check_times(double lambda, double t, double T) {
 }
 
 struct Wave {
-  Wide cosine, sine;
+  Extended cosine, sine;
 };
 
 /// The phase b u, whose rounding to one word would be felt from 10 radians on.
 Wave wave(double b, Two u) {
   const Two phase = Two{b, 0} * u;
-  const Wide c = std::cos(Wide{phase.high}), s = std::sin(Wide{phase.high});
-  const Wide dc = std::cos(Wide{phase.low}), ds = std::sin(Wide{phase.low});
+  const Extended c = std::cos(Extended{phase.high}), s = std::sin(Extended{phase.high});
+  const Extended dc = std::cos(Extended{phase.low}), ds = std::sin(Extended{phase.low});
   return {c * dc - s * ds, s * dc + c * ds};
 }
 
-Wide fading(double rate, Two time) {
+Extended fading(double rate, Two time) {
   const Two exponent = Two{rate, 0} * time;
-  return std::exp(-Wide{exponent.high}) * (1 - Wide{exponent.low});
+  return std::exp(-Extended{exponent.high}) * (1 - Extended{exponent.low});
 }
 
 /// (1 - e^(-x))/x for x >= 0.
-Wide phi1(Wide x) { return x < 1e-25L ? 1 : -std::expm1(-x) / x; }
+Extended phi1(Extended x) { return x < 1e-25L ? 1 : -std::expm1(-x) / x; }
 
 /// int_0^m e^(-(decay - i b) s) ds.
-Wave integral(Wide decay, double b, Two length) {
-  const Wide m = Wide{length.high} + length.low;
-  const Wide x = decay * m;
-  const Wide y = b * m;
+Wave integral(Extended decay, double b, Two length) {
+  const Extended m = Extended{length.high} + length.low;
+  const Extended x = decay * m;
+  const Extended y = b * m;
   if (x + y < 1) {
     // sum (i y - x)^k/(k+1)!: to first order in y its sine cancels in the closed form.
     Wave sum{0, 0};
@@ -57,18 +57,18 @@ Wave integral(Wide decay, double b, Two length) {
     }
     return {m * sum.cosine, m * sum.sine};
   }
-  const Wide faded = std::exp(-x);
+  const Extended faded = std::exp(-x);
   const Wave end = wave(b, length);
   const Wave half = wave(b / 2, length);
-  const Wide rise = -std::expm1(-x) + 2 * faded * half.sine * half.sine;  // 1 - e^(-x) cos y
-  const Wide slant = faded * end.sine;
-  const Wide square = decay * decay + Wide{b} * b;
+  const Extended rise = -std::expm1(-x) + 2 * faded * half.sine * half.sine;  // 1 - e^(-x) cos y
+  const Extended slant = faded * end.sine;
+  const Extended square = decay * decay + Extended{b} * b;
   return {(rise * decay + slant * b) / square, (rise * b - slant * decay) / square};
 }
 
 /// The two integrals at once, e^(i b |T - tau|) under them: nothing but products, and one sum of terms that
 /// are each within the scale.
-Wave convolution(Wide amplitude, Wide rate, double b, Two start, Two length) {
+Wave convolution(Extended amplitude, Extended rate, double b, Two start, Two length) {
   if (amplitude == 0 || length.high == 0) return {0, 0};
   const Wave w = wave(b, start);
   const Wave z = integral(rate, b, length);
@@ -84,9 +84,9 @@ Wave approaching(double lambda, double a, double b, double t, double T) {
   if (T <= 0) return {0, 0};
   if (T >= t) {
     const Two ahead = internal::two_sum(T, -t);
-    return convolution(fading(a, ahead), Wide{lambda} + a, b, ahead, {t, 0});
+    return convolution(fading(a, ahead), Extended{lambda} + a, b, ahead, {t, 0});
   }
-  return convolution(fading(lambda, internal::two_sum(t, -T)), Wide{lambda} + a, b, {0, 0}, {T, 0});
+  return convolution(fading(lambda, internal::two_sum(t, -T)), Extended{lambda} + a, b, {0, 0}, {T, 0});
 }
 
 /// Once it has passed: J4 - i J3. With lambda >= a the memory fades faster than the residue and the integral
@@ -101,17 +101,17 @@ Wave receding(double lambda, double a, double b, double t, double T) {
   if (lambda >= a) {
     const Two behind = internal::two_sum(t, -T);
     // Backwards the distance shrinks: e^(i b (behind - s)) is the conjugate of e^(i b (s - behind)).
-    const Wave back = convolution(fading(a, behind), Wide{lambda} - a, b, -behind, length);
+    const Wave back = convolution(fading(a, behind), Extended{lambda} - a, b, -behind, length);
     return {back.cosine, -back.sine};
   }
   const Two behind = T < 0 ? Two{-T, 0} : Two{0, 0};
-  const Wide amplitude = fading(a, behind) * fading(lambda, length);
-  return convolution(amplitude, Wide{a} - lambda, b, behind, length);
+  const Extended amplitude = fading(a, behind) * fading(lambda, length);
+  return convolution(amplitude, Extended{a} - lambda, b, behind, length);
 }
 
 /// int_first^last e^(-lambda (t - tau)) dtau.
-Wide faded_time(double lambda, double t, double first, double last) {
-  const Wide length = Wide{last} - first;
+Extended faded_time(double lambda, double t, double first, double last) {
+  const Extended length = Extended{last} - first;
   return fading(lambda, internal::two_sum(t, -last)) * length * phi1(lambda * length);
 }
 
@@ -120,10 +120,10 @@ double sign_memory(double gamma0, double gamma, double lambda, double t, double 
   check("gamma0", gamma0, -largest);
   check("gamma", gamma, -largest);
   const double passed = std::clamp(T, 0.0, t);
-  const Wide before = passed > 0 ? faded_time(lambda, t, 0, passed) : 0;
-  const Wide after = passed < t ? faded_time(lambda, t, passed, t) : 0;
+  const Extended before = passed > 0 ? faded_time(lambda, t, 0, passed) : 0;
+  const Extended after = passed < t ? faded_time(lambda, t, passed, t) : 0;
   const int sign = (T > t) - (T < t);
-  return static_cast<double>(Wide{gamma0} * sign + gamma * (before - after));
+  return static_cast<double>(Extended{gamma0} * sign + gamma * (before - after));
 }
 
 }  // namespace

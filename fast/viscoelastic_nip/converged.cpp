@@ -372,7 +372,7 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
   return times(lever, {solved.value,
-                       eccentricity_said_times * solved.error + sheet.neglected(half_length) * half_length});
+                       eccentricity_error_margin * solved.error + sheet.neglected(half_length) * half_length});
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {

@@ -111,7 +111,7 @@ Estimated in_units(const Interval& number, const mpq_class& unit, int digits) {
 
 double shortest_thin_nip(int digits) { return std::ceil((digits_of_samples(digits) + 6) * 2.303 / 6.283); }
 
-ThinElasticNip thin_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits) {
+LongContactFit thin_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits) {
   nip.check();
   if (digits < 16 || digits > 80)
     throw BadInput("digits", std::to_string(digits), "must be from 16 to 80 for a thin sheet");

@@ -13,7 +13,7 @@ namespace nipref::ref {
 /// changes by when its leading coefficient, which is a spring's, is taken as known: an estimate, for the terms left out
 /// are not bounded. The middle, half as far from the ends, has the pressure 4 d0/(N B) of springs up to terms like
 /// e^(-pi L/B), which are in its error. Units as in data::ElasticNip. (thesis 5.3, thin sheets)
-struct ThinElasticNip {
+struct LongContactFit {
   Estimated load;           ///< W, force per unit width
   Estimated indentation;    ///< d0, unit of length
   Estimated creep_ratio;    ///< (2/L) v(L/2)
@@ -25,6 +25,6 @@ double shortest_thin_nip(int digits);
 
 /// Contact of the given length, L/B from shortest_thin_nip(digits) to 1e4 and L <= R; digits 16 to 80. BadInput
 /// otherwise.
-ThinElasticNip thin_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits);
+LongContactFit thin_nip_of_length(const data::ElasticNip& nip, double contact_length, int digits);
 
 }  // namespace nipref::ref

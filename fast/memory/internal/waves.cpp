@@ -11,14 +11,14 @@
 namespace nipref::fast::internal {
 namespace {
 
-using Wide = long double;
+using Extended = long double;
 
 struct Root {
   Two frequency, decay;                         ///< z = frequency + i decay
   std::array<Complex, kernel_count> amplitude;  ///< C_n of each kernel
 };
 
-Two two_words(Wide x) {
+Two two_words(Extended x) {
   const double high = static_cast<double>(x);
   return {high, static_cast<double>(x - high)};
 }
@@ -26,17 +26,17 @@ Two two_words(Wide x) {
 constexpr double gone = 400;
 
 /// More than a double's bits, as the first wave matters up to 340 half-thicknesses.
-std::complex<Wide> wide_root(int n) {
-  std::complex<Wide> z = sheet_root(n);
-  const std::complex<Wide> c = std::cosh(z);
-  z -= (std::sinh(Wide{2} * z) + Wide{2} * z) / (Wide{4} * c * c);  // Newton
+std::complex<Extended> extended_root(int n) {
+  std::complex<Extended> z = sheet_root(n);
+  const std::complex<Extended> c = std::cosh(z);
+  z -= (std::sinh(Extended{2} * z) + Extended{2} * z) / (Extended{4} * c * c);  // Newton
   return z;
 }
 
 Root root(int n) {
-  const std::complex<Wide> z = wide_root(n), c = std::cosh(z), s = std::sinh(z);
-  const Wide pi = std::numbers::pi_v<Wide>;
-  const std::complex<Wide> amplitude_I1 = std::complex<Wide>(0, pi) * (s * s) / (c * c) / z;
+  const std::complex<Extended> z = extended_root(n), c = std::cosh(z), s = std::sinh(z);
+  const Extended pi = std::numbers::pi_v<Extended>;
+  const std::complex<Extended> amplitude_I1 = std::complex<Extended>(0, pi) * (s * s) / (c * c) / z;
   return {two_words(z.real()),
           two_words(z.imag()),
           {Complex(amplitude_I1), Complex(pi / (c * c)), Complex(pi * s / (z * c * c)), Complex(pi / c)}};

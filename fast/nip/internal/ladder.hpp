@@ -70,7 +70,7 @@ class Ladder {
   /// stops at first, by the numbers that are judged: what else is computed may need more.
   bool refine() {
     const int level = static_cast<int>(solutions_.size());
-    if (at_rounding_ || in_vain_ == 2 || level == Levels::most) return false;
+    if (at_rounding_ || stagnant_levels_ == 2 || level == Levels::most) return false;
     const auto resolution = levels_.resolution(near_, level);
     if (level > 2 && !levels_.is_affordable(resolution)) return false;
     solutions_.push_back(load_ ? solve_for_load(*load_, near_, level) : solve(near_, near_, level));
@@ -87,7 +87,7 @@ class Ladder {
                            "in half-thicknesses, must be one that can be solved in double with this sheet");
     }
     // Where more terms twice do not help, rounding is what is left.
-    in_vain_ = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? in_vain_ + 1 : 0;
+    stagnant_levels_ = asked_.sum() < 1e-6 && asked_.sum() > 0.5 * before ? stagnant_levels_ + 1 : 0;
     return true;
   }
 
@@ -264,7 +264,7 @@ class Ladder {
   std::vector<double> least_;  ///< left out by each
   Error asked_{1, 0};          ///< of the numbers judged, relative to what the accuracy is asked of
   bool settled_ = false, at_rounding_ = false;
-  int in_vain_ = 0;  ///< levels
+  int stagnant_levels_ = 0;  ///< levels
   Error whole_;      ///< of the solution as a whole, relative
   double load_residual_ = 0;
   double load_rounding_ = 0;  ///< relative, where the load is given

@@ -31,10 +31,10 @@ NIPREF_INLINE void evaluate_regime(const SortedPoints& points, SortedValues& val
   }
 }
 
-#ifdef NIPREF_WIDE
+#ifdef NIPREF_VECTORS
 
 template <Regime regime, Component component, int tier>
-NIPREF_INLINE WidePair in_regime(Wide x) {
+NIPREF_INLINE VectorPair in_regime(Vector x) {
   if constexpr (regime == Regime::near_zero) return near_zero<component, tier>(x);
   if constexpr (regime == Regime::piece) return piece<component, tier>(x);
 }
@@ -46,7 +46,7 @@ requires(regime != Regime::residue_tail) NIPREF_INLINE
   const int32_t first = first_of_regime[static_cast<int>(regime)];
   const int32_t last = first + points.count[static_cast<int>(regime)];
   for (int32_t i = first; i < last; i += lanes) {
-    const WidePair value = in_regime<regime, component, tier>(load(points.x + i));
+    const VectorPair value = in_regime<regime, component, tier>(load(points.x + i));
     if constexpr (words == Words::rounded) {
       store(values.high + i, value.high + value.low);
     } else {

@@ -2,11 +2,11 @@
 
 #include <nipref/fast/sheet/arithmetic/coarse.hpp>
 #include <nipref/fast/sheet/arithmetic/near_zero.hpp>
-#include <nipref/fast/sheet/arithmetic/near_zero_wide.hpp>
+#include <nipref/fast/sheet/arithmetic/near_zero_vector.hpp>
 #include <nipref/fast/sheet/arithmetic/piece.hpp>
-#include <nipref/fast/sheet/arithmetic/piece_wide.hpp>
+#include <nipref/fast/sheet/arithmetic/piece_vector.hpp>
 #include <nipref/fast/sheet/arithmetic/residue_tail.hpp>
-#include <nipref/fast/sheet/arithmetic/wide.hpp>
+#include <nipref/fast/sheet/arithmetic/vector.hpp>
 
 namespace nipref::fast::internal::NIPREF_ISA {
 

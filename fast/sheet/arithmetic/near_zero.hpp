@@ -60,12 +60,12 @@ requires(tier_works[tier].log1p == 0) NIPREF_INLINE Pair minus_logarithm(double 
   constexpr double ln2_low = 0x1.ef35793c7673p-45;
   const ComponentTable& table = component_tables[static_cast<int>(component)];
   const Decomposed part = decompose(x);
-  const int64_t cell = part.cell / (log_cells / wide_log_cells);
-  const double r = mul_add(part.mantissa, common_table.wide_log_reciprocal[cell], -1.0);
-  double low = mul_add(-r * r, horner<tier_works[tier].wide_log1p - 2>(log1p_curvature, r), -r);
+  const int64_t cell = part.cell / (log_cells / short_log_cells);
+  const double r = mul_add(part.mantissa, common_table.short_log_reciprocal[cell], -1.0);
+  double low = mul_add(-r * r, horner<tier_works[tier].short_log1p - 2>(log1p_curvature, r), -r);
   if constexpr (tier_works[tier].compensated)
-    low += mul_add(-part.exponent, ln2_low, table.wide_log_low[cell]);
-  return {mul_add(-part.exponent, ln2_high, table.wide_log_high[cell]), low};
+    low += mul_add(-part.exponent, ln2_low, table.short_log_low[cell]);
+  return {mul_add(-part.exponent, ln2_high, table.short_log_high[cell]), low};
 }
 
 /// A logarithmic component for 0 < x < near_end. Low words are added from small to large: the logarithm's is

@@ -17,7 +17,7 @@ inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_ca
 /// vector of a range is filled up with points that are harmless in any regime.
 struct SortedPoints {
   int32_t count[3];
-#ifdef NIPREF_WIDE
+#ifdef NIPREF_VECTORS
   uint8_t is_near[block_size / lanes];  ///< which of a vector's arguments are near zero
   uint8_t is_tail[block_size / lanes];  ///< which of a vector of others are in the residue tail
   int32_t far_count;                    ///< others
@@ -27,7 +27,7 @@ struct SortedPoints {
   alignas(64) double x[3 * regime_capacity];
 };
 
-#ifdef NIPREF_WIDE
+#ifdef NIPREF_VECTORS
 
 /// Fills up the last vector of a range that ends here: what stood there before could be beyond every table.
 NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
@@ -36,7 +36,7 @@ NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
 NIPREF_INLINE void separate_near_zero(const double* argument, int32_t n, SortedPoints& points) {
   size_t near_count = 0;
   for (size_t i = 0; i < static_cast<size_t>(n); i += lanes) {
-    const Wide x = magnitude(load(argument + i));
+    const Vector x = magnitude(load(argument + i));
     const LaneBits is_near = where_less(x, all(near_end));
     points.is_near[i / lanes] = static_cast<uint8_t>(is_near);
     compress(points.x + near_count, is_near, x);
@@ -62,7 +62,7 @@ NIPREF_INLINE void separate_tail(SortedPoints& points) {
   const auto far_count = static_cast<size_t>(points.far_count);
   double* const far = points.x + first_of_regime[1];
   for (size_t i = 0; i < far_count; i += lanes) {
-    const Wide x = load(far + i);
+    const Vector x = load(far + i);
     const LaneBits is_tail = other_lanes(where_less(x, all(piece_end)));
     points.is_tail[i / lanes] = static_cast<uint8_t>(is_tail);
     compress(points.x + first_of_regime[2] + count, is_tail, x);
@@ -87,7 +87,7 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
 }
 
 /// Odd components are positive on the right.
-NIPREF_INLINE Wide with_signs(Wide magnitude, Wide argument) {
+NIPREF_INLINE Vector with_signs(Vector magnitude, Vector argument) {
   return from_bits(bits_of(magnitude) | (bits_of(argument) & bits_of(-0.0)));
 }
 
@@ -101,7 +101,7 @@ NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points
   size_t count = 0;
   for (size_t i = 0; i < static_cast<size_t>(points.far_count); i += lanes) {
     const LaneBits is_tail = points.is_tail[i / lanes];
-    Wide result = expand(expand_others(is_tail, piece + (i - count)), is_tail, tail + count);
+    Vector result = expand(expand_others(is_tail, piece + (i - count)), is_tail, tail + count);
     if constexpr (shape_of<component> == Shape::odd) result = with_signs(result, load(argument + i));
     store(value + i, result);
     count += count_lanes(is_tail);

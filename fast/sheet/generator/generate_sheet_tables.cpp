@@ -48,8 +48,8 @@ void write(std::ostream& out, const internal::ComponentTable& table) {
   write(out, table.coarse);
   write(out, table.log_high);
   write(out, table.log_low);
-  write(out, table.wide_log_high);
-  write(out, table.wide_log_low);
+  write(out, table.short_log_high);
+  write(out, table.short_log_low);
   write(out, table.odd);
   write(out, table.even);
   write(out, table.limit_high);
@@ -65,7 +65,7 @@ void write(std::ostream& out, const internal::ComponentTable& table) {
 void write(std::ostream& out, const internal::CommonTable& table) {
   out << "{\n";
   write(out, table.log_reciprocal);
-  write(out, table.wide_log_reciprocal);
+  write(out, table.short_log_reciprocal);
   write(out, table.decay_high);
   write(out, table.decay_low);
   write(out, table.phase_high);

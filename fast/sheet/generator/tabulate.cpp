@@ -99,10 +99,10 @@ void fill_logarithm(const Series& about_zero, ComponentTable& table) {
     const Real constant = about_zero.front() - log(log_cell_centre(cell, internal::log_cells));
     split_on_log_grid(constant, table.log_high[cell], table.log_low[cell]);
   }
-  for (int cell = 0; cell < internal::wide_log_cells; ++cell) {
-    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::wide_log_cells));
-    split_on_log_grid(about_zero.front() + log(reciprocal), table.wide_log_high[cell],
-                      table.wide_log_low[cell]);
+  for (int cell = 0; cell < internal::short_log_cells; ++cell) {
+    const Real reciprocal = rounded(1 / log_cell_centre(cell, internal::short_log_cells));
+    split_on_log_grid(about_zero.front() + log(reciprocal), table.short_log_high[cell],
+                      table.short_log_low[cell]);
   }
 }
 
@@ -159,8 +159,8 @@ internal::CommonTable tabulate_common(const std::vector<Complex>& roots) {
   internal::CommonTable table{};
   for (int cell = 0; cell < internal::log_cells; ++cell)
     table.log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::log_cells));
-  for (int cell = 0; cell < internal::wide_log_cells; ++cell)
-    table.wide_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::wide_log_cells));
+  for (int cell = 0; cell < internal::short_log_cells; ++cell)
+    table.short_log_reciprocal[cell] = rounded(1 / log_cell_centre(cell, internal::short_log_cells));
   const Complex& z = roots.front();
   const TwoDoubles decay =
       split(internal::exponential_cells * z.imag() / boost::math::constants::ln_two<Real>());

@@ -57,7 +57,9 @@ FieldFunctions near_rest(double alpha, double depth, FieldFunction first) {
 }
 
 AlongWaves::AlongWaves(double alpha)
-    : count(alpha > underflown ? 0 : alpha < near_load_end ? field_roots : terms_at(alpha)) {
+    : count(alpha > underflown      ? 0
+            : alpha < near_load_end ? field_roots
+                                    : terms_at(alpha)) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n) of[n] = wave(alpha, field_table.root[n]);
 }
 

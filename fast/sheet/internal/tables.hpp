@@ -57,7 +57,7 @@ inline constexpr int coarse_log_rows = 33;
 inline constexpr int coarse_rows = coarse_piece_rows + coarse_log_rows;
 
 inline constexpr int log_cells = 128;
-inline constexpr int wide_log_cells = 16;  ///< few enough for two vector registers
+inline constexpr int short_log_cells = 16;  ///< few enough for two vector registers
 inline constexpr int exponential_cells = 32;
 inline constexpr int phase_cells = 64;
 
@@ -77,9 +77,9 @@ struct ComponentTable {
   double log_high[log_cells];  ///< value at x -> 0 of f + ln x, minus ln of the cell's centre; a multiple of
                                ///< 2^-42
   double log_low[log_cells];
-  alignas(64) double wide_log_high[wide_log_cells];  ///< the same with 1/wide_log_reciprocal for the
-                                                     ///< centre
-  alignas(64) double wide_log_low[wide_log_cells];
+  alignas(64) double short_log_high[short_log_cells];  ///< the same with 1/short_log_reciprocal for the
+                                                       ///< centre
+  alignas(64) double short_log_low[short_log_cells];
   double odd;
   double even[tier_count][even_degree];
 
@@ -95,8 +95,8 @@ struct ComponentTable {
 
 /// What all components share.
 struct CommonTable {
-  double log_reciprocal[log_cells];                        ///< 1/centre of the cell, centre in [1, 2)
-  alignas(64) double wide_log_reciprocal[wide_log_cells];  ///< the same for wide cells, exact as it stands
+  double log_reciprocal[log_cells];                          ///< 1/centre of the cell, centre in [1, 2)
+  alignas(64) double short_log_reciprocal[short_log_cells];  ///< the same for wide cells, exact as it stands
   double decay_high;  ///< 32 Im z_1/ln 2: cells of the exponential for unit x
   double decay_low;
   double phase_high;  ///< 64 Re z_1/(2 pi): cells of the phase for unit x

@@ -15,7 +15,7 @@ double trailing_displacement(const ViscoelasticPressure& contact);
 /// times the coefficient of rolling resistance.
 double eccentricity(const ViscoelasticPressure& contact);
 /// Of what a ladder estimates of its error: its two parts, offset and moment, cancel.
-inline constexpr double eccentricity_said_times = 2;
+inline constexpr double eccentricity_error_margin = 2;
 
 double peak_pressure(const ViscoelasticPressure& contact);
 /// About where that is: to a twelfth of a panel.

@@ -87,7 +87,7 @@ std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const Vi
           {&ViscoelasticPressure::offset, 0.1 * half_length},
           // Relative to its own size, however small that is, as far as rounding lets.
           {eccentricity, half_length * std::min(1.0, 1e-14 / accuracy), half_length, Rate::own,
-           eccentricity_said_times},
+           eccentricity_error_margin},
           {pressure(Half::leading, 0.25), peak},
           {pressure(Half::trailing, 0.25), peak},
           {pressure(Half::leading, 1)}};

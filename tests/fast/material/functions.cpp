@@ -146,6 +146,7 @@ TEST_CASE("operators: what is no material is refused by the operator or the func
   };
   CHECK(refused({{1, 2, 1}, {4, 4, 1}, {1}, {7}}) == "material.Q = -2");
   CHECK(refused({{1, 1, 1}, {1, 1}, {1}, {7}}) == "material.Q = of degree 1");
+  CHECK(refused({{1}, {3}, {1}, {-1}}) == "material.Q_dilatation = 0");
   CHECK(refused({{2, 1}, {-1, 1}, {1}, {7}}) == "material.theta1 rate = -1");
   // It stiffens under a lasting load.
   CHECK(refused({{1, 1}, {2, 1}, {1}, {7}}).starts_with("material.shear loss = "));

@@ -14,7 +14,7 @@ TEST_CASE(
   const data::ElasticNip nip{200, 2, {3, 0.3}};
   // Between the lengths that it is known from, 10 to 16.
   const double length = 26;
-  const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, 18);
+  const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, 18);
   const ref::ConvergedElasticNip contact = ref::converged_for_length(nip, length, 18);
   const auto check = [](const ref::Estimated& found, const ref::Enclosure& truth) {
     ref::Real distance(64);

@@ -133,7 +133,7 @@ TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") 
   const double length = 30;
   const auto rolled = ref::converged_for_length(
       {elastic.roller_radius, 1, data::elastic_solid(elastic.material), 1}, length, 18);
-  const ref::ThinElasticNip thin = ref::thin_nip_of_length(elastic, length, 19);
+  const ref::LongContactFit thin = ref::thin_nip_of_length(elastic, length, 19);
   const auto same = [](const ref::Estimated& mine, const ref::Estimated& theirs) {
     CAPTURE(mine.value_text());
     ref::Real difference(200);

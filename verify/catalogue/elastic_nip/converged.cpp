@@ -131,7 +131,7 @@ NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, 
     check_work(length, digits);
     return results_of(ref::converged_for_length(nip, length, digits), nothing);
   }
-  const ref::ThinElasticNip thin = ref::thin_nip_of_length(nip, length, digits);
+  const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, digits);
   return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
 }
 

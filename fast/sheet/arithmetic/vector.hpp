@@ -8,44 +8,44 @@
 #include <nipref/fast/sheet/arithmetic/floating.hpp>
 
 #ifdef __AVX2__
-#define NIPREF_WIDE
+#define NIPREF_VECTORS
 
 #include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
 #ifdef __AVX512F__
-using Wide = __m512d;
+using Vector = __m512d;
 #else
-using Wide = __m256d;
+using Vector = __m256d;
 #endif
 
 /// Loops over points run in whole vectors of this many.
-inline constexpr int lanes = sizeof(Wide) / sizeof(double);
+inline constexpr int lanes = sizeof(Vector) / sizeof(double);
 
-using WideBits [[gnu::vector_size(sizeof(Wide))]] = uint64_t;
+using VectorBits [[gnu::vector_size(sizeof(Vector))]] = uint64_t;
 
 /// One bit for each lane.
 using LaneBits = uint32_t;
 
 /// Unevaluated sums; see Pair.
-struct WidePair {
-  Wide high;
-  Wide low;
+struct VectorPair {
+  Vector high;
+  Vector low;
 };
 
-NIPREF_INLINE WideBits bits_of(Wide x) { return __builtin_bit_cast(WideBits, x); }
-NIPREF_INLINE Wide from_bits(WideBits bits) { return __builtin_bit_cast(Wide, bits); }
+NIPREF_INLINE VectorBits bits_of(Vector x) { return __builtin_bit_cast(VectorBits, x); }
+NIPREF_INLINE Vector from_bits(VectorBits bits) { return __builtin_bit_cast(Vector, bits); }
 
-NIPREF_INLINE Wide all(double x) { return x - Wide{}; }
+NIPREF_INLINE Vector all(double x) { return x - Vector{}; }
 
 /// Positions in a table, in a register and in memory. AVX2 reads them from there: extractions from the register
 /// would take more instructions.
 struct TableIndex {
-  WideBits all;
-  alignas(sizeof(Wide)) uint64_t lane[lanes];
+  VectorBits all;
+  alignas(sizeof(Vector)) uint64_t lane[lanes];
 };
-NIPREF_INLINE TableIndex table_index(WideBits index) {
+NIPREF_INLINE TableIndex table_index(VectorBits index) {
   TableIndex at;
   at.all = index;
   __builtin_memcpy(at.lane, &index, sizeof index);
@@ -56,105 +56,105 @@ NIPREF_INLINE TableIndex table_index(WideBits index) {
 }
 
 /// 0 < x < 2^969 as 2^exponent * mantissa, 1 <= mantissa < 2, denormal x included; any numbers for other x.
-struct WideDecomposed {
-  Wide exponent;
-  Wide mantissa;
+struct VectorDecomposed {
+  Vector exponent;
+  Vector mantissa;
 };
 
 #ifdef __AVX512F__
 
-NIPREF_INLINE Wide load(const double* from) { return _mm512_loadu_pd(from); }
-NIPREF_INLINE void store(double* to, Wide x) { _mm512_storeu_pd(to, x); }
-NIPREF_INLINE void store(uint64_t* to, WideBits x) {
+NIPREF_INLINE Vector load(const double* from) { return _mm512_loadu_pd(from); }
+NIPREF_INLINE void store(double* to, Vector x) { _mm512_storeu_pd(to, x); }
+NIPREF_INLINE void store(uint64_t* to, VectorBits x) {
   _mm512_storeu_si512(to, __builtin_bit_cast(__m512i, x));
 }
 
 /// a b + c, c - a b and -a b - c with one rounding.
-NIPREF_INLINE Wide mul_add(Wide a, Wide b, Wide c) { return _mm512_fmadd_pd(a, b, c); }
-NIPREF_INLINE Wide minus_mul_add(Wide a, Wide b, Wide c) { return _mm512_fnmadd_pd(a, b, c); }
-NIPREF_INLINE Wide minus_mul_subtract(Wide a, Wide b, Wide c) { return _mm512_fnmsub_pd(a, b, c); }
+NIPREF_INLINE Vector mul_add(Vector a, Vector b, Vector c) { return _mm512_fmadd_pd(a, b, c); }
+NIPREF_INLINE Vector minus_mul_add(Vector a, Vector b, Vector c) { return _mm512_fnmadd_pd(a, b, c); }
+NIPREF_INLINE Vector minus_mul_subtract(Vector a, Vector b, Vector c) { return _mm512_fnmsub_pd(a, b, c); }
 
-NIPREF_INLINE Wide magnitude(Wide x) { return _mm512_abs_pd(x); }
-NIPREF_INLINE Wide smaller(Wide a, Wide b) { return _mm512_min_pd(a, b); }
-NIPREF_INLINE LaneBits where_less(Wide a, Wide b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+NIPREF_INLINE Vector magnitude(Vector x) { return _mm512_abs_pd(x); }
+NIPREF_INLINE Vector smaller(Vector a, Vector b) { return _mm512_min_pd(a, b); }
+NIPREF_INLINE LaneBits where_less(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 
-NIPREF_INLINE WideDecomposed decompose(Wide x) {
+NIPREF_INLINE VectorDecomposed decompose(Vector x) {
   return {_mm512_getexp_pd(x), _mm512_getmant_pd(x, _MM_MANT_NORM_1_2, _MM_MANT_SIGN_zero)};
 }
 
 /// table[index/8], lane by lane, where 8 divides all.
-NIPREF_INLINE Wide gather_eighths(const double* table, const TableIndex& index) {
+NIPREF_INLINE Vector gather_eighths(const double* table, const TableIndex& index) {
   return _mm512_i64gather_pd(__builtin_bit_cast(__m512i, index.all), table, 1);
 }
 
 /// table[index mod 16], from two registers.
-NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
+NIPREF_INLINE Vector look_up(const double (&table)[16], const TableIndex& index) {
   return _mm512_permutex2var_pd(_mm512_load_pd(table), __builtin_bit_cast(__m512i, index.all),
                                 _mm512_load_pd(table + 8));
 }
 
 /// Writes the wanted lanes one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
+NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(wanted), x));
 }
 
 /// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress_others(double* to, LaneBits set, Wide x) {
+NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(~set), x));
 }
 
 /// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it. The load is kept
 /// apart: where a regime has no points, expansions straight from its unwritten range with an empty mask doubled the
 /// time of a batch.
-NIPREF_INLINE Wide expand_others(LaneBits set, const double* sorted) {
-  Wide from = load(sorted);
+NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
+  Vector from = load(sorted);
   asm("" : "+v"(from));
   return _mm512_maskz_expand_pd(static_cast<__mmask8>(~set), from);
 }
 
 /// The same for the lanes wanted, keeping the others.
-NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
-  Wide from = load(sorted);
+NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
+  Vector from = load(sorted);
   asm("" : "+v"(from));
   return _mm512_mask_expand_pd(others, static_cast<__mmask8>(wanted), from);
 }
 
 #else
 
-NIPREF_INLINE Wide load(const double* from) { return _mm256_loadu_pd(from); }
-NIPREF_INLINE void store(double* to, Wide x) { _mm256_storeu_pd(to, x); }
-NIPREF_INLINE void store(uint64_t* to, WideBits x) { __builtin_memcpy(to, &x, sizeof x); }
+NIPREF_INLINE Vector load(const double* from) { return _mm256_loadu_pd(from); }
+NIPREF_INLINE void store(double* to, Vector x) { _mm256_storeu_pd(to, x); }
+NIPREF_INLINE void store(uint64_t* to, VectorBits x) { __builtin_memcpy(to, &x, sizeof x); }
 
 /// a b + c, c - a b and -a b - c with one rounding.
-NIPREF_INLINE Wide mul_add(Wide a, Wide b, Wide c) { return _mm256_fmadd_pd(a, b, c); }
-NIPREF_INLINE Wide minus_mul_add(Wide a, Wide b, Wide c) { return _mm256_fnmadd_pd(a, b, c); }
-NIPREF_INLINE Wide minus_mul_subtract(Wide a, Wide b, Wide c) { return _mm256_fnmsub_pd(a, b, c); }
+NIPREF_INLINE Vector mul_add(Vector a, Vector b, Vector c) { return _mm256_fmadd_pd(a, b, c); }
+NIPREF_INLINE Vector minus_mul_add(Vector a, Vector b, Vector c) { return _mm256_fnmadd_pd(a, b, c); }
+NIPREF_INLINE Vector minus_mul_subtract(Vector a, Vector b, Vector c) { return _mm256_fnmsub_pd(a, b, c); }
 
-NIPREF_INLINE Wide magnitude(Wide x) { return _mm256_andnot_pd(all(-0.0), x); }
-NIPREF_INLINE Wide smaller(Wide a, Wide b) { return _mm256_min_pd(a, b); }
-NIPREF_INLINE LaneBits where_less(Wide a, Wide b) {
+NIPREF_INLINE Vector magnitude(Vector x) { return _mm256_andnot_pd(all(-0.0), x); }
+NIPREF_INLINE Vector smaller(Vector a, Vector b) { return _mm256_min_pd(a, b); }
+NIPREF_INLINE LaneBits where_less(Vector a, Vector b) {
   return static_cast<LaneBits>(_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_LT_OQ)));
 }
 
-NIPREF_INLINE WideDecomposed decompose(Wide x) {
+NIPREF_INLINE VectorDecomposed decompose(Vector x) {
   constexpr int scaling = 54;  // makes denormal numbers normal
-  const WideBits bits = bits_of(x * 0x1p54);
+  const VectorBits bits = bits_of(x * 0x1p54);
   // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer.
-  const Wide biased = from_bits((bits >> 52) | 0x4330000000000000);
+  const Vector biased = from_bits((bits >> 52) | 0x4330000000000000);
   return {biased - all(0x1p52 + 1023 + scaling), from_bits((bits & 0x000fffffffffffff) | 0x3ff0000000000000)};
 }
 
 /// table[index], 0 <= index < 16; AVX2's own gather takes longer than four loads on many processors.
-NIPREF_INLINE Wide look_up(const double (&table)[16], const TableIndex& index) {
-  return Wide{table[index.lane[0]], table[index.lane[1]], table[index.lane[2]], table[index.lane[3]]};
+NIPREF_INLINE Vector look_up(const double (&table)[16], const TableIndex& index) {
+  return Vector{table[index.lane[0]], table[index.lane[1]], table[index.lane[2]], table[index.lane[3]]};
 }
 
 /// table[index/8], lane by lane, where 8 divides all.
-NIPREF_INLINE Wide gather_eighths(const double* table, const TableIndex& index) {
+NIPREF_INLINE Vector gather_eighths(const double* table, const TableIndex& index) {
   const auto at = [&](int lane) {
     return *reinterpret_cast<const double*>(reinterpret_cast<const char*>(table) + index.lane[lane]);
   };
-  return Wide{at(0), at(1), at(2), at(3)};
+  return Vector{at(0), at(1), at(2), at(3)};
 }
 
 /// Permutations of a vector's halves of doubles for one set of lanes.
@@ -192,7 +192,7 @@ constexpr LaneOrders lane_orders() {
 
 inline constexpr LaneOrders orders = lane_orders();
 
-NIPREF_INLINE Wide permute(Wide x, __m256i order) {
+NIPREF_INLINE Vector permute(Vector x, __m256i order) {
   return _mm256_castps_pd(_mm256_permutevar8x32_ps(_mm256_castpd_ps(x), order));
 }
 
@@ -203,22 +203,22 @@ NIPREF_INLINE __m256i load_order(const uint32_t (&order)[8]) {
 }
 
 /// Writes the wanted lanes one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress(double* to, LaneBits wanted, Wide x) {
+NIPREF_INLINE void compress(double* to, LaneBits wanted, Vector x) {
   store(to, permute(x, load_order(orders.of[wanted].front)));
 }
 
 /// Writes the lanes that are not in the set one after the other, then anything up to a whole vector.
-NIPREF_INLINE void compress_others(double* to, LaneBits set, Wide x) {
+NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
   store(to, permute(x, load_order(orders.of[set].others_front)));
 }
 
 /// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it.
-NIPREF_INLINE Wide expand_others(LaneBits set, const double* sorted) {
+NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   return permute(load(sorted), load_order(orders.of[set].others_back));
 }
 
 /// The same for the lanes wanted, keeping the others.
-NIPREF_INLINE Wide expand(Wide others, LaneBits wanted, const double* sorted) {
+NIPREF_INLINE Vector expand(Vector others, LaneBits wanted, const double* sorted) {
   const __m256i order = load_order(orders.of[wanted].back);
   return _mm256_blendv_pd(others, permute(load(sorted), order), _mm256_castsi256_pd(order));
 }
@@ -232,8 +232,8 @@ NIPREF_INLINE uint32_t count_lanes(LaneBits set) { return static_cast<uint32_t>(
 
 /// c[0] + c[1] x + ... + c[degree] x^degree.
 template <int degree>
-NIPREF_INLINE Wide horner(const double* c, Wide x) {
-  Wide sum = all(c[degree]);
+NIPREF_INLINE Vector horner(const double* c, Vector x) {
+  Vector sum = all(c[degree]);
 #pragma GCC unroll 16
   for (int k = degree - 1; k >= 0; --k) sum = mul_add(sum, x, all(c[k]));
   return sum;

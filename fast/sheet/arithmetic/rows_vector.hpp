@@ -2,15 +2,15 @@
 
 // Table rows for a vector of points. Loading rows and transposing them takes half the time of gathering powers.
 
-#include <nipref/fast/sheet/arithmetic/wide.hpp>
+#include <nipref/fast/sheet/arithmetic/vector.hpp>
 
-#ifdef NIPREF_WIDE
+#ifdef NIPREF_VECTORS
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
 /// Numbers 0 ... 3 from the offset of each lane, number by number.
 struct Columns {
-  Wide number[4];
+  Vector number[4];
 };
 
 #ifdef __AVX512F__

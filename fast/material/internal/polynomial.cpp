@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include <nipref/fast/material/internal/polynomial.hpp>
+
+namespace nipref::fast::internal {
+namespace {
+
+using Points = std::vector<OctupleComplex>;
+
+/// c + b p + a p^2, without the cancellation of -b + sqrt(b^2 - 4 a c).
+Points quadratic_roots(const Octuple& c, const Octuple& b, const Octuple& a) {
+  const Octuple square = b * b - 4 * a * c;
+  if (square < 0) {
+    const OctupleComplex root{-b / (2 * a), sqrt(Octuple(-square)) / (2 * a)};
+    return {root, {root.re, -root.im}};
+  }
+  const Octuple q = -(b + (b < 0 ? -1 : 1) * sqrt(square)) / 2;
+  if (q == 0) return {{}, {}};
+  return {{q / a, 0}, {c / q, 0}};
+}
+
+/// All roots at once by the method of Ehrlich and Aberth, from points on a circle that encloses them (Fujiwara's bound),
+/// until the polynomial is as small as its rounding at each.
+Points aberth_roots(const Polynomial& p) {
+  const std::size_t degree = p.size() - 1;
+  const auto order = static_cast<double>(degree);
+  Octuple radius = 0;
+  for (std::size_t k = 0; k < degree; ++k) {
+    if (p[k] != 0)
+      radius = std::max<Octuple>(
+          radius, 2 * pow(Octuple(abs(p[k] / p.back())), 1 / Octuple(order - static_cast<double>(k))));
+  }
+  Points roots;
+  for (std::size_t k = 0; k < degree; ++k) {  // 0.2 keeps any two from starting as each other's conjugates
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(k) + 0.2) / order;
+    roots.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  const Octuple rounding = ldexp(Octuple(1), -232);
+  constexpr int most_rounds = 1000;
+  bool moves = true;
+  for (int round = 0; round < most_rounds && moves; ++round) {
+    moves = false;
+    for (OctupleComplex& root : roots) {
+      OctupleComplex value, slope;
+      Octuple parts = 0;
+      const Octuple size = size_of(root);
+      for (auto c = p.rbegin(); c != p.rend(); ++c) {
+        slope = slope * root + value;
+        value = value * root + OctupleComplex{*c, 0};
+        parts = parts * size + abs(*c);
+      }
+      if (size_of(value) <= rounding * parts) continue;
+      OctupleComplex push;
+      for (const OctupleComplex& other : roots) {
+        const OctupleComplex apart = root - other;
+        if (apart.re != 0 || apart.im != 0) push = push + OctupleComplex{1, 0} / apart;
+      }
+      const OctupleComplex turned = slope - value * push;
+      if (turned.re == 0 && turned.im == 0) continue;
+      const OctupleComplex step = value / turned;
+      root = root - step;
+      moves = moves || size_of(step) > rounding * size_of(root);
+    }
+  }
+  return roots;
+}
+
+}  // namespace
+
+Octuple size_of(const OctupleComplex& a) { return sqrt(a.re * a.re + a.im * a.im); }
+
+Polynomial trimmed(Polynomial a) {
+  while (!a.empty() && a.back() == 0) a.pop_back();
+  return a;
+}
+
+Polynomial product(const Polynomial& a, const Polynomial& b) {
+  if (a.empty() || b.empty()) return {};
+  Polynomial c(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < b.size(); ++k) c[i + k] += a[i] * b[k];
+  }
+  return c;
+}
+
+Polynomial sum(const Polynomial& a, const Polynomial& b) {
+  const Octuple nothing = ldexp(Octuple(1), -200);
+  Polynomial c(std::max(a.size(), b.size()));
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    const Octuple x = i < a.size() ? a[i] : Octuple(0), y = i < b.size() ? b[i] : Octuple(0);
+    c[i] = x + y;
+    if (abs(c[i]) <= nothing * (abs(x) + abs(y))) c[i] = 0;
+  }
+  return trimmed(std::move(c));
+}
+
+Polynomial times(const Octuple& factor, Polynomial a) {
+  for (Octuple& c : a) c *= factor;
+  return a;
+}
+
+std::vector<OctupleComplex> roots_of(Polynomial p) {
+  Points roots;
+  while (p.size() > 1 && p.front() == 0) {
+    p.erase(p.begin());
+    roots.emplace_back();
+  }
+  Points others;
+  if (p.size() == 2) others = {{-p[0] / p[1], 0}};
+  if (p.size() == 3) others = quadratic_roots(p[0], p[1], p[2]);
+  if (p.size() > 3) others = aberth_roots(p);
+  roots.insert(roots.end(), others.begin(), others.end());
+  return roots;
+}
+
+}  // namespace nipref::fast::internal

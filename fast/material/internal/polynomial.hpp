@@ -1,0 +1,45 @@
+#pragma once
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <vector>
+
+namespace nipref::fast::internal {
+
+/// 237 bits, so that roots that coincide, or nearly so, and terms that cancel cost no digit of a double.
+using Octuple = boost::multiprecision::cpp_bin_float_oct;
+
+struct OctupleComplex {
+  Octuple re = 0, im = 0;
+
+  friend OctupleComplex operator+(const OctupleComplex& a, const OctupleComplex& b) {
+    return {a.re + b.re, a.im + b.im};
+  }
+  friend OctupleComplex operator-(const OctupleComplex& a, const OctupleComplex& b) {
+    return {a.re - b.re, a.im - b.im};
+  }
+  friend OctupleComplex operator*(const OctupleComplex& a, const OctupleComplex& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+  }
+  friend OctupleComplex operator*(const Octuple& a, const OctupleComplex& b) { return {a * b.re, a * b.im}; }
+  friend OctupleComplex operator/(const OctupleComplex& a, const OctupleComplex& b) {
+    const Octuple square = b.re * b.re + b.im * b.im;
+    return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
+  }
+};
+
+/// The modulus.
+Octuple size_of(const OctupleComplex& a);
+
+/// Real coefficients, that of p^0 first; the last one is not 0. The polynomial 0 has none.
+using Polynomial = std::vector<Octuple>;
+
+Polynomial product(const Polynomial& a, const Polynomial& b);
+/// A coefficient that cancels to less than 2^-200 of its terms is 0: leading coefficients of doubles cancel exactly.
+Polynomial sum(const Polynomial& a, const Polynomial& b);
+Polynomial times(const Octuple& factor, Polynomial a);
+/// Without the zeros at its end.
+Polynomial trimmed(Polynomial a);
+
+/// All roots: by the formula up to the second degree, otherwise to rounding by the method of Ehrlich and Aberth.
+std::vector<OctupleComplex> roots_of(Polynomial p);
+
+}  // namespace nipref::fast::internal
