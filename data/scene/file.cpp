@@ -24,21 +24,21 @@ ElasticNip read_nip(const TomlTable& file) {
   const TomlTable roller = file.table("roller");
   const TomlTable sheet = file.table("sheet");
   const TomlTable material = file.table("material");
-  roller.allow({"radius"});
-  sheet.allow({"thickness"});
-  material.allow({"model", "young", "poisson"});
+  roller.allow(SceneKind::nip);
+  sheet.allow(SceneKind::nip);
+  material.allow(SceneKind::nip, KeyOwner::elastic_solid);
   return {roller.number("radius"),
           sheet.number("thickness"),
           {material.number("young"), material.number("poisson")}};
 }
 
 GivenLoad read_load(const TomlTable& load) {
-  load.allow({"per_length"});
+  load.allow(SceneKind::nip);
   return {load.number("per_length")};
 }
 
 GivenLength read_contact(const TomlTable& contact) {
-  contact.allow({"length"});
+  contact.allow(SceneKind::nip);
   return {contact.number("length")};
 }
 
@@ -56,7 +56,7 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
 }
 
 void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
-  friction.allow({"model", "creep_ratio"});
+  friction.allow(SceneKind::nip, KeyOwner::elastic_nip);
   problem.friction = friction.choice("model", {"none", "full"}) == "full" ? Friction::full : Friction::none;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
 }
@@ -64,13 +64,13 @@ void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
 /// It has nothing to say but its name.
 bool is_converged(const TomlTable& method) {
   if (method.choice("kind", {"converged", "line-loads"}) != "converged") return false;
-  method.allow({"kind"});
+  method.allow(SceneKind::nip);
   return true;
 }
 
 std::variant<ConvergedMethod, LineLoads> read_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms"});
+  method.allow(SceneKind::nip, KeyOwner::elastic_line_loads);
   return LineLoads{method.whole("leading_elements"), method.whole("trailing_elements"),
                    method.has("residue_terms") ? method.whole("residue_terms") : 0};
 }
@@ -83,14 +83,14 @@ ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& ori
                             .profile = {}};
   read_friction(file.table("friction"), problem);
   problem.method = read_method(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
   if (file.has("field")) problem.field = read_field(file.table("field"));
   return problem;
 }
 
 std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(const TomlTable& method) {
   if (is_converged(method)) return ConvergedMethod{};
-  method.allow({"kind", "leading_elements", "trailing_elements", "residue_terms", "approach_lengths"});
+  method.allow(SceneKind::nip, KeyOwner::rolling_line_loads);
   ViscoelasticLineLoads loads{.leading_elements = method.whole("leading_elements"),
                               .trailing_elements = {},
                               .approach_lengths = method.number("approach_lengths")};
@@ -103,15 +103,15 @@ ViscoelasticNip read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& 
   const TomlTable roller = file.table("roller");
   const TomlTable sheet = file.table("sheet");
   const TomlTable rolling = file.table("rolling");
-  roller.allow({"radius"});
-  sheet.allow({"thickness"});
-  rolling.allow({"speed"});
+  roller.allow(SceneKind::nip);
+  sheet.allow(SceneKind::nip);
+  rolling.allow(SceneKind::nip);
   return {roller.number("radius"), sheet.number("thickness"),
           read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
 }
 
 void read_no_friction(const TomlTable& friction, const SceneOrigin& origin) {
-  friction.allow({"model"});
+  friction.allow(SceneKind::nip);
   const std::string model = friction.choice("model", {"none", "full"});
   if (model != "none")
     origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
@@ -124,7 +124,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
                                  .profile = {}};
   read_no_friction(file.table("friction"), origin);
   problem.method = read_viscoelastic_method(file.table("method"));
-  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin);
+  if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
   if (file.has("field")) problem.field = read_field(file.table("field"));
   return problem;
 }
@@ -132,8 +132,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
 /// A sheet that rolls is a viscoelastic one, if only by name.
 decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("half_space")) return read_half_space_problem(file, origin);
-  file.allow({"title", "wanted", "accuracy", "roller", "sheet", "material", "rolling", "load", "contact",
-              "friction", "method", "profile", "field", "sweep"});
+  file.allow(SceneKind::nip);
   const bool is_elastic = material_model(file.table("material")) == "elastic";
   if (file.has("rolling") || !is_elastic) return read_viscoelastic_problem(file, origin);
   return read_elastic_nip(file, origin);

@@ -9,7 +9,7 @@
 namespace nipref::data {
 
 FieldPlaces read_field(const TomlTable& field) {
-  field.allow({"positions", "depths"});
+  field.allow(SceneKind::nip);
   return {field.numbers("positions"), field.numbers("depths")};
 }
 

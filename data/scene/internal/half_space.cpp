@@ -16,7 +16,7 @@ IsotropicSolid read_isotropic(const TomlTable& table) {
 /// The upper triangle of Voigt's matrix, row by row.
 Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
   constexpr std::size_t constants = 21;
-  table.allow({"model", "stiffness", "density"});
+  table.allow(SceneKind::half_space, KeyOwner::anisotropic);
   const std::vector<double> upper = table.numbers("stiffness");
   if (upper.size() != constants) {
     origin.refuse("half_space.stiffness", std::to_string(upper.size()) + " numbers",
@@ -32,11 +32,11 @@ Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
 HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
   const std::string model = table.choice("model", {"isotropic", "transversely-isotropic", "anisotropic"});
   if (model == "isotropic") {
-    table.allow({"model", "shear", "poisson", "density"});
+    table.allow(SceneKind::half_space, KeyOwner::isotropic);
     return read_isotropic(table);
   }
   if (model == "anisotropic") return read_stiffness(table, origin);
-  table.allow({"model", "axis", "c11", "c33", "c13", "c44", "c66", "density"});
+  table.allow(SceneKind::half_space, KeyOwner::transversely_isotropic);
   const bool is_normal = table.choice("axis", {"normal", "in-plane"}) == "normal";
   return TransverselyIsotropicBody{{table.number("c11"), table.number("c33"), table.number("c13"),
                                     table.number("c44"), table.number("c66"), table.number("density")},
@@ -51,16 +51,16 @@ Body read_body(const TomlTable& file, const SceneOrigin& origin) {
   }
   if (file.has("die")) {
     const TomlTable die = file.table("die");
-    die.allow({"radius_along", "radius_across"});
+    die.allow(SceneKind::half_space);
     return RigidDie{die.number("radius_along"), die.number("radius_across")};
   }
   if (file.has("rolling_sphere")) {
     const TomlTable sphere = file.table("rolling_sphere");
-    sphere.allow({"radius"});
+    sphere.allow(SceneKind::half_space);
     return RigidRollingSphere{sphere.number("radius")};
   }
   const TomlTable sphere = file.table("sphere");
-  sphere.allow({"radius", "shear", "poisson", "density", "patch"});
+  sphere.allow(SceneKind::half_space);
   const bool moving = sphere.has("patch") && sphere.choice("patch", {"fixed", "moving"}) == "moving";
   return ElasticSphere{sphere.number("radius"), read_isotropic(sphere), moving};
 }
@@ -68,12 +68,12 @@ Body read_body(const TomlTable& file, const SceneOrigin& origin) {
 void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
   if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
     const TomlTable rolling = file.table("rolling");
-    rolling.allow({"speed"});
+    rolling.allow(SceneKind::half_space);
     problem.speed = rolling.number("speed");
     return;
   }
   const TomlTable sliding = file.table("sliding");
-  sliding.allow({"speed", "direction", "friction"});
+  sliding.allow(SceneKind::half_space);
   problem.speed = sliding.number("speed");
   if (sliding.has("direction")) problem.direction = sliding.number("direction");
   if (sliding.has("friction")) problem.friction = sliding.number("friction");
@@ -86,17 +86,17 @@ void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProbl
   }
   if (file.has("load")) {
     const TomlTable load = file.table("load");
-    load.allow({"normal_force"});
+    load.allow(SceneKind::half_space);
     problem.given = GivenNormalForce{load.number("normal_force")};
     return;
   }
   const TomlTable contact = file.table("contact");
-  contact.allow({"span_along"});
+  contact.allow(SceneKind::half_space);
   problem.given = GivenSpan{contact.number("span_along")};
 }
 
 ContourRule read_rule(const TomlTable& method) {
-  method.allow({"kind"});
+  method.allow(SceneKind::half_space);
   const std::string kind = method.choice("kind", {"exact", "stationary-force", "similar-contour"});
   if (kind == "exact") return ContourRule::exact;
   return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
@@ -105,8 +105,7 @@ ContourRule read_rule(const TomlTable& method) {
 }  // namespace
 
 HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin) {
-  file.allow({"title", "wanted", "accuracy", "half_space", "die", "rolling_sphere", "sphere", "sliding",
-              "rolling", "load", "contact", "method", "profile", "sweep"});
+  file.allow(SceneKind::half_space);
   HalfSpaceProblem problem{.body = read_body(file, origin),
                            .half_space = read_half_space(file.table("half_space"), origin),
                            .given = {},
@@ -116,7 +115,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
   problem.rule = read_rule(file.table("method"));
   if (file.has("profile")) {
     const TomlTable profile = file.table("profile");
-    problem.profile = read_profile(profile, origin, {"points", "positions", "direction"});
+    problem.profile = read_profile(profile, origin, SceneKind::half_space);
     if (profile.has("direction")) problem.line = profile.number("direction");
   }
   return problem;

@@ -13,7 +13,7 @@ namespace {
 using Build = std::function<ViscoelasticMaterial()>;
 
 Build read_elastic(const TomlTable& material) {
-  material.allow({"model", "young", "poisson"});
+  material.allow(SceneKind::nip, KeyOwner::elastic_solid);
   const ElasticMaterial elastic{material.number("young"), material.number("poisson")};
   return [=] { return elastic_solid(elastic); };
 }
@@ -21,13 +21,12 @@ Build read_elastic(const TomlTable& material) {
 /// By its one relaxation time or by all six constants.
 Build read_standard_linear(const TomlTable& material) {
   if (material.has("relaxation_time")) {
-    material.allow({"model", "bulk", "shear", "relaxation_time"});
+    material.allow(SceneKind::nip, KeyOwner::one_relaxation_time);
     const double bulk = material.number("bulk"), shear = material.number("shear");
     const double relaxation_time = material.number("relaxation_time");
     return [=] { return single_relaxation_time_solid(bulk, shear, relaxation_time); };
   }
-  material.allow({"model", "relaxation_time", "shear_1", "shear_2", "bulk_1", "bulk_2", "shear_viscosity",
-                  "bulk_viscosity"});
+  material.allow(SceneKind::nip, KeyOwner::six_constants);
   const StandardLinearSolid solid{material.number("shear_1"),         material.number("shear_2"),
                                   material.number("bulk_1"),          material.number("bulk_2"),
                                   material.number("shear_viscosity"), material.number("bulk_viscosity")};
@@ -35,7 +34,7 @@ Build read_standard_linear(const TomlTable& material) {
 }
 
 Build read_thesis_misprint(const TomlTable& material) {
-  material.allow({"model", "bulk", "shear", "relaxation_time"});
+  material.allow(SceneKind::nip, KeyOwner::one_relaxation_time);
   const double bulk = material.number("bulk");
   const double shear = material.has("shear") ? material.number("shear") : thesis_shear_over_bulk * bulk;
   const double relaxation_time = material.number("relaxation_time");
@@ -48,15 +47,14 @@ PronyList read_prony_list(const TomlTable& material, const std::string& name) {
 }
 
 Build read_prony(const TomlTable& material) {
-  material.allow({"model", "theta1_instantaneous", "theta1_amplitudes", "theta1_rates",
-                  "theta2_instantaneous", "theta2_amplitudes", "theta2_rates"});
+  material.allow(SceneKind::nip, KeyOwner::prony);
   return [theta1 = read_prony_list(material, "theta1"), theta2 = read_prony_list(material, "theta2")] {
     return prony_solid(theta1, theta2);
   };
 }
 
 Build read_operators(const TomlTable& material) {
-  material.allow({"model", "P", "Q", "P_dilatation", "Q_dilatation"});
+  material.allow(SceneKind::nip, KeyOwner::operators);
   const DifferentialOperators operators{material.numbers("P"), material.numbers("Q"),
                                         material.numbers("P_dilatation"), material.numbers("Q_dilatation")};
   return [=] { return operator_solid(operators); };

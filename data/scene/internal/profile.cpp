@@ -32,9 +32,8 @@ struct ProfileCheck {
 
 }  // namespace
 
-Profile read_profile(const TomlTable& profile, const SceneOrigin& origin,
-                     std::initializer_list<std::string_view> known) {
-  profile.allow(known);
+Profile read_profile(const TomlTable& profile, const SceneOrigin& origin, SceneKind kind) {
+  profile.allow(kind);
   if (profile.has("points") == profile.has("positions")) {
     origin.refuse("profile", profile.has("points") ? "(points and positions)" : "(empty)",
                   "must hold points or positions, one of the two");

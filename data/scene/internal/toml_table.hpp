@@ -1,11 +1,13 @@
 #pragma once
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/origin.hpp>
 
 namespace nipref::data {
@@ -19,8 +21,8 @@ class TomlTable {
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
-  /// Refuses all keys but these.
-  void allow(std::initializer_list<std::string_view> known) const;
+  /// Refuses all keys but those that names_in_table has.
+  void allow(SceneKind kind, std::optional<KeyOwner> owner = {}) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool has_table(std::string_view key) const;

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/identities.hpp>
 
 namespace nipref::verify {
@@ -12,57 +13,9 @@ namespace {
 
 using fast::Estimate;
 
-/// Exponents of length, stress and time.
-struct Dimension {
-  int length = 0, stress = 0, time = 0;
-};
+using data::Dimension;
 
-constexpr Dimension of_length{1, 0, 0}, of_stress{0, 1, 0}, of_time{0, 0, 1};
-
-/// By the last part of the key, units as in data/scene/file.hpp; a list counts the powers of p if `per_power`.
-struct KeyUnit {
-  std::string_view key;
-  Dimension unit;
-  bool per_power = false;
-};
-constexpr std::array key_units{
-    KeyUnit{"radius", of_length},
-    KeyUnit{"radius_along", of_length},
-    KeyUnit{"radius_across", of_length},
-    KeyUnit{"thickness", of_length},
-    KeyUnit{"length", of_length},
-    KeyUnit{"span_along", of_length},
-    KeyUnit{"per_length", {1, 1, 0}},
-    KeyUnit{"normal_force", {2, 1, 0}},
-    KeyUnit{"speed", {1, 0, -1}},
-    KeyUnit{"density", {-2, 1, 2}},
-    KeyUnit{"young", of_stress},
-    KeyUnit{"bulk", of_stress},
-    KeyUnit{"bulk_1", of_stress},
-    KeyUnit{"bulk_2", of_stress},
-    KeyUnit{"shear", of_stress},
-    KeyUnit{"shear_1", of_stress},
-    KeyUnit{"shear_2", of_stress},
-    KeyUnit{"c11", of_stress},
-    KeyUnit{"c33", of_stress},
-    KeyUnit{"c13", of_stress},
-    KeyUnit{"c44", of_stress},
-    KeyUnit{"c66", of_stress},
-    KeyUnit{"stiffness", of_stress},
-    KeyUnit{"shear_viscosity", {0, 1, 1}},
-    KeyUnit{"bulk_viscosity", {0, 1, 1}},
-    KeyUnit{"relaxation_time", of_time},
-    KeyUnit{"theta1_instantaneous", {0, -1, 0}},
-    KeyUnit{"theta2_instantaneous", {0, -1, 0}},
-    KeyUnit{"theta1_amplitudes", {0, -1, -1}},
-    KeyUnit{"theta2_amplitudes", {0, -1, -1}},
-    KeyUnit{"theta1_rates", {0, 0, -1}},
-    KeyUnit{"theta2_rates", {0, 0, -1}},
-    KeyUnit{"P", {}, true},
-    KeyUnit{"P_dilatation", {}, true},
-    KeyUnit{"Q", of_stress, true},
-    KeyUnit{"Q_dilatation", of_stress, true},
-};
+constexpr Dimension of_length{1, 0, 0}, of_stress{0, 1, 0};
 
 const std::map<std::string_view, Dimension> result_units{
     {"length", of_length}, {"force/length", {1, 1, 0}}, {"force", {2, 1, 0}},  {"power/length", {2, 1, -1}},
@@ -99,18 +52,18 @@ std::optional<double> exact_product(double factor, double number) {
   return product;
 }
 
-bool multiply(DrawnScene::Value& value, const Units& units, const KeyUnit& unit) {
+bool multiply(DrawnScene::Value& value, const Units& units, const data::SceneKey& key) {
   std::vector<double*> numbers;
   if (auto* number = std::get_if<double>(&value)) numbers.push_back(number);
   if (auto* list = std::get_if<std::vector<double>>(&value)) {
     for (double& number : *list) numbers.push_back(&number);
   }
-  Dimension power = unit.unit;
+  Dimension power = key.dimension;
   for (double* const number : numbers) {
     const auto product = exact_product(units(power), *number);
     if (!product) return false;
     *number = *product;
-    if (unit.per_power) ++power.time;
+    if (key.time_grows_along_list) ++power.time;
   }
   return true;
 }
@@ -125,11 +78,8 @@ std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
                     return rounded(number.value / factor, number.error / factor);
                   }};
   for (auto& [key, value] : variant.scene.keys()) {
-    const std::string_view last = std::string_view(key).substr(key.find('.') + 1);
-    for (const KeyUnit& unit : key_units) {
-      if (unit.key == last && !multiply(value, units, unit)) return {};
-    }
-    if (last == "positions" && !is_half_space(drawn) && !multiply(value, units, {"", of_length})) return {};
+    if (key == "profile.positions" && is_half_space(drawn)) continue;  // degrees
+    if (!multiply(value, units, *data::find_scene_key(key))) return {};
   }
   return variant;
 }
