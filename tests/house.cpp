@@ -31,6 +31,7 @@ const std::map<std::string, Names> room_arrows{
 const std::map<std::string, std::map<std::string, Names>> subject_arrows{
     {"data",
      {{"", {}},
+      {"number", {}},
       {"material", {""}},
       {"problem", {"", "material"}},
       {"scene", {"", "material", "problem"}},

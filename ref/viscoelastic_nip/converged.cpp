@@ -92,7 +92,7 @@ FieldSource field_source(const RollingPressure& contact) {
   return {contact.offset(), contact.half_length(), tractions};
 }
 
-Estimated estimated_of(const Float& unit, const FloatEstimate& estimate, int digits) {
+Estimated estimated_of(const Float& unit, const data::WithError<Float>& estimate, int digits) {
   return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
 }
 
@@ -222,7 +222,7 @@ Estimated ConvergedViscoelasticNip::pressure(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   const auto& [units, contact, at_middle] = *implementation_;
   const Float d = implementation_->downstream(contact.fine(), y);
-  FloatEstimate result = contact.estimate(
+  data::WithError<Float> result = contact.estimate(
       [&](const RollingPressure& of) { return of.pressure(implementation_->downstream(of, y)); },
       implementation_->pressure_scale(d));
   result.error += implementation_->pressure_by_ends(d);
@@ -264,7 +264,7 @@ Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
   StretchRollingKernel& kernel = contact.stretch_kernel();
   const Float at = implementation_->downstream(contact.fine(), y);
   // No surer than the pressure that stretches the surface at once.
-  FloatEstimate result = contact.estimate(
+  data::WithError<Float> result = contact.estimate(
       [&](const RollingPressure& of) -> Float {
         const Float d = implementation_->downstream(of, y);
         return -(of.response(d, kernel) + kernel.jump() * of.pressure(d));

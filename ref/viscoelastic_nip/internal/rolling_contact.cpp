@@ -230,7 +230,7 @@ RollingContact RollingContact::of_load(const Float& load, const RollingMaterial&
   return contact;
 }
 
-FloatEstimate RollingContact::estimate(const Functional& functional, const Float& scale) const {
+data::WithError<Float> RollingContact::estimate(const Functional& functional, const Float& scale) const {
   Float value = functional(*fine_);
   Float error = 2 * abs(value - functional(*coarse_)) + difference_ * scale;
   return {std::move(value), std::move(error)};

@@ -3,14 +3,10 @@
 #include <memory>
 #include <optional>
 
+#include <nipref/data/number/with_error.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_pressure.hpp>
 
 namespace nipref::ref {
-
-/// Value and what two discretisations differ by.
-struct FloatEstimate {
-  Float value, error;
-};
 
 /// A rolling contact solved twice, with other panels and other numbers of terms.
 class RollingContact {
@@ -37,9 +33,9 @@ class RollingContact {
   [[nodiscard]] RollingKernel& normal_kernel() const { return *normal_; }
   [[nodiscard]] RollingKernel& tangential_kernel() const { return *tangential_; }
   [[nodiscard]] StretchRollingKernel& stretch_kernel() const { return *stretch_; }
-  /// Twice the difference of the two, and what they differ by anywhere, relative to `scale`, the largest value
-  /// of the kind, dimensionless.
-  [[nodiscard]] FloatEstimate estimate(const Functional& functional, const Float& scale) const;
+  /// The value on the finer discretisation. Its error is estimated as twice the difference of the two discretisations
+  /// plus difference() times `scale`, the largest value of the kind, dimensionless.
+  [[nodiscard]] data::WithError<Float> estimate(const Functional& functional, const Float& scale) const;
 
  private:
   /// A load, the length that nearly carries it, and the load's growth, d ln load/d ln length, nearly.

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/number/with_error.hpp>
 #include <nipref/verify/audit/internal/identities.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/solve/internal/ref_methods.hpp>
@@ -27,16 +28,14 @@ constexpr double dear_share = 1.0 / 16, dearest_share = 1.0 / 64;
 /// Over the critical speed: beyond it integrals over lines that differ need thousands of them.
 constexpr double fastest_by_ref = 0.98;
 
-/// What the reference says: more digits than a double's, and how far it may be off.
-struct RefNumber {
-  long double value;
-  double error;
-};
+/// A value of the reference, with more digits than a double has.
+using RefNumber = data::WithError<long double, double>;
 
 /// With the rounding to a long double, which has 19 digits, in the error.
 RefNumber ref_number(const ref::Estimated& number) {
   const long double value = mpfr_get_ld(number.value.get(), MPFR_RNDN);
-  return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
+  return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value)),
+          number.proven};
 }
 
 /// What a number is compared with.
