@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <initializer_list>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/internal/half_space_check.hpp>
@@ -92,17 +92,20 @@ void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 
 void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
                              const SceneOrigin& origin) {
-  constexpr std::array<std::string_view, 3> of_the_ellipse{"axis_ratio", "orientation", "approach"};
-  constexpr std::array<std::string_view, 2> of_rolling{"creep", "compressed_radius"},
-      on_line{"pressure", "shear"};
-  if (problem.rule != ContourRule::exact && std::ranges::count(of_the_ellipse, name) != 0)
+  const SceneResult& result = *find_scene_result(name);
+  const auto is_one_of = [&result](std::initializer_list<ResultId> ids) {
+    return std::ranges::find(ids, result.id) != ids.end();
+  };
+  if (problem.rule != ContourRule::exact &&
+      is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach}))
     origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
-  if (problem.rule == ContourRule::similar_contour && name == "peak_pressure")
+  if (problem.rule == ContourRule::similar_contour && result.id == ResultId::peak_pressure)
     origin.refuse(key, name, "must be left out with similar-contour: each line has its own peak");
-  if (!std::holds_alternative<RigidRollingSphere>(problem.body) && std::ranges::count(of_rolling, name) != 0)
+  if (!std::holds_alternative<RigidRollingSphere>(problem.body) &&
+      is_one_of({ResultId::creep, ResultId::compressed_radius}))
     origin.refuse(key, name, "must be wanted of a rolling sphere only");
-  if (!problem.profile || find_scene_result(name)->shape != Shape::profile) return;
-  const bool is_on_line = std::ranges::count(on_line, name) != 0;
+  if (!problem.profile || result.shape != Shape::profile) return;
+  const bool is_on_line = is_one_of({ResultId::pressure, ResultId::shear});
   if (is_on_line && !problem.line)
     origin.refuse(key, name, "must be wanted with profile.direction, the angle of its line from the motion");
   if (!is_on_line && problem.line)
