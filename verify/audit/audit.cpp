@@ -55,10 +55,10 @@ AuditResult audit(const Quantity& quantity, const AuditOptions& options) {
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options) {
   const Evaluator none;
-  const Judge judge(quantity, none, options, true);
+  const Comparator comparator(quantity, none, options, true);
   std::vector<std::optional<Finding>> findings(points.size());
   parallel_for(
-      points.size(), [&](std::size_t i) { findings[i] = judge(points[i], values[i]); },
+      points.size(), [&](std::size_t i) { findings[i] = comparator(points[i], values[i]); },
       [&](std::size_t done) {
         if (options.progress)
           options.progress(static_cast<double>(done) / static_cast<double>(points.size()));

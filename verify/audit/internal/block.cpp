@@ -18,13 +18,13 @@ constexpr std::size_t least_steps = 200;  // as long as there is more than one s
 /// Few enough points that the threads have equally much to do, many enough that a batch is one.
 std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
 
-Compared compare(std::vector<Point> points, const Judge& judge,
+Compared compare(std::vector<Point> points, const Comparator& comparator,
                  const std::function<void(double part)>& on_progress) {
   std::vector<std::optional<Finding>> findings(points.size());
   const std::size_t batch = batch_of(points.size());
   const auto of_batch = [&](std::size_t i) {
     const std::size_t first = i * batch, count = std::min(batch, points.size() - first);
-    judge(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));
+    comparator(std::span(points).subspan(first, count), std::span(findings).subspan(first, count));
   };
   const std::size_t batches = (points.size() + batch - 1) / batch;
   const auto progress = [&](std::size_t done) {
@@ -57,13 +57,13 @@ struct Climb {
 };
 
 /// Hill climbing: a step is taken when it finds a worse point.
-Climb climb(const Quantity& quantity, const Ranges& ranges, const Judge& judge, Climb best, std::size_t steps,
-            const std::string& seed) {
+Climb climb(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator, Climb best,
+            std::size_t steps, const std::string& seed) {
   Random random(seed);
   for (std::size_t step = 0; step < steps; ++step) {
     stop_if_interrupted();
     Point next = perturbed(quantity, ranges, best.point, random);
-    const auto finding = judge(next);
+    const auto finding = comparator(next);
     if (finding && worse(*finding, best.finding)) best = {std::move(next), *finding};
   }
   return best;
@@ -100,10 +100,10 @@ AuditTally tally_of(const Compared& compared) {
   return tally;
 }
 
-QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
+QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
                              const AuditPlan& plan, std::size_t block,
                              const std::function<void(double part)>& on_progress) {
-  Compared compared = compare(plan.points(block), judge, on_progress);
+  Compared compared = compare(plan.points(block), comparator, on_progress);
   const std::size_t searched = plan.searched(block);
   std::vector<Climb> climbs;
   for (const std::size_t start :
@@ -112,7 +112,7 @@ QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, con
   const std::size_t steps = climbs.empty() ? 0 : searched / climbs.size();
   parallel_for(climbs.size(),
                [&](std::size_t i) {
-                 climbs[i] = climb(quantity, ranges, judge, std::move(climbs[i]), steps,
+                 climbs[i] = climb(quantity, ranges, comparator, std::move(climbs[i]), steps,
                                    fmt::format("{}/search/{}", plan.seed(block), i));
                },
                {});

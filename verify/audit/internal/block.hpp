@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include <nipref/verify/audit/internal/comparator.hpp>
 #include <nipref/verify/audit/internal/error_tally.hpp>
-#include <nipref/verify/audit/internal/judge.hpp>
 #include <nipref/verify/audit/internal/plan.hpp>
 
 namespace nipref::verify {
@@ -45,7 +45,7 @@ struct QuantityFindings {
 
 /// Looks at the points of one block, and around its worst few. Deterministic, whatever the number of threads.
 /// `on_progress`, which may be empty, is called with the part of them that is done.
-QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Judge& judge,
+QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
                              const AuditPlan& plan, std::size_t block,
                              const std::function<void(double part)>& on_progress);
 

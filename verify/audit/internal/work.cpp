@@ -26,7 +26,7 @@ QuantityWork::QuantityWork(const Quantity& quantity, AuditOptions options, Evalu
     : quantity_(quantity),
       options_(std::move(options)),
       evaluator_(std::move(evaluator)),
-      judge_(quantity, evaluator_, options_, !options_.ranges.empty(), is_fast),
+      comparator_(quantity, evaluator_, options_, !options_.ranges.empty(), is_fast),
       keeps_points_(keeps_points) {}
 
 const AuditPlan& QuantityWork::plan() const {
@@ -36,7 +36,7 @@ const AuditPlan& QuantityWork::plan() const {
 
 BlockFindings QuantityWork::found_in(std::size_t block,
                                      const std::function<void(double part)>& on_progress) const {
-  QuantityFindings found = audit_block(quantity_, options_.ranges, judge_, plan(), block, on_progress);
+  QuantityFindings found = audit_block(quantity_, options_.ranges, comparator_, plan(), block, on_progress);
   if (!keeps_points_) found.compared = {};
   return found;
 }

@@ -70,7 +70,7 @@ class QuantityWork : public BlockWork {
   const Quantity& quantity_;
   const AuditOptions options_;
   Evaluator evaluator_;
-  Judge judge_;
+  Comparator comparator_;
   bool keeps_points_;
   mutable std::unique_ptr<AuditPlan> plan_;  ///< made when it is asked for first: that takes a while
   QuantityFindings sum_;

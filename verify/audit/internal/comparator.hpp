@@ -7,17 +7,17 @@
 namespace nipref::verify {
 
 /// Compares an evaluator's values with the reference.
-class Judge {
+class Comparator {
  public:
-  /// All of it must outlive this. If `may_refuse`, the reference may refuse points; `is_fast`: what fast says of its
-  /// own errors must cover them too.
-  Judge(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options, bool may_refuse,
-        bool is_fast = false);
+  /// Quantity and evaluator must outlive the comparator. If `may_refuse`, the reference may refuse points. If `is_fast`,
+  /// the error that fast states for a value, where it states one, must cover the error found.
+  Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
+             bool may_refuse, bool is_fast = false);
 
-  /// Findings at a batch of points; none where the reference refuses a point of the ranges.
+  /// Finds the errors at a batch of points; a point that the reference refuses has none.
   void operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const;
   [[nodiscard]] std::optional<Finding> operator()(const Point& point) const;
-  /// Of a value that is there already.
+  /// The same for a value that was computed before.
   [[nodiscard]] std::optional<Finding> operator()(const Point& point, double value) const;
 
  private:
@@ -31,7 +31,7 @@ class Judge {
   fast::Accuracy accuracy_;
   double promise_;
   bool may_refuse_;
-  bool says_more_;
+  bool checks_own_error_;
 };
 
 }  // namespace nipref::verify

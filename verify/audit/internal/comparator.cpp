@@ -1,22 +1,22 @@
 #include <algorithm>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/internal/judge.hpp>
+#include <nipref/verify/audit/internal/comparator.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 
 namespace nipref::verify {
 
-Judge::Judge(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
-             bool may_refuse, bool is_fast)
+Comparator::Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
+                       bool may_refuse, bool is_fast)
     : quantity_(quantity),
       evaluator_(evaluator),
       accuracy_(options.accuracy),
       promise_(options.promise_of(quantity)),
       may_refuse_(may_refuse),
-      says_more_(is_fast && quantity.fast_error) {}
+      checks_own_error_(is_fast && quantity.fast_error) {}
 
-void Judge::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
+void Comparator::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
   std::vector<std::optional<Reference>> truths;
   std::vector<Point> known;
   for (const Point& point : points) {
@@ -30,18 +30,18 @@ void Judge::operator()(std::span<const Point> points, std::span<std::optional<Fi
   }
 }
 
-std::optional<Finding> Judge::operator()(const Point& point) const {
+std::optional<Finding> Comparator::operator()(const Point& point) const {
   std::optional<Finding> finding;
   (*this)({&point, 1}, {&finding, 1});
   return finding;
 }
 
-std::optional<Finding> Judge::operator()(const Point& point, double value) const {
+std::optional<Finding> Comparator::operator()(const Point& point, double value) const {
   const auto known = truth(point);
   return known ? std::optional(finding(value, *known, point)) : std::nullopt;
 }
 
-std::optional<Reference> Judge::truth(const Point& point) const {
+std::optional<Reference> Comparator::truth(const Point& point) const {
   try {
     return ref_value(quantity_, point, digits_beyond_double);
   } catch (const data::BadInput&) {
@@ -50,17 +50,18 @@ std::optional<Reference> Judge::truth(const Point& point) const {
   }
 }
 
-Finding Judge::finding(double value, const Reference& truth, const Point& point) const {
+Finding Comparator::finding(double value, const Reference& truth, const Point& point) const {
   const Deviation found = deviation(value, truth, quantity_.envelope(point));
   return {found.ulps, found.relative, found.ulps == 0 ? 0 : found.ulps / allowed_ulps(found.scale, point)};
 }
 
-double Judge::allowed_ulps(double scale, const Point& point) const {
+double Comparator::allowed_ulps(double scale, const Point& point) const {
   const double allowed = std::max(promise_, tolerated_ulps(scale));
-  return says_more_ ? std::min(allowed, quantity_.fast_error(point, accuracy_) / ulp_of(scale)) : allowed;
+  if (!checks_own_error_) return allowed;
+  return std::min(allowed, quantity_.fast_error(point, accuracy_) / ulp_of(scale));
 }
 
-double Judge::tolerated_ulps(double scale) const {
+double Comparator::tolerated_ulps(double scale) const {
   return accuracy_.rtol() > fast::Accuracy::best_rtol ? accuracy_.rtol() * (scale / ulp_of(scale)) : 0;
 }
 
