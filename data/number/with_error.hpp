@@ -2,13 +2,12 @@
 
 namespace nipref::data {
 
-/// A number and its error in the same unit: |value - truth| <= error. The error is a bound where `proven` is true, and an
-/// estimate otherwise.
+/// A computed number and its error in the same unit: |value - truth| <= error. Whether the error is a proven bound or an
+/// estimate is said by what derives from this.
 template <class Number, class Error = Number>
 struct WithError {
   Number value;
   Error error;
-  bool proven = false;
 };
 
 }  // namespace nipref::data

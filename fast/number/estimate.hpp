@@ -1,14 +1,12 @@
 #pragma once
 #include <cmath>
 
+#include <nipref/data/number/with_error.hpp>
+
 namespace nipref::fast {
 
-/// A computed number and an estimate of its error in the same unit: |value - truth| <= error is expected, not
-/// proven.
-struct Estimate {
-  double value;
-  double error;
-};
+/// A double and an estimate of its error: |value - truth| <= error is expected, not proven.
+struct Estimate : data::WithError<double> {};
 
 /// The product, with its rounding.
 inline Estimate operator*(const Estimate& a, const Estimate& b) {

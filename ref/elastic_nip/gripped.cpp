@@ -14,6 +14,7 @@
 #include <nipref/ref/elastic_nip/internal/grip_precision.hpp>
 #include <nipref/ref/elastic_nip/internal/nip_units.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 #include <nipref/ref/number/internal/golden_section.hpp>
 #include <nipref/ref/number/internal/local_slope.hpp>
@@ -188,8 +189,8 @@ struct GrippedElasticNip::Implementation {
 
   /// Twice the distance of both expansions, and for rounding a hundredth of the last digit of the value or of
   /// `least`, which it is measured by.
-  [[nodiscard]] Estimated estimated(const mpq_class& unit, const Float& rough, const Float& value,
-                                    const Float& least = 0, const Float& further = 0) const {
+  [[nodiscard]] Estimate estimated(const mpq_class& unit, const Float& rough, const Float& value,
+                                   const Float& least = 0, const Float& further = 0) const {
     const Float size = std::max(abs(value), least);
     const Float error = 2 * abs(value - rough) + further + size * pow(Float(10), -precision.digits - 2);
     const Float factor = to_float(Exact(unit));
@@ -197,7 +198,7 @@ struct GrippedElasticNip::Implementation {
   }
 
   template <class Result>
-  [[nodiscard]] Estimated number(const mpq_class& unit, const Result& result, const Float& least = 0) const {
+  [[nodiscard]] Estimate number(const mpq_class& unit, const Result& result, const Float& least = 0) const {
     return estimated(unit, result(*coarse), result(*fine), least);
   }
 
@@ -213,7 +214,7 @@ struct GrippedElasticNip::Implementation {
   }
   [[nodiscard]] Float square_length() const { return fine->half_length() * fine->half_length(); }
 
-  [[nodiscard]] Estimated traction(double y, Float GripTraction::*part, bool odd) const {
+  [[nodiscard]] Estimate traction(double y, Float GripTraction::*part, bool odd) const {
     if (!std::isfinite(y)) throw data::BadInput("y", y, "must be finite");
     const auto value = [&](const GripExpansion& contact) {
       const Float size = contact.traction(before_end(y, contact)).*part;
@@ -226,8 +227,8 @@ struct GrippedElasticNip::Implementation {
 
   /// `inside` in the contact, where it has a closed form; else by quadrature. Measured by `least` at least.
   template <class Inside>
-  [[nodiscard]] Estimated displacement(double y, const mpq_class& unit, const Float& least,
-                                       Float GripDisplacement::*part, bool odd, const Inside& inside) {
+  [[nodiscard]] Estimate displacement(double y, const mpq_class& unit, const Float& least,
+                                      Float GripDisplacement::*part, bool odd, const Inside& inside) {
     if (!std::isfinite(y) || abs(exactly(y)) > farthest_grip * units.length)
       throw data::BadInput("y", y,
                            "must be within 450 sheet thicknesses of the middle on the reference path");
@@ -252,44 +253,44 @@ GrippedElasticNip::GrippedElasticNip(std::unique_ptr<Implementation> implementat
 GrippedElasticNip::GrippedElasticNip(GrippedElasticNip&&) noexcept = default;
 GrippedElasticNip::~GrippedElasticNip() = default;
 
-Estimated GrippedElasticNip::contact_length() const {
+Estimate GrippedElasticNip::contact_length() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(2 * implementation_->units.length, std::mem_fn(&GripExpansion::half_length));
 }
 
-Estimated GrippedElasticNip::load() const {
+Estimate GrippedElasticNip::load() const {
   const WorkingDigits working(implementation_->precision.working);
   const NipUnits& units = implementation_->units;
   return implementation_->number(units.pressure * units.length, std::mem_fn(&GripExpansion::load));
 }
 
-Estimated GrippedElasticNip::indentation() const {
+Estimate GrippedElasticNip::indentation() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(implementation_->units.displacement,
                                  std::mem_fn(&GripExpansion::indentation), implementation_->square_length());
 }
 
-Estimated GrippedElasticNip::edge_displacement() const {
+Estimate GrippedElasticNip::edge_displacement() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(implementation_->units.displacement,
                                  std::mem_fn(&GripExpansion::edge_displacement),
                                  implementation_->square_length());
 }
 
-Estimated GrippedElasticNip::creep_ratio() const {
+Estimate GrippedElasticNip::creep_ratio() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(implementation_->units.slope, std::mem_fn(&GripExpansion::creep),
                                  implementation_->fine->half_length());
 }
 
-Estimated GrippedElasticNip::peak_pressure() const {
+Estimate GrippedElasticNip::peak_pressure() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(implementation_->units.pressure, [](const GripExpansion& contact) {
     return largest_traction(contact, &GripTraction::pressure);
   });
 }
 
-Estimated GrippedElasticNip::peak_shear() const {
+Estimate GrippedElasticNip::peak_shear() const {
   const WorkingDigits working(implementation_->precision.working);
   const Float middle = implementation_->fine->traction(1).pressure;
   return implementation_->number(
@@ -297,16 +298,16 @@ Estimated GrippedElasticNip::peak_shear() const {
       [](const GripExpansion& contact) { return largest_traction(contact, &GripTraction::shear); }, middle);
 }
 
-Estimated GrippedElasticNip::peak_shear_position() const {
+Estimate GrippedElasticNip::peak_shear_position() const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->number(implementation_->units.length, place_of_largest_shear,
                                  implementation_->fine->half_length());
 }
 
-std::vector<Estimated> GrippedElasticNip::shear_zeros() const {
+std::vector<Estimate> GrippedElasticNip::shear_zeros() const {
   const WorkingDigits working(implementation_->precision.working);
   const auto& fine = *implementation_->fine;
-  std::vector<Estimated> zeros{exact_zero(implementation_->precision.digits)};
+  std::vector<Estimate> zeros{exact_zero(implementation_->precision.digits)};
   for (const auto& [inner, outer] : shear_changes(fine, *implementation_->coarse)) {
     const auto zero = [&](const GripExpansion& contact) -> Float {
       const int sign = fine.traction(inner).shear > 0 ? 1 : -1;
@@ -321,17 +322,17 @@ std::vector<Estimated> GrippedElasticNip::shear_zeros() const {
   return zeros;
 }
 
-Estimated GrippedElasticNip::pressure(double y) const {
+Estimate GrippedElasticNip::pressure(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->traction(y, &GripTraction::pressure, false);
 }
 
-Estimated GrippedElasticNip::shear(double y) const {
+Estimate GrippedElasticNip::shear(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->traction(y, &GripTraction::shear, true);
 }
 
-Estimated GrippedElasticNip::normal_displacement(double y) const {
+Estimate GrippedElasticNip::normal_displacement(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->displacement(
       y, implementation_->units.displacement, implementation_->square_length(), &GripDisplacement::normal,
@@ -341,7 +342,7 @@ Estimated GrippedElasticNip::normal_displacement(double y) const {
       });
 }
 
-Estimated GrippedElasticNip::tangential_displacement(double y) const {
+Estimate GrippedElasticNip::tangential_displacement(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->displacement(y, implementation_->units.displacement,
                                        implementation_->square_length(), &GripDisplacement::tangential, true,
@@ -368,7 +369,7 @@ GreatestShear GrippedElasticNip::greatest_shear() const {
                                            to_float(Exact(units.length)));
 }
 
-Estimated GrippedElasticNip::surface_strain(double y) const {
+Estimate GrippedElasticNip::surface_strain(double y) const {
   const WorkingDigits working(implementation_->precision.working);
   return implementation_->displacement(
       y, implementation_->units.slope, implementation_->fine->half_length(), &GripDisplacement::strain, false,

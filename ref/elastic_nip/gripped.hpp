@@ -5,7 +5,7 @@
 
 #include <nipref/data/problem/elastic_nip.hpp>
 #include <nipref/ref/nip/inner_stresses.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -26,26 +26,26 @@ class GrippedElasticNip {
   GrippedElasticNip(GrippedElasticNip&&) noexcept;
   ~GrippedElasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;     ///< L, unit of length
-  [[nodiscard]] Estimated load() const;               ///< W, force per unit width
-  [[nodiscard]] Estimated indentation() const;        ///< d0, unit of length
-  [[nodiscard]] Estimated edge_displacement() const;  ///< d1 = d0 - L^2/(8R), unit of length
-  [[nodiscard]] Estimated creep_ratio() const;        ///< (2/L) v(L/2)
-  [[nodiscard]] Estimated peak_pressure() const;      ///< unit of stress
-  [[nodiscard]] Estimated peak_shear() const;         ///< largest |q|, unit of stress
+  [[nodiscard]] Estimate contact_length() const;     ///< L, unit of length
+  [[nodiscard]] Estimate load() const;               ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;        ///< d0, unit of length
+  [[nodiscard]] Estimate edge_displacement() const;  ///< d1 = d0 - L^2/(8R), unit of length
+  [[nodiscard]] Estimate creep_ratio() const;        ///< (2/L) v(L/2)
+  [[nodiscard]] Estimate peak_pressure() const;      ///< unit of stress
+  [[nodiscard]] Estimate peak_shear() const;         ///< largest |q|, unit of stress
   /// Y > 0 of the largest |q|; and the places Y >= 0, rising, at which q changes its sign, the middle first, those
   /// that are nearer to the end than 1e-6 of L/2 left out. By secants on the slope, on the shear.
-  [[nodiscard]] Estimated peak_shear_position() const;
-  [[nodiscard]] std::vector<Estimated> shear_zeros() const;
-  [[nodiscard]] Estimated pressure(double y) const;                 ///< unit of stress; 0 outside the contact
-  [[nodiscard]] Estimated shear(double y) const;                    ///< the same
-  [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
-  [[nodiscard]] Estimated tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  [[nodiscard]] Estimate peak_shear_position() const;
+  [[nodiscard]] std::vector<Estimate> shear_zeros() const;
+  [[nodiscard]] Estimate pressure(double y) const;                 ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Estimate shear(double y) const;                    ///< the same
+  [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
+  [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// v', dimensionless: the creep ratio in the contact, outside the slope of the displacement's interpolation.
-  [[nodiscard]] Estimated surface_strain(double y) const;
+  [[nodiscard]] Estimate surface_strain(double y) const;
   [[nodiscard]] int terms() const;             ///< of the finer expansion
   [[nodiscard]] long normal_values() const;    ///< of I1, taken so far
   [[nodiscard]] long coupling_values() const;  ///< of I3, taken so far

@@ -103,7 +103,7 @@ Interval middle_pressure(const Samples& known, const Interval& indentation, cons
   return (4 * indentation).widened(left_out).widened(-left_out);  // of either sign
 }
 
-Estimated in_units(const Interval& number, const mpq_class& unit, int digits) {
+Estimate in_units(const Interval& number, const mpq_class& unit, int digits) {
   return enclosure_of(number * Interval(Exact(unit), number.precision()), digits);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -14,10 +14,10 @@ namespace nipref::ref {
 /// are not bounded. The middle, half as far from the ends, has the pressure 4 d0/(N B) of springs up to terms like
 /// e^(-pi L/B), which are in its error. Units as in data::ElasticNip. (thesis 5.3, thin sheets)
 struct LongContactFit {
-  Estimated load;           ///< W, force per unit width
-  Estimated indentation;    ///< d0, unit of length
-  Estimated creep_ratio;    ///< (2/L) v(L/2)
-  Estimated peak_pressure;  ///< unit of stress
+  Estimate load;           ///< W, force per unit width
+  Estimate indentation;    ///< d0, unit of length
+  Estimate creep_ratio;    ///< (2/L) v(L/2)
+  Estimate peak_pressure;  ///< unit of stress
 };
 
 /// L/B from which on `digits` come so: 10 for up to 21.

@@ -215,7 +215,7 @@ ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double co
   const double place = place_of_largest_shear(fine, half_length);
   const NipUnits units(nip);
   const auto estimated = [&](const mpq_class& unit, const Float& rough_value,
-                             const Float& value) -> Estimated {
+                             const Float& value) -> Estimate {
     const Float factor = to_float(Exact(unit));
     const Float error = 2 * abs(value - rough_value) + abs(value) * pow(Float(10), -digits - 1);
     return {to_real(factor * value), to_real(factor * error), digits};

@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/data/problem/elastic_nip.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -22,11 +22,11 @@ namespace nipref::ref {
 /// Nothing is proven: each number comes from the first five of them and from the last five; it is the latter's, its error
 /// twice what they differ by and an allowance for rounding. (thesis 2.5, 5.5, thin sheets)
 struct ThinGrippedNip {
-  Estimated load;             ///< W, force per unit width
-  Estimated indentation;      ///< d0, unit of length
-  Estimated creep_ratio;      ///< (2/L) v(L/2)
-  Estimated middle_pressure;  ///< unit of stress
-  Estimated peak_shear;       ///< largest |q|, the same
+  Estimate load;             ///< W, force per unit width
+  Estimate indentation;      ///< d0, unit of length
+  Estimate creep_ratio;      ///< (2/L) v(L/2)
+  Estimate middle_pressure;  ///< unit of stress
+  Estimate peak_shear;       ///< largest |q|, the same
 };
 
 /// L/B from which on contacts are so long.

@@ -3,6 +3,7 @@
 #include <nipref/ref/half_space/bulk_wave.hpp>
 #include <nipref/ref/half_space/internal/acoustic_matrices.hpp>
 #include <nipref/ref/half_space/internal/interval_float.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -19,8 +20,8 @@ std::array<Matrix::Index, 3> in_order(const Matrix& vectors) {
 
 }  // namespace
 
-Estimated bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
-                          int digits) {
+Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+                         int digits) {
   check_digits(digits);
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(3.33 * digits) + 128;
   const WorkingDigits working(digits_of(precision));

@@ -1,7 +1,7 @@
 #pragma once
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -15,7 +15,7 @@ enum class BulkWave {
 /// density v^2 is the eigenvalue of n_j C_ijkl n_l. The error follows from the residual of the eigenpair: it
 /// is that of the eigenvalue nearest to it, with an allowance for rounding, so that it is not proven.
 /// BadInput "digits" unless 16 <= digits <= 1000.
-Estimated bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
-                          int digits);
+Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
+                         int digits);
 
 }  // namespace nipref::ref

@@ -96,9 +96,10 @@ CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion
       psi += vertex * width;
     }
     if (4 * width_digits < digits + 10) continue;
-    Estimated speed = critical_speed_along(solid, motion, degrees(psi), digits);
+    Estimate speed = critical_speed_along(solid, motion, degrees(psi), digits);
     const Float miss = curvature * pow(widths_of_error * width, 2);
     mpfr_add(speed.error.get(), speed.error.get(), miss.get(), MPFR_RNDU);
+    speed.proven = false;  // the curvature is an estimate
     return {std::move(speed), static_cast<double>(psi)};
   }
 }

@@ -3,7 +3,8 @@
 
 #include <nipref/ref/half_space/direction.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -33,7 +34,7 @@ Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, in
 
 /// The smallest speed at which the lines of some direction are critical, and that direction.
 struct CriticalSpeed {
-  Estimated speed;
+  Estimate speed;
   double psi_degrees;  ///< in (theta - 90, theta + 90), good to some 1e-8
 };
 

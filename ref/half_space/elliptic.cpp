@@ -185,8 +185,8 @@ void check_ratio(const Exact& curvature_ratio) {
     throw data::BadInput("curvature_ratio", curvature_ratio.text(), "must lie between 1e-12 and 1e12");
 }
 
-Estimated of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits,
-                     Float (Level::*value)() const) {
+Estimate of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits,
+                    Float (Level::*value)() const) {
   check_ratio(curvature_ratio);
   return with_digits(digits, [&](int working) {
     const auto [coarse, fine] =
@@ -197,11 +197,11 @@ Estimated of_ellipse(const SurfaceAnswer& surface, const Exact& curvature_ratio,
 
 }  // namespace
 
-Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
+Estimate elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
   return of_ellipse(surface, curvature_ratio, digits, &Level::axis_ratio);
 }
 
-Estimated elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
+Estimate elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits) {
   return of_ellipse(surface, curvature_ratio, digits, &Level::stiffness);
 }
 
@@ -215,7 +215,7 @@ struct EllipticContact::Implementation {
   TwoLevels levels;
 
   template <class Function>
-  [[nodiscard]] Estimated of(const Function& function) const {
+  [[nodiscard]] Estimate of(const Function& function) const {
     const WorkingDigits scope(working);
     return of_levels(function(levels.fine), function(levels.coarse), digits);
   }
@@ -246,11 +246,11 @@ EllipticContact::EllipticContact(SurfaceAnswer surface, const Indenter& body, co
                      solve_levels(surface, WorkingSurface(surface, working, exponent), ratio, digits)});
 }
 
-Estimated EllipticContact::axis_ratio() const {
+Estimate EllipticContact::axis_ratio() const {
   return implementation_->of([](const Level& level) { return level.axis_ratio(); });
 }
 
-Estimated EllipticContact::orientation() const {
+Estimate EllipticContact::orientation() const {
   const WorkingDigits scope(implementation_->working);
   const auto& [coarse, fine] = implementation_->levels;
   const auto degrees = [](const Ellipse& ellipse) {
@@ -265,35 +265,35 @@ Estimated EllipticContact::orientation() const {
   return {to_real(degrees(fine.ellipse)), to_real(error), implementation_->digits};
 }
 
-Estimated EllipticContact::span(const Exact& degrees) const {
+Estimate EllipticContact::span(const Exact& degrees) const {
   return implementation_->of(
       [&](const Level& level) -> Float { return 2 * implementation_->scale(level) * level.radius(degrees); });
 }
 
-Estimated EllipticContact::span_ratio(const Exact& degrees) const {
+Estimate EllipticContact::span_ratio(const Exact& degrees) const {
   return implementation_->of(
       [&](const Level& level) -> Float { return level.radius(degrees) / level.radius(Exact(0.0)); });
 }
 
-Estimated EllipticContact::approach() const {
+Estimate EllipticContact::approach() const {
   return implementation_->of([&](const Level& level) -> Float {
     const Float scale = implementation_->scale(level);
     return scale * scale * implementation_->curvature * level.first / (2 * level.moment);
   });
 }
 
-Estimated EllipticContact::force() const {
+Estimate EllipticContact::force() const {
   return implementation_->of(
       [&](const Level& level) { return force_of(implementation_->load, implementation_->factor(level)); });
 }
 
-Estimated EllipticContact::peak_pressure() const {
+Estimate EllipticContact::peak_pressure() const {
   return implementation_->of([&](const Level& level) -> Float {
     return implementation_->scale(level) * implementation_->pressure_over_scale(level);
   });
 }
 
-Estimated EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
+Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
   const Float there = to_float(x);
   const auto changed_by = [&](const Float& change) {
@@ -305,7 +305,7 @@ Estimated EllipticContact::pressure(const Exact& degrees, const Exact& x) const 
     });
   };
   // Near its ends what rounding leaves of these shows.
-  Estimated result = changed_by(0);
+  Estimate result = changed_by(0);
   const Float off = tolerance(implementation_->digits + 6), value = to_float(result.value);
   const Float change = std::max(Float(abs(to_float(changed_by(off).value) - value)),
                                 Float(abs(to_float(changed_by(-off).value) - value)));

@@ -3,7 +3,7 @@
 
 #include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -19,12 +19,12 @@ namespace nipref::ref {
 
 /// Minor over major axis: of the ellipse whose half-widths w make int K n n/w^3 dpsi proportional to the
 /// curvatures. By Newton's method for the logarithm of the ratio and the angle.
-Estimated elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
+Estimate elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
 /// F/(sqrt(R) delta^(3/2)) of that contact, 1/R the mean of the two curvatures and delta the approach: (8
 /// pi/3) I3^(1/2)/I1^(3/2) with In = int K/w^n dpsi over half a turn; unit of stress. A sphere at rest:
 /// Hertz's 8/(3 K).
-Estimated elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
+Estimate elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
 /// All of that contact for a body and a load; what a load makes of it goes in closed form with powers of one scale.
 class EllipticContact {
@@ -32,16 +32,16 @@ class EllipticContact {
   /// Curvature ratios as above.
   EllipticContact(SurfaceAnswer surface, const Indenter& body, const HalfSpaceLoad& load, int digits);
 
-  [[nodiscard]] Estimated axis_ratio() const;  ///< minor over major axis
+  [[nodiscard]] Estimate axis_ratio() const;  ///< minor over major axis
   /// Of the major axis, degrees from the motion, -90 to 90; the error is 90 if the ellipse is a circle.
-  [[nodiscard]] Estimated orientation() const;
-  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< diameter, unit of length
-  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< over that along the motion
-  [[nodiscard]] Estimated approach() const;
-  [[nodiscard]] Estimated force() const;
-  [[nodiscard]] Estimated peak_pressure() const;
+  [[nodiscard]] Estimate orientation() const;
+  [[nodiscard]] Estimate span(const Exact& degrees) const;        ///< diameter, unit of length
+  [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< over that along the motion
+  [[nodiscard]] Estimate approach() const;
+  [[nodiscard]] Estimate force() const;
+  [[nodiscard]] Estimate peak_pressure() const;
   /// At x on a line, 0 outside of the contact.
-  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
 
  private:
   struct Implementation;

@@ -68,7 +68,7 @@ Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& direct
 
 }  // namespace
 
-Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
+Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,
       [&](int working) {
@@ -77,7 +77,7 @@ Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int 
       cancelled_digits);
 }
 
-Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
+Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,
       [&](int working) {
@@ -88,7 +88,7 @@ Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees,
       cancelled_digits);
 }
 
-Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
+Estimate rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits) {
   return with_digits(
       digits,
       [&](int working) {
@@ -98,12 +98,12 @@ Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int 
       cancelled_digits);
 }
 
-Estimated rolling_force(const SurfaceAnswer& surface, int digits) {
+Estimate rolling_force(const SurfaceAnswer& surface, int digits) {
   return RollingSphere(surface, 1, data::GivenSpan{1}, digits).force();
 }
 
-Estimated rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
-                        int digits) {
+Estimate rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
+                       int digits) {
   return with_digits(
       digits,
       [&](int working) {
@@ -128,7 +128,7 @@ struct RollingSphere::Implementation {
   }
   /// A function of the factor.
   template <class Function>
-  [[nodiscard]] Estimated of_factor(const Function& function) const {
+  [[nodiscard]] Estimate of_factor(const Function& function) const {
     if (!factor) {
       const auto [degrees, width] = peak_of_compliance(surface);
       const CrowdedDirections directions(Exact(degrees), width, 1);
@@ -142,7 +142,7 @@ struct RollingSphere::Implementation {
   }
   /// A function of the span along the motion.
   template <class Function>
-  [[nodiscard]] Estimated of_span(const Function& function) const {
+  [[nodiscard]] Estimate of_span(const Function& function) const {
     if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
       const WorkingDigits scope(working);
       const Float value = function(Float(given->along));
@@ -153,7 +153,7 @@ struct RollingSphere::Implementation {
   /// A traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the size of the pressure. Of
   /// ends that are off it takes what the root before the wave and the wave's phase would change by.
   template <class Wave>
-  [[nodiscard]] Estimated traction(const Exact& degrees, const Exact& x, const Wave& wave) const {
+  [[nodiscard]] Estimate traction(const Exact& degrees, const Exact& x, const Wave& wave) const {
     const WorkingDigits scope(working);
     const RollingLine line(lines(), degrees);
     const Float there = to_float(x), span_ratio = ratio(degrees);
@@ -181,38 +181,38 @@ RollingSphere::RollingSphere(SurfaceAnswer surface, double radius, const HalfSpa
       Implementation{std::move(surface), radius, load, digits, working, exponent});
 }
 
-Estimated RollingSphere::span_ratio(const Exact& degrees) const {
+Estimate RollingSphere::span_ratio(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
   return of_levels(ratio, ratio, implementation_->digits);
 }
 
-Estimated RollingSphere::span(const Exact& degrees) const {
+Estimate RollingSphere::span(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
   return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
 }
 
-Estimated RollingSphere::force() const {
+Estimate RollingSphere::force() const {
   const WorkingDigits scope(implementation_->working);
   return implementation_->of_factor(
       [&](const Float& factor) { return force_of(implementation_->load, factor); });
 }
 
-Estimated RollingSphere::peak_pressure() const {
+Estimate RollingSphere::peak_pressure() const {
   const WorkingDigits scope(implementation_->working);
   const RollingLine line(implementation_->lines(), Exact(0.0));
   return implementation_->of_span(
       [&](const Float& along) { return implementation_->central_pressure(line, along); });
 }
 
-Estimated RollingSphere::pressure(const Exact& degrees, const Exact& x) const {
+Estimate RollingSphere::pressure(const Exact& degrees, const Exact& x) const {
   return implementation_->traction(degrees, x,
                                    [](const RollingLine&, const Float& sine, const Float& cosine,
                                       const Float& slope) -> Float { return cosine - slope * sine; });
 }
 
-Estimated RollingSphere::shear(const Exact& degrees, const Exact& x) const {
+Estimate RollingSphere::shear(const Exact& degrees, const Exact& x) const {
   return implementation_->traction(
       degrees, x,
       [](const RollingLine& line, const Float& sine, const Float& cosine, const Float& slope) -> Float {
@@ -220,14 +220,14 @@ Estimated RollingSphere::shear(const Exact& degrees, const Exact& x) const {
       });
 }
 
-Estimated RollingSphere::creep(const Exact& degrees) const {
+Estimate RollingSphere::creep(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const RollingLine line(implementation_->lines(), degrees);
   const Float ratio = implementation_->ratio(degrees) / Float(implementation_->radius);
   return implementation_->of_span([&](const Float& along) { return creep_of(line, ratio * along); });
 }
 
-Estimated RollingSphere::compressed_radius(const Exact& degrees) const {
+Estimate RollingSphere::compressed_radius(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const RollingLine line(implementation_->lines(), degrees);
   const Float ratio = implementation_->ratio(degrees) / 2;

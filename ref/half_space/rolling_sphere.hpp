@@ -3,7 +3,7 @@
 
 #include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -15,23 +15,23 @@ namespace nipref::ref {
 
 /// P = ln((1 + q)/(1 - q))/(2 pi), q = S/sqrt(K K_nn): how the tractions of rolling without slip oscillate at
 /// the ends of a line. (brock2012 43b)
-Estimated rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+Estimate rolling_index(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
 /// L(psi)/L(0) of a rolling sphere by the papers' rule, to first order in span over radius: amplitudes, whose
 /// squares go like K_nn/K/(K K_nn - S^2), are equal at the centre. (brock2012 53)
-Estimated rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+Estimate rolling_span_ratio(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
 /// exp(-pi/(2P)) of a line, which is 0 where P is. (brock2012 50)
-Estimated rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits);
+Estimate rolling_strip(const SurfaceAnswer& surface, const Exact& degrees, int digits);
 
 /// F3 r0/L^3, L the span along the motion, unit of stress, to first order in L/r0: negative just below the Rayleigh
 /// speed. (brock2012 54)
-Estimated rolling_force(const SurfaceAnswer& surface, int digits);
+Estimate rolling_force(const SurfaceAnswer& surface, int digits);
 
 /// V0 of a line: du/dx = -V0 + x^2/(2 r0^2) along it. span_over_radius: of the contact along the motion, > 0; BadInput
 /// "span" for a contact that is not small against the radius. (brock2012 40, 48 with the sign of P corrected)
-Estimated rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
-                        int digits);
+Estimate rolling_creep(const SurfaceAnswer& surface, const Exact& degrees, const Exact& span_over_radius,
+                       int digits);
 
 /// A rolling sphere of a radius, known exactly, and its load, to first order in span over radius as the paper has
 /// it. Force = factor span^3 is monotone: a given force is turned into the span in closed form.
@@ -41,16 +41,16 @@ class RollingSphere {
   /// "speed" where a force is given and the tractions pull in sum, just below the Rayleigh speed.
   RollingSphere(SurfaceAnswer surface, double radius, const HalfSpaceLoad& load, int digits);
 
-  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
-  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
-  [[nodiscard]] Estimated force() const;                           ///< (brock2012 54)
+  [[nodiscard]] Estimate span(const Exact& degrees) const;        ///< L(psi), unit of length
+  [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
+  [[nodiscard]] Estimate force() const;                           ///< (brock2012 54)
   // BadInput "span" for a contact that is not small against the radius.
-  [[nodiscard]] Estimated peak_pressure() const;  ///< at the centre
+  [[nodiscard]] Estimate peak_pressure() const;  ///< at the centre
   /// At x on a line, 0 outside of the contact; the shear is that along the line. (brock2012 49, corrected)
-  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
-  [[nodiscard]] Estimated shear(const Exact& degrees, const Exact& x) const;
-  [[nodiscard]] Estimated creep(const Exact& degrees) const;  ///< V0 (brock2012 48)
-  [[nodiscard]] Estimated compressed_radius(
+  [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimate shear(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimate creep(const Exact& degrees) const;  ///< V0 (brock2012 48)
+  [[nodiscard]] Estimate compressed_radius(
       const Exact& degrees) const;  ///< r_C, unit of length (brock2012 50)
 
  private:

@@ -165,16 +165,16 @@ Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& direc
 }
 }  // namespace
 
-Estimated sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
-                           int digits) {
+Estimate sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                          int digits) {
   check_friction(friction);
   return with_digits(digits, [&](int working) {
     return closed(-SlidingLine(WorkingSurface(surface, working), friction, degrees).ahead, digits);
   });
 }
 
-Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
-                             int digits) {
+Estimate sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                            int digits) {
   check_friction(friction);
   return with_digits(digits, [&](int working) {
     const WorkingSurface lines(surface, working);
@@ -183,7 +183,7 @@ Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction
   });
 }
 
-Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits) {
+Estimate sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits) {
   check_friction(friction);
   return with_digits(digits, [&](int working) {
     const WorkingSurface lines(surface, working);
@@ -218,7 +218,7 @@ struct SlidingContact::Implementation {
   }
   /// A function of the factor.
   template <class Function>
-  [[nodiscard]] Estimated of_factor(const Function& function) const {
+  [[nodiscard]] Estimate of_factor(const Function& function) const {
     const WorkingDigits scope(working);
     if (!factor) {
       const CrowdedDirections directions =
@@ -229,7 +229,7 @@ struct SlidingContact::Implementation {
     return of_levels(function(factor->fine), function(factor->coarse), digits);
   }
   /// Centre of pressure in the direction whose component along the lines is given.
-  [[nodiscard]] Estimated centre(const std::function<Float(const Exact& degrees)>& component) const {
+  [[nodiscard]] Estimate centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
     const CrowdedDirections directions = directions_for(lines(), friction, peak_of_compliance(surface), body);
     const auto integral = [&](bool with_moment) {
@@ -242,19 +242,19 @@ struct SlidingContact::Implementation {
     // The levels are of integrals that may have been doubled differently often: their distances add.
     const Float apart =
         abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
-    Estimated result =
+    Estimate result =
         of_factor([&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
     const Float span = to_float(result_span().value), per_force = span / factor->fine;
     const Float error = to_float(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
                         tolerance(digits + 6) * abs(span);
     return {result.value, to_real(error), digits};
   }
-  [[nodiscard]] Estimated result_span() const {
+  [[nodiscard]] Estimate result_span() const {
     return of_span([](const Float& along) { return along; });
   }
   /// A function of the span along the motion.
   template <class Function>
-  [[nodiscard]] Estimated of_span(const Function& function) const {
+  [[nodiscard]] Estimate of_span(const Function& function) const {
     if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
       const WorkingDigits scope(working);
       const Float value = function(Float(given->along));
@@ -276,42 +276,42 @@ SlidingContact::SlidingContact(SurfaceAnswer surface, const Indenter& body, cons
   implementation_ = std::make_shared<const Implementation>(std::move(made));
 }
 
-Estimated SlidingContact::span_ratio(const Exact& degrees) const {
+Estimate SlidingContact::span_ratio(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
   return of_levels(ratio, ratio, implementation_->digits);
 }
 
-Estimated SlidingContact::span(const Exact& degrees) const {
+Estimate SlidingContact::span(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
   return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
 }
 
-Estimated SlidingContact::force() const {
+Estimate SlidingContact::force() const {
   return implementation_->of_factor(
       [&](const Float& factor) { return force_of(implementation_->load, factor); });
 }
 
-Estimated SlidingContact::friction_force() const {
+Estimate SlidingContact::friction_force() const {
   return implementation_->of_factor([&](const Float& factor) -> Float {
     return to_float(implementation_->friction) * force_of(implementation_->load, factor);
   });
 }
 
-Estimated SlidingContact::peak_pressure() const {
+Estimate SlidingContact::peak_pressure() const {
   return implementation_->of_span(
       [&](const Float& along) -> Float { return implementation_->steepness * along; });
 }
 
-Estimated SlidingContact::leading_end(const Exact& degrees) const {
+Estimate SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;
   const Float ratio = implementation_->ratio(degrees);
   return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
 }
 
-Estimated SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
+Estimate SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   const WorkingDigits scope(implementation_->working);
   const SlidingLine line(implementation_->lines(), implementation_->friction, degrees);
   const Float &lead = line.ahead, &trail = line.behind;
@@ -326,12 +326,12 @@ Estimated SlidingContact::pressure(const Exact& degrees, const Exact& x) const {
   return with_shifted_ends(*implementation_, at);
 }
 
-Estimated SlidingContact::centre_along() const {
+Estimate SlidingContact::centre_along() const {
   const WorkingDigits scope(implementation_->working);
   return implementation_->centre([](const Exact& degrees) { return cosine(degrees); });
 }
 
-Estimated SlidingContact::centre_across() const {
+Estimate SlidingContact::centre_across() const {
   const WorkingDigits scope(implementation_->working);
   return implementation_->centre([](const Exact& degrees) { return sine(degrees); });
 }

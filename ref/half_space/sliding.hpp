@@ -3,7 +3,7 @@
 
 #include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -16,17 +16,17 @@ namespace nipref::ref {
 
 /// Omega = -1/2 + atan(friction (cos(psi) S - sin(psi) S')/K)/pi: the pressure on a line ends like (x+ -
 /// x)^(1 + Omega) (x - x-)^(-Omega). (brock2012 26a, brock2013 29a)
-Estimated sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
-                           int digits);
+Estimate sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                          int digits);
 
 /// A(psi) L(psi)/(A(0) L(0)), A the body's curvature along the line: spans of the contact by the papers'
 /// rule, that peak pressures are equal. (brock2012 34a, brock2013 34)
-Estimated sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
-                             int digits);
+Estimate sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
+                            int digits);
 
 /// F3/(C L^3) of a body of equal curvatures C, L its span along the motion; unit of stress: minus the
 /// integral of sigma33 |x| over the lines of half a turn. (brock2012 36, brock2013 36 with Q^3)
-Estimated sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
+Estimate sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
 
 /// How the spans of the lines go together: such that peak pressures are equal, or as the body's own contours, like the
 /// root of its radius of curvature. (brock2012 33, 30)
@@ -40,18 +40,18 @@ class SlidingContact {
   SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
                  const HalfSpaceLoad& load, int digits, SpanRule rule = SpanRule::stationary_force);
 
-  [[nodiscard]] Estimated span(const Exact& degrees) const;        ///< L(psi), unit of length
-  [[nodiscard]] Estimated span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
-  [[nodiscard]] Estimated force() const;
-  [[nodiscard]] Estimated friction_force() const;
-  [[nodiscard]] Estimated peak_pressure() const;  ///< on the line along the motion, unit of stress
-  [[nodiscard]] Estimated leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
+  [[nodiscard]] Estimate span(const Exact& degrees) const;        ///< L(psi), unit of length
+  [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
+  [[nodiscard]] Estimate force() const;
+  [[nodiscard]] Estimate friction_force() const;
+  [[nodiscard]] Estimate peak_pressure() const;  ///< on the line along the motion, unit of stress
+  [[nodiscard]] Estimate leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
   /// At x on a line; 0 outside of the contact. The error is that of the ends too.
-  [[nodiscard]] Estimated pressure(const Exact& degrees, const Exact& x) const;
+  [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
   /// First moment of the pressure over the force from the point of first touch, along the motion, and across it, 90
   /// degrees on; the error is relative to the span.
-  [[nodiscard]] Estimated centre_along() const;
-  [[nodiscard]] Estimated centre_across() const;
+  [[nodiscard]] Estimate centre_along() const;
+  [[nodiscard]] Estimate centre_across() const;
 
  private:
   struct Implementation;

@@ -67,8 +67,8 @@ void check_extent(const Exact& rate, const char* name, const Exact& t, const Exa
 /// 0 for what is below e^{-7e8} times a length, which Exact's exponents keep below e^{1e8}.
 Enclosure faded_away(int digits) {
   Enclosure result = exact_zero(digits);
-  mpfr_set_si(result.error_bound.get(), -600'000'000, MPFR_RNDU);
-  mpfr_exp(result.error_bound.get(), result.error_bound.get(), MPFR_RNDU);
+  mpfr_set_si(result.error.get(), -600'000'000, MPFR_RNDU);
+  mpfr_exp(result.error.get(), result.error.get(), MPFR_RNDU);
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace nipref::ref {
 /// inverse; each of the three times t and times |T| at most 1e15. All given exactly; digits 16 to 1000. The
 /// promise is Enclosure's, the bound proven: quadrature over panels in interval arithmetic, see
 /// panel_quadrature.hpp. Only what has faded by more than e^{-7e8}, too little for MPFR, comes as 0 with an
-/// error_bound of e^{-6e8}. Arguments outside their domain throw data::BadInput. (thesis 6.20, AII)
+/// error of e^{-6e8}. Arguments outside their domain throw data::BadInput. (thesis 6.20, AII)
 
 /// int_0^t H(T - tau) e^{-lambda (t - tau)} e^{-a (T - tau)} sin b(T - tau) dtau
 Enclosure J1(const Exact& lambda, const Exact& a, const Exact& b, const Exact& t, const Exact& T, int digits);

@@ -11,9 +11,9 @@ struct Judged {
   Float value, error;
 
   Judged(Float the_value, Float the_error) : value(std::move(the_value)), error(std::move(the_error)) {}
-  explicit Judged(const Estimated& x) : value(to_float(x.value)), error(to_float(x.error)) {}
+  explicit Judged(const Estimate& x) : value(to_float(x.value)), error(to_float(x.error)) {}
   /// With what half a unit in the last place makes of it.
-  [[nodiscard]] Estimated estimated(int digits) const {
+  [[nodiscard]] Estimate estimated(int digits) const {
     const Float rounding = ldexp(abs(value), 2 - mpfr_get_prec(value.get()));
     return {to_real(value), to_real(error + rounding), digits};
   }
@@ -40,18 +40,18 @@ Judged radius_of(const InnerStresses& s) {
 
 }  // namespace
 
-Estimated InnerStresses::maximum_shear() const {
+Estimate InnerStresses::maximum_shear() const {
   const WorkingDigits working(digits_beyond(*this));
   return radius_of(*this).estimated(across.digits);
 }
 
-Estimated InnerStresses::highest() const {
+Estimate InnerStresses::highest() const {
   const WorkingDigits working(digits_beyond(*this));
   const Judged mean = mean_of(*this), radius = radius_of(*this);
   return Judged(mean.value + radius.value, mean.error + radius.error).estimated(across.digits);
 }
 
-Estimated InnerStresses::lowest() const {
+Estimate InnerStresses::lowest() const {
   const WorkingDigits working(digits_beyond(*this));
   const Judged mean = mean_of(*this), radius = radius_of(*this);
   return Judged(mean.value - radius.value, mean.error + radius.error).estimated(across.digits);

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -12,20 +12,20 @@ struct InnerPoint {
 /// Stresses in plane strain there, tension positive, unit of stress. They follow from the tractions on the faces alone
 /// and do not depend on the material.
 struct InnerStresses {
-  Estimated across;  ///< sigma_x
-  Estimated along;   ///< sigma_y
-  Estimated shear;   ///< tau_xy
+  Estimate across;  ///< sigma_x
+  Estimate along;   ///< sigma_y
+  Estimate shear;   ///< tau_xy
 
   /// Principal stresses in the plane of rolling, the higher and the lower, and half their difference.
-  [[nodiscard]] Estimated highest() const;
-  [[nodiscard]] Estimated lowest() const;
-  [[nodiscard]] Estimated maximum_shear() const;
+  [[nodiscard]] Estimate highest() const;
+  [[nodiscard]] Estimate lowest() const;
+  [[nodiscard]] Estimate maximum_shear() const;
 };
 
 /// The largest maximum_shear in the sheet and where it is; of places that are equal by symmetry one at y, depth >= 0.
 struct GreatestShear {
-  Estimated value;
-  Estimated y, depth;
+  Estimate value;
+  Estimate y, depth;
 };
 
 }  // namespace nipref::ref

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/enclosure.hpp>
-#include <nipref/ref/number/internal/decimal_text.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -24,34 +25,34 @@ double log2_magnitude(mpfr_srcptr x) {
 
 /// ln of how much the bound exceeds 10^-(digits+2) min(1, |value|); infinite where 0 is not excluded.
 double shortfall(const Enclosure& result) {
-  if (mpfr_zero_p(result.error_bound.get())) return -1;
-  if (mpfr_cmpabs(result.value.get(), result.error_bound.get()) <= 0) return HUGE_VAL;
+  if (mpfr_zero_p(result.error.get())) return -1;
+  if (mpfr_cmpabs(result.value.get(), result.error.get()) <= 0) return HUGE_VAL;
   const double size = std::min(0.0, log2_magnitude(result.value.get()));
-  return (log2_magnitude(result.error_bound.get()) - size) * std::numbers::ln2 +
+  return (log2_magnitude(result.error.get()) - size) * std::numbers::ln2 +
          (result.digits + 2) * std::numbers::ln10;
 }
 
 }  // namespace
 
-std::string Enclosure::value_text() const { return decimal_text(value, digits); }
-std::string Enclosure::bound_text() const { return error_text(value, error_bound, digits); }
-double Enclosure::to_double() const { return mpfr_get_d(value.get(), MPFR_RNDN); }
-double Enclosure::error_of(double x) const { return ref::error_of(x, value); }
+Enclosure::Enclosure(Real the_value, Real bound, int the_digits)
+    : Estimate(std::move(the_value), std::move(bound), the_digits) {
+  proven = true;
+}
 
 Interval interval_of(const Enclosure& enclosure) {
   constexpr mpfr_prec_t spare_bits = 64;
   const mpfr_prec_t precision = enclosure.value.precision() + spare_bits;
   const Interval middle(enclosure.value, enclosure.value, precision);
-  return middle.widened(Interval(enclosure.error_bound, enclosure.error_bound, precision));
+  return middle.widened(Interval(enclosure.error, enclosure.error, precision));
 }
 
 Enclosure enclosure_of(const Interval& interval, int digits) {
   Enclosure result{Real(interval.precision()), Real(bound_precision), digits};
   mpfi_mid(result.value.get(), interval.get());
   Real above(bound_precision);
-  mpfr_sub(result.error_bound.get(), result.value.get(), interval.lower(), MPFR_RNDU);
+  mpfr_sub(result.error.get(), result.value.get(), interval.lower(), MPFR_RNDU);
   mpfr_sub(above.get(), interval.upper(), result.value.get(), MPFR_RNDU);
-  mpfr_max(result.error_bound.get(), result.error_bound.get(), above.get(), MPFR_RNDU);
+  mpfr_max(result.error.get(), result.error.get(), above.get(), MPFR_RNDU);
   return result;
 }
 

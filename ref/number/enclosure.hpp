@@ -1,28 +1,15 @@
 #pragma once
 #include <functional>
-#include <string>
 
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/interval.hpp>
-#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 
-/// A value with a proven bound: |value - truth| <= error_bound, and error_bound <= 10^-digits min(1,
-/// |truth|). A truth that is exactly 0 comes as value 0 with error_bound 0.
-struct Enclosure {
-  Real value;
-  Real error_bound;
-  int digits;
-
-  /// Decimal text of the value, three significant digits more than were asked for (and as many more as the
-  /// value has before the point).
-  [[nodiscard]] std::string value_text() const;
-  /// Bound on |value_text() - truth|, two significant digits, rounded up: "1.2e-53".
-  [[nodiscard]] std::string bound_text() const;
-  /// Nearest double.
-  [[nodiscard]] double to_double() const;
-  /// x - value, formed exactly and rounded once: the error of an approximation x.
-  [[nodiscard]] double error_of(double x) const;
+/// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). A truth
+/// that is exactly 0 comes as value 0 with error 0. Only what proves a bound makes one.
+struct Enclosure : Estimate {
+  Enclosure(Real the_value, Real bound, int the_digits);
 };
 
 /// BadInput naming "digits" unless 16 <= digits <= 1000.

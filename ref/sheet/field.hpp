@@ -10,7 +10,7 @@ namespace nipref::ref {
 /// presses, a shear load acts along +y on both faces.
 ///
 /// alpha = y, |alpha| <= 1000; depth = x, -1 <= depth <= 1, 0 is the middle plane; alpha != 0 at depth +-1, where the load
-/// is. digits 16 to 1000 (hundreds take seconds for |alpha| < 1). Every function promises an Enclosure: error_bound
+/// is. digits 16 to 1000 (hundreds take seconds for |alpha| < 1). Every function promises an Enclosure: error
 /// <= 10^-digits min(1, |truth|), proven (internal/field_integral.hpp). Arguments outside their domain throw
 /// data::BadInput.
 ///

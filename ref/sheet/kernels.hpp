@@ -7,7 +7,7 @@ namespace nipref::ref {
 /// Fourier kernels of the elastic sheet (half thickness b, lengths in units of b) to any accuracy.
 ///
 /// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 1000; digits 16 to
-/// 1000. Every function promises an Enclosure: error_bound <= 10^-digits min(1, |truth|), near zeros of the
+/// 1000. Every function promises an Enclosure: error <= 10^-digits min(1, |truth|), near zeros of the
 /// kernel too. The bound is proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its
 /// rounding, residues.hpp for the series at large arguments; closed forms and the series are in interval
 /// arithmetic. Arguments and digits outside their domain throw data::BadInput.

@@ -7,6 +7,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_contact.hpp>
 
@@ -92,7 +93,7 @@ FieldSource field_source(const RollingPressure& contact) {
   return {contact.offset(), contact.half_length(), tractions};
 }
 
-Estimated estimated_of(const Float& unit, const data::WithError<Float>& estimate, int digits) {
+Estimate estimated_of(const Float& unit, const data::WithError<Float>& estimate, int digits) {
   return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
 }
 
@@ -104,15 +105,15 @@ struct ConvergedViscoelasticNip::Implementation {
   mutable std::map<const RollingPressure*, Float> at_middle = {};
 
   [[nodiscard]] const Float& size() const { return contact.fine().half_length(); }
-  [[nodiscard]] Estimated estimated(const Float& unit, const RollingContact::Functional& functional,
-                                    const std::function<Float(const RollingPressure&)>& scale) const {
+  [[nodiscard]] Estimate estimated(const Float& unit, const RollingContact::Functional& functional,
+                                   const std::function<Float(const RollingPressure&)>& scale) const {
     const WorkingDigits working(contact.working_digits());
     return estimated_of(unit, contact.estimate(functional, scale(contact.fine())), contact.digits());
   }
-  [[nodiscard]] Estimated length(const RollingContact::Functional& functional) const {
+  [[nodiscard]] Estimate length(const RollingContact::Functional& functional) const {
     return estimated(units.length, functional, std::mem_fn(&RollingPressure::half_length));
   }
-  [[nodiscard]] Estimated displacement(const RollingContact::Functional& functional) const {
+  [[nodiscard]] Estimate displacement(const RollingContact::Functional& functional) const {
     return estimated(units.displacement, functional, [](const RollingPressure& contact_here) {
       return contact_here.half_length() * contact_here.half_length();
     });
@@ -164,60 +165,60 @@ ConvergedViscoelasticNip::ConvergedViscoelasticNip(std::unique_ptr<Implementatio
 ConvergedViscoelasticNip::ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept = default;
 ConvergedViscoelasticNip::~ConvergedViscoelasticNip() = default;
 
-Estimated ConvergedViscoelasticNip::contact_length() const {
+Estimate ConvergedViscoelasticNip::contact_length() const {
   return implementation_->length([](const RollingPressure& of) { return 2 * of.half_length(); });
 }
 
-Estimated ConvergedViscoelasticNip::leading_length() const {
+Estimate ConvergedViscoelasticNip::leading_length() const {
   return implementation_->length([](const RollingPressure& of) { return of.half_length() + of.offset(); });
 }
 
-Estimated ConvergedViscoelasticNip::trailing_length() const {
+Estimate ConvergedViscoelasticNip::trailing_length() const {
   return implementation_->length([](const RollingPressure& of) { return of.half_length() - of.offset(); });
 }
 
-Estimated ConvergedViscoelasticNip::load() const {
+Estimate ConvergedViscoelasticNip::load() const {
   const WorkingDigits working(implementation_->contact.working_digits());
   const RollingUnits& units = implementation_->units;
   return implementation_->estimated(units.pressure * units.length, std::mem_fn(&RollingPressure::load),
                                     std::mem_fn(&RollingPressure::load));
 }
 
-Estimated ConvergedViscoelasticNip::indentation() const {
+Estimate ConvergedViscoelasticNip::indentation() const {
   return implementation_->displacement([](const RollingPressure& of) {
     const Float leading = of.half_length() + of.offset();
     return of.edge_displacement() + leading * leading;
   });
 }
 
-Estimated ConvergedViscoelasticNip::leading_displacement() const {
+Estimate ConvergedViscoelasticNip::leading_displacement() const {
   return implementation_->displacement(std::mem_fn(&RollingPressure::edge_displacement));
 }
 
-Estimated ConvergedViscoelasticNip::trailing_displacement() const {
+Estimate ConvergedViscoelasticNip::trailing_displacement() const {
   return implementation_->displacement(
       [](const RollingPressure& of) { return of.edge_displacement() + 4 * of.offset() * of.half_length(); });
 }
 
-Estimated ConvergedViscoelasticNip::rolling_resistance() const {
+Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   return implementation_->estimated(
       implementation_->units.lever,
       [](const RollingPressure& of) { return of.offset() + of.moment() / of.load(); },
       std::mem_fn(&RollingPressure::half_length));
 }
 
-Estimated ConvergedViscoelasticNip::peak_pressure() const {
+Estimate ConvergedViscoelasticNip::peak_pressure() const {
   return implementation_->estimated(implementation_->units.pressure,
                                     std::mem_fn(&RollingPressure::peak_pressure),
                                     std::mem_fn(&RollingPressure::peak_pressure));
 }
 
-Estimated ConvergedViscoelasticNip::peak_pressure_position() const {
+Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
   return implementation_->length(
       [](const RollingPressure& of) { return of.half_length() + of.offset() - of.place_of_peak(); });
 }
 
-Estimated ConvergedViscoelasticNip::pressure(double y) const {
+Estimate ConvergedViscoelasticNip::pressure(double y) const {
   if (!std::isfinite(y)) throw BadInput("y", y, "must be finite");
   const WorkingDigits working(implementation_->contact.working_digits());
   const auto& [units, contact, at_middle] = *implementation_;
@@ -229,7 +230,7 @@ Estimated ConvergedViscoelasticNip::pressure(double y) const {
   return estimated_of(units.pressure, result, contact.digits());
 }
 
-Estimated ConvergedViscoelasticNip::creep_ratio() const {
+Estimate ConvergedViscoelasticNip::creep_ratio() const {
   const WorkingDigits working(implementation_->contact.working_digits());
   RollingKernel& kernel = implementation_->contact.tangential_kernel();
   return implementation_->estimated(
@@ -241,7 +242,7 @@ Estimated ConvergedViscoelasticNip::creep_ratio() const {
       std::mem_fn(&RollingPressure::half_length));
 }
 
-Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
+Estimate ConvergedViscoelasticNip::tangential_displacement(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   implementation_->check_place(y);
   if (y == 0) return exact_zero(implementation_->contact.digits());
@@ -257,7 +258,7 @@ Estimated ConvergedViscoelasticNip::tangential_displacement(double y) const {
       [&](const RollingPressure&) { return size * std::min(size, way); });
 }
 
-Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
+Estimate ConvergedViscoelasticNip::surface_strain(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   implementation_->check_place(y);
   const auto& [units, contact, at_middle] = *implementation_;
@@ -274,7 +275,7 @@ Estimated ConvergedViscoelasticNip::surface_strain(double y) const {
   return estimated_of(units.lever / 2, result, contact.digits());
 }
 
-Estimated ConvergedViscoelasticNip::normal_displacement(double y) const {
+Estimate ConvergedViscoelasticNip::normal_displacement(double y) const {
   const WorkingDigits working(implementation_->contact.working_digits());
   implementation_->check_place(y);
   return implementation_->displacement([&](const RollingPressure& of) {

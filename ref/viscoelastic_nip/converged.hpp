@@ -5,7 +5,7 @@
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/ref/nip/inner_stresses.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -31,26 +31,26 @@ class ConvergedViscoelasticNip {
   ConvergedViscoelasticNip(ConvergedViscoelasticNip&&) noexcept;
   ~ConvergedViscoelasticNip();
 
-  [[nodiscard]] Estimated contact_length() const;          ///< L = L1 + L2, unit of length
-  [[nodiscard]] Estimated leading_length() const;          ///< L1, on the entry side, unit of length
-  [[nodiscard]] Estimated trailing_length() const;         ///< L2, on the exit side; may be negative
-  [[nodiscard]] Estimated load() const;                    ///< W, force per unit width
-  [[nodiscard]] Estimated indentation() const;             ///< d0, unit of length
-  [[nodiscard]] Estimated leading_displacement() const;    ///< d1 = d0 - L1^2/(2R), unit of length
-  [[nodiscard]] Estimated trailing_displacement() const;   ///< d2 = d0 - L2^2/(2R), unit of length
-  [[nodiscard]] Estimated rolling_resistance() const;      ///< int p Y dY/(W R), dimensionless
-  [[nodiscard]] Estimated peak_pressure() const;           ///< unit of stress
-  [[nodiscard]] Estimated peak_pressure_position() const;  ///< Y of its place, unit of length
-  [[nodiscard]] Estimated pressure(double y) const;        ///< unit of stress; 0 outside the contact
+  [[nodiscard]] Estimate contact_length() const;          ///< L = L1 + L2, unit of length
+  [[nodiscard]] Estimate leading_length() const;          ///< L1, on the entry side, unit of length
+  [[nodiscard]] Estimate trailing_length() const;         ///< L2, on the exit side; may be negative
+  [[nodiscard]] Estimate load() const;                    ///< W, force per unit width
+  [[nodiscard]] Estimate indentation() const;             ///< d0, unit of length
+  [[nodiscard]] Estimate leading_displacement() const;    ///< d1 = d0 - L1^2/(2R), unit of length
+  [[nodiscard]] Estimate trailing_displacement() const;   ///< d2 = d0 - L2^2/(2R), unit of length
+  [[nodiscard]] Estimate rolling_resistance() const;      ///< int p Y dY/(W R), dimensionless
+  [[nodiscard]] Estimate peak_pressure() const;           ///< unit of stress
+  [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y of its place, unit of length
+  [[nodiscard]] Estimate pressure(double y) const;        ///< unit of stress; 0 outside the contact
   /// (v(L1) - v(-L2))/L: mean stretch of the surface in the contact, dimensionless. (thesis 7.17)
-  [[nodiscard]] Estimated creep_ratio() const;
-  [[nodiscard]] Estimated normal_displacement(double y) const;      ///< u, towards the middle plane
-  [[nodiscard]] Estimated tangential_displacement(double y) const;  ///< v, relative to Y = 0
+  [[nodiscard]] Estimate creep_ratio() const;
+  [[nodiscard]] Estimate normal_displacement(double y) const;      ///< u, towards the middle plane
+  [[nodiscard]] Estimate tangential_displacement(double y) const;  ///< v, relative to Y = 0
   /// Inside the sheet, see InnerStresses; Y within 450 sheet thicknesses, the contact at most 10 long.
   [[nodiscard]] std::vector<InnerStresses> inner_stresses(std::span<const InnerPoint> points) const;
   [[nodiscard]] GreatestShear greatest_shear() const;
   /// v', dimensionless.
-  [[nodiscard]] Estimated surface_strain(double y) const;
+  [[nodiscard]] Estimate surface_strain(double y) const;
   [[nodiscard]] int unknowns() const;                   ///< of the finer discretisation
   [[nodiscard]] long normal_kernel_values() const;      ///< of I1, taken so far
   [[nodiscard]] long tangential_kernel_values() const;  ///< of I3

@@ -29,7 +29,7 @@ struct ViscoelasticLineLoads::Implementation {
 
   using Function = std::function<Interval(const LoadsOnLength&)>;
 
-  [[nodiscard]] Estimated of(const Function& function) const {
+  [[nodiscard]] Estimate of(const Function& function) const {
     const WorkingDigits scope(problem.digits + guard_digits);
     const Interval interval = function(last);
     const Float value = middle_of(interval);
@@ -162,46 +162,46 @@ ViscoelasticLineLoads ViscoelasticLineLoads::for_load(const data::ViscoelasticNi
       problem, std::move(found.last), std::move(found.before), found.missing, systems + found.systems}));
 }
 
-Estimated ViscoelasticLineLoads::contact_length() const {
+Estimate ViscoelasticLineLoads::contact_length() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.loads()); });
 }
 
-Estimated ViscoelasticLineLoads::leading_length() const {
+Estimate ViscoelasticLineLoads::leading_length() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.leading); });
 }
 
-Estimated ViscoelasticLineLoads::trailing_length() const {
+Estimate ViscoelasticLineLoads::trailing_length() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) { return all.length(contact, all.problem.trailing); });
 }
 
-Estimated ViscoelasticLineLoads::indentation() const {
+Estimate ViscoelasticLineLoads::indentation() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) { return all.indentation(contact); });
 }
 
-Estimated ViscoelasticLineLoads::leading_displacement() const {
+Estimate ViscoelasticLineLoads::leading_displacement() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.indentation(contact) - all.parabola(all.length(contact, all.problem.leading));
   });
 }
 
-Estimated ViscoelasticLineLoads::trailing_displacement() const {
+Estimate ViscoelasticLineLoads::trailing_displacement() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.indentation(contact) - all.parabola(all.length(contact, all.problem.trailing));
   });
 }
 
-Estimated ViscoelasticLineLoads::load() const {
+Estimate ViscoelasticLineLoads::load() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) { return load_of(all.problem, contact); });
 }
 
-Estimated ViscoelasticLineLoads::peak_pressure() const {
+Estimate ViscoelasticLineLoads::peak_pressure() const {
   const auto& all = *implementation_;
   // The same load for both lengths.
   const std::size_t index = all.largest_load();
@@ -210,7 +210,7 @@ Estimated ViscoelasticLineLoads::peak_pressure() const {
   });
 }
 
-Estimated ViscoelasticLineLoads::peak_pressure_position() const {
+Estimate ViscoelasticLineLoads::peak_pressure_position() const {
   const auto& all = *implementation_;
   const auto twice_before = 2 * static_cast<long>(all.largest_load()) + 1;
   return all.of([&](const LoadsOnLength& contact) {
@@ -218,7 +218,7 @@ Estimated ViscoelasticLineLoads::peak_pressure_position() const {
   });
 }
 
-Estimated ViscoelasticLineLoads::rolling_resistance() const {
+Estimate ViscoelasticLineLoads::rolling_resistance() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.moment(contact, [](const mpq_class&) { return true; }) /
@@ -226,21 +226,21 @@ Estimated ViscoelasticLineLoads::rolling_resistance() const {
   });
 }
 
-Estimated ViscoelasticLineLoads::leading_moment() const {
+Estimate ViscoelasticLineLoads::leading_moment() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.moment(contact, [](const mpq_class& position) { return position > 0; });
   });
 }
 
-Estimated ViscoelasticLineLoads::trailing_moment() const {
+Estimate ViscoelasticLineLoads::trailing_moment() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.moment(contact, [](const mpq_class& position) { return position < 0; });
   });
 }
 
-Estimated ViscoelasticLineLoads::creep_ratio() const {
+Estimate ViscoelasticLineLoads::creep_ratio() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     const mpq_class leading = to_exact(contact.leading_length).value();
@@ -250,7 +250,7 @@ Estimated ViscoelasticLineLoads::creep_ratio() const {
   });
 }
 
-Estimated ViscoelasticLineLoads::pressure(double y) const {
+Estimate ViscoelasticLineLoads::pressure(double y) const {
   const auto& all = *implementation_;
   const double leading = static_cast<double>(all.last.leading_length);
   const double width = leading / all.problem.leading, border = 0x1p-50 * leading;
@@ -264,7 +264,7 @@ Estimated ViscoelasticLineLoads::pressure(double y) const {
   });
 }
 
-Estimated ViscoelasticLineLoads::normal_displacement(double y) const {
+Estimate ViscoelasticLineLoads::normal_displacement(double y) const {
   const auto& all = *implementation_;
   all.check_place(y);
   return all.of([&](const LoadsOnLength& contact) {
@@ -274,7 +274,7 @@ Estimated ViscoelasticLineLoads::normal_displacement(double y) const {
   });
 }
 
-Estimated ViscoelasticLineLoads::tangential_displacement(double y) const {
+Estimate ViscoelasticLineLoads::tangential_displacement(double y) const {
   const auto& all = *implementation_;
   all.check_place(y);
   return all.of([&](const LoadsOnLength& contact) {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::ref {
 
@@ -32,25 +32,25 @@ class ViscoelasticLineLoads {
   static ViscoelasticLineLoads for_load(const data::ViscoelasticNip& nip,
                                         const ViscoelasticLineLoadMethod& method, double load, int digits);
 
-  [[nodiscard]] Estimated contact_length() const;
-  [[nodiscard]] Estimated leading_length() const;
-  [[nodiscard]] Estimated trailing_length() const;
-  [[nodiscard]] Estimated indentation() const;
-  [[nodiscard]] Estimated leading_displacement() const;
-  [[nodiscard]] Estimated trailing_displacement() const;
-  [[nodiscard]] Estimated load() const;
-  [[nodiscard]] Estimated peak_pressure() const;
-  [[nodiscard]] Estimated peak_pressure_position() const;  ///< Y of the centre of its element
-  [[nodiscard]] Estimated rolling_resistance() const;
+  [[nodiscard]] Estimate contact_length() const;
+  [[nodiscard]] Estimate leading_length() const;
+  [[nodiscard]] Estimate trailing_length() const;
+  [[nodiscard]] Estimate indentation() const;
+  [[nodiscard]] Estimate leading_displacement() const;
+  [[nodiscard]] Estimate trailing_displacement() const;
+  [[nodiscard]] Estimate load() const;
+  [[nodiscard]] Estimate peak_pressure() const;
+  [[nodiscard]] Estimate peak_pressure_position() const;  ///< Y of the centre of its element
+  [[nodiscard]] Estimate rolling_resistance() const;
   /// Of the loads ahead of the line through the rollers' centres about it, and of those behind. (thesis 7.13)
-  [[nodiscard]] Estimated leading_moment() const;
-  [[nodiscard]] Estimated trailing_moment() const;
-  [[nodiscard]] Estimated creep_ratio() const;  ///< (thesis 7.16, 7.17)
+  [[nodiscard]] Estimate leading_moment() const;
+  [[nodiscard]] Estimate trailing_moment() const;
+  [[nodiscard]] Estimate creep_ratio() const;  ///< (thesis 7.16, 7.17)
 
   // At Y, from the line through the rollers' centres, positive ahead; BadInput "y" as in fast's.
-  [[nodiscard]] Estimated pressure(double y) const;  ///< of the element; a border is the trailing one's
-  [[nodiscard]] Estimated normal_displacement(double y) const;
-  [[nodiscard]] Estimated tangential_displacement(double y) const;
+  [[nodiscard]] Estimate pressure(double y) const;  ///< of the element; a border is the trailing one's
+  [[nodiscard]] Estimate normal_displacement(double y) const;
+  [[nodiscard]] Estimate tangential_displacement(double y) const;
 
   [[nodiscard]] int systems() const;  ///< that were solved
   [[nodiscard]] int elements() const;

@@ -11,7 +11,7 @@ int main() {
 
   // How wrong is my kernel at 0.73? The reference gives the value with a proven bound.
   const ref::Enclosure truth = ref::I1(ref::Exact::parse("0.73"), 30);
-  std::printf("I1(0.73) = %s +- %s\n", truth.value_text().c_str(), truth.bound_text().c_str());
+  std::printf("I1(0.73) = %s +- %s\n", truth.value_text().c_str(), truth.error_text().c_str());
 
   // The same in double, at full accuracy and at six digits, one value or many.
   std::vector<double> alpha{1e-6, 0.73, 20.0};

@@ -1,18 +1,18 @@
 #pragma once
 #include <cmath>
 
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 /// |a - b|; what is proven may stand here too.
-inline double difference(const nipref::ref::Estimated& a, const nipref::ref::Estimated& b) {
+inline double difference(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b) {
   nipref::ref::Real result(400);
   mpfr_sub(result.get(), a.value.get(), b.value.get(), MPFR_RNDN);
   return std::fabs(mpfr_get_d(result.get(), MPFR_RNDN));
 }
 
 /// The error it comes with, proven or not.
-inline double error(const nipref::ref::Estimated& x) { return mpfr_get_d(x.error.get(), MPFR_RNDU); }
+inline double error(const nipref::ref::Estimate& x) { return mpfr_get_d(x.error.get(), MPFR_RNDU); }
 
-inline double relative_error(const nipref::ref::Estimated& truth, double value) {
+inline double relative_error(const nipref::ref::Estimate& truth, double value) {
   return std::fabs(truth.error_of(value) / value);
 }

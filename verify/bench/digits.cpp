@@ -25,7 +25,7 @@ struct DigitsMethod {
   std::function<std::string(const std::string&)> evaluate;  ///< decimal text for a decimal argument
 };
 
-Reference ref_at(const Quantity& quantity, const std::string& alpha, int digits) {
+ref::Estimate ref_at(const Quantity& quantity, const std::string& alpha, int digits) {
   const std::array arguments{ref::Exact::parse(alpha, "alpha")};
   return quantity.by_ref(arguments, digits);
 }
@@ -59,7 +59,7 @@ Contender contender_of(const DigitsMethod& method) {
 void compare(const Quantity& quantity, const DigitsMethod& method, int digits, BenchRow& row) {
   double ulps = 0, relative = 0;
   for (const std::string& alpha : alphas) {
-    const Reference truth = ref_at(quantity, alpha, digits + extra_digits);
+    const ref::Estimate truth = ref_at(quantity, alpha, digits + extra_digits);
     const double value = std::fabs(truth.to_double());
     const std::array point{ref::Exact::parse(alpha, "alpha").approximate()};
     const double error = decimal_distance(method.evaluate(alpha), truth.value_text());

@@ -169,7 +169,7 @@ std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& column
 /// What is right at one of a set's points.
 struct Truth {
   std::size_t number;
-  Reference value;
+  ref::Estimate value;
   double envelope;
 };
 

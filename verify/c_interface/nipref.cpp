@@ -6,6 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/number/c_call.hpp>
 #include <nipref/nipref.h>
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/met.hpp>
@@ -158,7 +159,7 @@ int nipref_ref(const nipref_quantity* quantity, const char* const* arguments, in
     refuse_null("proven", proven);
     ref::check_digits(digits);
     const verify::ParsedArguments exact = verify::parse_arguments(wanted, assignments_of(wanted, arguments));
-    const verify::Reference found = wanted.by_ref(exact.exact, digits);
+    const ref::Estimate found = wanted.by_ref(exact.exact, digits);
     const std::string value_text = found.value_text(), error_text = found.error_text();
     check_room("value_size", value_text, value_size);
     check_room("error_size", error_text, error_size);

@@ -12,7 +12,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr mpfr_prec_t quotient_precision = 64;
 
 /// |x - value| + error, rounded up.
-ref::Real distance(double x, const ref::Estimated& truth) {
+ref::Real distance(double x, const ref::Estimate& truth) {
   ref::Real difference(quotient_precision);
   mpfr_d_sub(difference.get(), x, truth.value.get(), MPFR_RNDA);
   mpfr_abs(difference.get(), difference.get(), MPFR_RNDU);
@@ -36,7 +36,7 @@ double quotient(const ref::Real& distance, double unit) {
 
 }  // namespace
 
-Deviation deviation(double approximation, const ref::Estimated& truth, double envelope) {
+Deviation deviation(double approximation, const ref::Estimate& truth, double envelope) {
   const double scale = std::max(std::fabs(truth.to_double()), envelope);
   if (!std::isfinite(approximation)) return {infinity, infinity, infinity, scale};
   const ref::Real error = distance(approximation, truth);

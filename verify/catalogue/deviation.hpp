@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::verify {
 
@@ -15,6 +15,6 @@ struct Deviation {
 /// Deviation of the double `approximation` from `truth`, where `envelope` >= 0 is the size that the quantity
 /// would have away from its zeros (0: none). The difference is formed in MPFR, so that nothing is lost to
 /// cancellation or underflow.
-Deviation deviation(double approximation, const ref::Estimated& truth, double envelope);
+Deviation deviation(double approximation, const ref::Estimate& truth, double envelope);
 
 }  // namespace nipref::verify

@@ -47,7 +47,7 @@ double fast_value(const Quantity& quantity, std::span<const double> point, fast:
   }
 }
 
-Reference ref_value(const Quantity& quantity, std::span<const double> point, int digits) {
+ref::Estimate ref_value(const Quantity& quantity, std::span<const double> point, int digits) {
   if (quantity.by_ref_of_doubles) return quantity.by_ref_of_doubles(point, digits);
   std::vector<ref::Exact> exact;
   exact.reserve(point.size());

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <nipref/fast/number/accuracy.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/verify/support/random.hpp>
 
@@ -74,14 +74,6 @@ struct SeedForm {
   std::function<double(std::span<const double> arguments)> value;
 };
 
-/// What the reference says of a quantity; `proven` tells whether its error is a proven bound.
-struct Reference : ref::Estimated {
-  bool proven;
-
-  Reference(const ref::Enclosure& enclosure) : Estimated(enclosure), proven(true) {}
-  Reference(ref::Estimated estimated) : Estimated(std::move(estimated)), proven(false) {}
-};
-
 /// An entry of the catalogue: everything that the verbs need to know about one quantity.
 struct Quantity {
   std::string name;
@@ -92,10 +84,10 @@ struct Quantity {
   std::vector<Argument> arguments;
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
-  std::function<Reference(std::span<const ref::Exact> arguments, int digits)> by_ref;
+  std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;
   /// The reference at what fast makes of doubles, where the way into fast rounds (cosines of angles in
   /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
-  std::function<Reference(std::span<const double> arguments, int digits)> by_ref_of_doubles;
+  std::function<ref::Estimate(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
   /// What fast itself says of that value's error, which must cover it as the promise must; unit of the quantity.
   /// Empty: the promise is all that it says.
@@ -142,6 +134,6 @@ double fast_value(const Quantity& quantity, std::span<const double> point, fast:
 inline constexpr int digits_beyond_double = 21;
 
 /// ref's value at exactly these doubles, as fast takes them.
-Reference ref_value(const Quantity& quantity, std::span<const double> point, int digits);
+ref::Estimate ref_value(const Quantity& quantity, std::span<const double> point, int digits);
 
 }  // namespace nipref::verify

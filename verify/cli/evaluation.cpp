@@ -67,7 +67,7 @@ int digits_for(const Quantity& quantity, const CommandLine& line) {
 }
 
 EvalAnswer answer_of_ref(const EvalRequest& request, const ParsedArguments& arguments) {
-  std::optional<Reference> found;
+  std::optional<ref::Estimate> found;
   const double seconds =
       seconds_of([&] { found = request.quantity->by_ref(arguments.exact, request.digits); });
   return {"ref",

@@ -24,7 +24,7 @@ constexpr double widest = 1e-3;
 /// Rows that are compared with the reference, however long that takes.
 constexpr std::size_t fewest = 6;
 
-bool is_useless(const ref::Estimated& golden, const ref::Estimated& now, double scale) {
+bool is_useless(const ref::Estimate& golden, const ref::Estimate& now, double scale) {
   ref::Real sum(64), most(64);
   mpfr_add(sum.get(), golden.error.get(), now.error.get(), MPFR_RNDU);
   mpfr_set_d(most.get(), ulp_of(scale), MPFR_RNDN);
@@ -37,7 +37,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
                                      int digits, bool by_ref) {
   std::vector<GoldenFailure> failures;
   const std::string at = point_text(quantity, row.arguments);
-  const ref::Estimated golden = row.number();
+  const ref::Estimate golden = row.number();
   const auto fail = [&](GoldenFault fault, const std::string& what) {
     failures.push_back({fault, number, at + ": " + what});
   };
@@ -48,7 +48,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   }
   if (by_ref) {
     try {
-      const Reference now = ref_value(quantity, row.arguments, digits);
+      const ref::Estimate now = ref_value(quantity, row.arguments, digits);
       if (is_useless(golden, now, row.scale)) {
         fail(GoldenFault::useless, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
                                                now.error_text(), row.scale));
@@ -89,7 +89,7 @@ std::string_view name(GoldenFault fault) {
   }
 }
 
-bool intersect(const ref::Estimated& a, const ref::Estimated& b) {
+bool intersect(const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real distance(64), allowed(64);
   mpfr_sub(distance.get(), a.value.get(), b.value.get(), MPFR_RNDA);
   mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);

@@ -61,6 +61,6 @@ CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions
 std::vector<GoldenFailure> check_folder(const std::filesystem::path& folder);
 
 /// Whether both numbers can be of one truth: their distance is at most the sum of their errors.
-bool intersect(const ref::Estimated& a, const ref::Estimated& b);
+bool intersect(const ref::Estimate& a, const ref::Estimate& b);
 
 }  // namespace nipref::verify

@@ -116,7 +116,7 @@ std::string argument_text(const Argument& argument, double value) {
 }
 
 /// Of a value that is 0 the text rounds nothing.
-std::string bound_text(const Reference& reference) {
+std::string bound_text(const ref::Estimate& reference) {
   if (!mpfr_zero_p(reference.value.get()) || mpfr_zero_p(reference.error.get()))
     return reference.error_text();
   char* text = nullptr;
@@ -128,7 +128,7 @@ std::string bound_text(const Reference& reference) {
 
 }  // namespace
 
-ref::Estimated GoldenRow::number() const {
+ref::Estimate GoldenRow::number() const {
   ref::Real number(bits_for(value)), error(64);
   read_decimal(value, number, MPFR_RNDN);
   read_decimal(bound, error, MPFR_RNDU);
@@ -154,7 +154,7 @@ void GoldenFile::set(const std::string& key, const std::string& text) {
   }
 }
 
-GoldenRow golden_row(const Quantity& quantity, const Point& point, const Reference& reference) {
+GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference) {
   GoldenRow row{};
   row.arguments = point;
   row.value = reference.value_text();

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 
 namespace nipref::verify {
@@ -22,7 +22,7 @@ struct GoldenRow {
   std::string origin;  ///< hard, worst:fast@COMMIT, dense or user
 
   /// The number that value is, with bound.
-  [[nodiscard]] ref::Estimated number() const;
+  [[nodiscard]] ref::Estimate number() const;
 };
 
 /// A file of golden values of one quantity.
@@ -39,7 +39,7 @@ struct GoldenFile {
 };
 
 /// A golden value out of what the reference says; `scale` as above. The rest is empty.
-GoldenRow golden_row(const Quantity& quantity, const Point& point, const Reference& reference);
+GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference);
 
 /// Text of a file as data/golden/README.md describes it.
 std::string golden_text(const Quantity& quantity, const GoldenFile& file);

@@ -104,7 +104,7 @@ struct MadeRow {
 };
 
 MadeRow made_row(const Quantity& quantity, const Candidate& candidate, int digits) {
-  std::optional<Reference> reference;
+  std::optional<ref::Estimate> reference;
   try {
     reference = ref_value(quantity, candidate.point, digits);
   } catch (const data::BadInput&) {
@@ -143,7 +143,7 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   if (!confirm)
     throw data::BadInput("quantity", quantity.name, "must have a second method that confirms its values");
   const Confirmation confirmed = confirm(row.arguments);
-  const ref::Estimated golden = row.number();
+  const ref::Estimate golden = row.number();
   ref::Real distance(64), allowed(64);
   mpfr_sub(distance.get(), golden.value.get(), confirmed.value.get(), MPFR_RNDA);
   mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);

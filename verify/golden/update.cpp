@@ -31,7 +31,7 @@ struct UpdatedRow {
 
 UpdatedRow updated_row(const Quantity& quantity, const GoldenRow& before, std::size_t number, int digits,
                        bool all) {
-  std::optional<Reference> reference;
+  std::optional<ref::Estimate> reference;
   try {
     reference = ref_value(quantity, before.arguments, digits);
   } catch (const data::BadInput& refused) {

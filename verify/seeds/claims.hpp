@@ -3,14 +3,14 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 
 namespace nipref::verify {
 
 /// A number that decides about a claim.
 struct ClaimNumber {
   std::string what;
-  WithError number;
+  Propagated number;
   bool is_printed = false;  ///< by the seed
 
   /// "printed", "exact", "computed"

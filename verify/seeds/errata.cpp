@@ -23,7 +23,7 @@ const Settlements& settlements() {
 }  // namespace
 
 bool Settlement::settled() const {
-  const auto are_apart = [&](const WithError& other) {
+  const auto are_apart = [&](const Propagated& other) {
     const double allowed = other.error() + truth.error();
     return !(std::fabs(other.value() - truth.value()) <= allowed);
   };

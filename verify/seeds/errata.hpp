@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 
 namespace nipref::verify {
 
@@ -19,10 +19,10 @@ struct FormulaErratum {
 
 /// The formula as printed and as it must be, at one place, against something that is neither.
 struct Settlement {
-  std::string at;                    ///< where, and what is computed
-  std::optional<WithError> printed;  ///< none: what is printed stands for nothing
-  WithError right;
-  WithError truth;
+  std::string at;                     ///< where, and what is computed
+  std::optional<Propagated> printed;  ///< none: what is printed stands for nothing
+  Propagated right;
+  Propagated truth;
 
   /// The right one is the truth and the printed one is not, to the sum of both errors.
   [[nodiscard]] bool settled() const;

@@ -7,19 +7,19 @@
 
 namespace nipref::verify {
 
-WithError LimitSample::distance() const { return fabs(found - limit) / fabs(limit); }
+Propagated LimitSample::distance() const { return fabs(found - limit) / fabs(limit); }
 
-std::optional<WithError> LimitRow::measured_order() const {
+std::optional<Propagated> LimitRow::measured_order() const {
   const LimitSample &before = *std::prev(samples.end(), 2), &last = samples.back();
   if (!last.distance().is_positive()) return {};
   return log(before.distance() / last.distance()) /
-         log(WithError::exact(before.size) / WithError::exact(last.size));
+         log(Propagated::exact(before.size) / Propagated::exact(last.size));
 }
 
 bool LimitRow::approached() const {
   constexpr double agreement = 0.1, faster_than_powers = 4, told_apart = 0.01;
-  const WithError last = samples.back().distance();
-  const std::optional<WithError> measured = measured_order();
+  const Propagated last = samples.back().distance();
+  const std::optional<Propagated> measured = measured_order();
   if (order == 0) return !measured || measured->value() > faster_than_powers;
   return measured && last.error() < told_apart * last.value() &&
          std::fabs(measured->value() - order) <= agreement;

@@ -4,18 +4,18 @@
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 
 namespace nipref::verify {
 
 /// The converged contact at one place on the way to a limit.
 struct LimitSample {
-  double size;      ///< what goes to 0; exact
-  WithError found;  ///< by the solver
-  WithError limit;  ///< by the closed form, which knows nothing of the solver
+  double size;       ///< what goes to 0; exact
+  Propagated found;  ///< by the solver
+  Propagated limit;  ///< by the closed form, which knows nothing of the solver
 
   /// |found - limit|/|limit|
-  [[nodiscard]] WithError distance() const;
+  [[nodiscard]] Propagated distance() const;
 };
 
 /// How the solver's contact approaches one of the known limits.
@@ -30,7 +30,7 @@ struct LimitRow {
   std::vector<LimitSample> samples;  ///< sizes falling by halves
 
   /// The exponent between the last two samples; none where the last distance is no more than its error.
-  [[nodiscard]] std::optional<WithError> measured_order() const;
+  [[nodiscard]] std::optional<Propagated> measured_order() const;
   /// Whether distances fall with that exponent, to 0.1, or faster than with exponent 4 where it is 0; and errors are so
   /// small that this can be told.
   [[nodiscard]] bool approached() const;

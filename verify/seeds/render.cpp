@@ -9,7 +9,7 @@ namespace {
 struct StatedJson {
   Json value, error;
 
-  explicit StatedJson(const WithError& number) : StatedJson(stated(number)) {}
+  explicit StatedJson(const Propagated& number) : StatedJson(stated(number)) {}
   explicit StatedJson(const Stated& number)
       : value(Json::number(number.value)), error(Json::number(number.error)) {}
 };

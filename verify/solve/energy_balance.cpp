@@ -15,7 +15,7 @@ namespace {
 
 fast::Estimate in_double(const fast::Estimate& number) { return number; }
 /// With what rounding to double changes.
-fast::Estimate in_double(const ref::Estimated& number) {
+fast::Estimate in_double(const ref::Estimate& number) {
   const double value = number.to_double();
   return {value, static_cast<double>(error_of(number)) + 0x1p-53 * std::fabs(value)};
 }

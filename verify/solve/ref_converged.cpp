@@ -61,8 +61,8 @@ double accuracy_of(int digits) { return std::pow(10.0, -digits); }
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_converged(const data::ElasticNipProblem& problem,
-                                                                   int digits) {
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
+                                                                  int digits) {
   if (problem.friction == data::Friction::none) {
     return converged_contact<RefPath>(
         std::visit(SolveRefFrictionless{problem.nip, digits}, problem.given), problem.nip.roller_radius,
@@ -78,8 +78,8 @@ std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_converged(const data::E
                                     });
 }
 
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
-                                                                 int digits) {
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
+                                                                int digits) {
   return converged_contact<RefPath>(std::visit(SolveRefRolling{problem.nip, digits}, problem.given),
                                     problem.nip.roller_radius, accuracy_of(digits),
                                     [](const ref::ConvergedViscoelasticNip& contact) {

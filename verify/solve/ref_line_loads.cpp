@@ -20,39 +20,35 @@ const std::map<ResultId, ref::Enclosure ref::LineLoadSolution::*> ref_line_load_
     {ResultId::peak_shear, &ref::LineLoadSolution::peak_shear},
 };
 
-class RefLineLoads : public SolvedContact<ref::Estimated> {
+class RefLineLoads : public SolvedContact<ref::Estimate> {
  public:
   RefLineLoads(const data::ElasticNip& nip, const ref::LineLoadMethod& method, ref::LineLoadSolution solution,
                int digits)
       : nip_(nip), method_(method), solution_(std::move(solution)), digits_(digits) {}
 
-  [[nodiscard]] ref::Estimated number(ResultId id) const override {
-    if (id == ResultId::rolling_resistance) return number_of(ref::exact_zero(digits_));
-    if (id == ResultId::creep_ratio) return number_of(ref::creep_ratio(nip_, solution_, method_, digits_));
-    if (id == ResultId::peak_pressure_position)
-      return number_of(ref::place_of_largest_pressure(solution_, digits_));
-    if (id == ResultId::peak_shear_position)
-      return number_of(ref::place_of_largest_shear(solution_, digits_));
+  [[nodiscard]] ref::Estimate number(ResultId id) const override {
+    if (id == ResultId::rolling_resistance) return ref::exact_zero(digits_);
+    if (id == ResultId::creep_ratio) return ref::creep_ratio(nip_, solution_, method_, digits_);
+    if (id == ResultId::peak_pressure_position) return ref::place_of_largest_pressure(solution_, digits_);
+    if (id == ResultId::peak_shear_position) return ref::place_of_largest_shear(solution_, digits_);
     if (id == ResultId::leading_length || id == ResultId::trailing_length)
-      return number_of(ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_));
-    return number_of(solution_.*ref_line_load_numbers.at(id));
+      return ref::enclosure_of(ref::interval_of(solution_.contact_length) / 2, digits_);
+    return solution_.*ref_line_load_numbers.at(id);
   }
-  [[nodiscard]] ref::Estimated at(ResultId id, double y) const override {
-    if (id == ResultId::pressure) return number_of(ref::element_pressure(solution_, y, digits_));
-    if (id == ResultId::shear) return number_of(ref::element_shear(solution_, y, digits_));
+  [[nodiscard]] ref::Estimate at(ResultId id, double y) const override {
+    if (id == ResultId::pressure) return ref::element_pressure(solution_, y, digits_);
+    if (id == ResultId::shear) return ref::element_shear(solution_, y, digits_);
     const auto displacement =
         id == ResultId::normal_displacement ? ref::normal_displacement : ref::tangential_displacement;
-    return number_of(displacement(nip_, solution_, method_, y, digits_));
+    return displacement(nip_, solution_, method_, y, digits_);
   }
-  [[nodiscard]] std::vector<ref::Estimated> list(ResultId id) const override {
+  [[nodiscard]] std::vector<ref::Estimate> list(ResultId id) const override {
     if (id == ResultId::creep_range) {
       const auto [lower, upper, chosen] = ref::creep_range(nip_, solution_, method_, digits_);
-      return {number_of(lower), number_of(upper), number_of(chosen)};
+      return {lower, upper, chosen};
     }
-    std::vector<ref::Estimated> borders;
-    for (const ref::Enclosure& border : ref::shear_borders(solution_, digits_))
-      borders.push_back(number_of(border));
-    return borders;
+    const auto borders = ref::shear_borders(solution_, digits_);
+    return {borders.begin(), borders.end()};
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {0, solution_.contact_length.to_double() / 2};
@@ -91,9 +87,8 @@ struct SolveRefLineLoads {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
-                                                                    const data::LineLoads& loads,
-                                                                    int digits) {
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
+                                                                   const data::LineLoads& loads, int digits) {
   const ref::LineLoadMethod method(loads.leading_elements, loads.residue_terms);
   return std::make_unique<RefLineLoads>(
       problem.nip, method, std::visit(SolveRefLineLoads{problem, method, digits}, problem.given), digits);

@@ -10,7 +10,7 @@ namespace nipref::verify {
 namespace {
 
 using RefViscoelasticLineLoads = ref::ViscoelasticLineLoads;
-using RefEstimate = ref::Estimated (RefViscoelasticLineLoads::*)() const;
+using RefEstimate = ref::Estimate (RefViscoelasticLineLoads::*)() const;
 
 const std::map<ResultId, RefEstimate> rolling_line_load_numbers{
     {ResultId::contact_length, &RefViscoelasticLineLoads::contact_length},
@@ -28,20 +28,20 @@ const std::map<ResultId, RefEstimate> rolling_line_load_numbers{
     {ResultId::peak_pressure_position, &RefViscoelasticLineLoads::peak_pressure_position},
 };
 
-class RefRollingLineLoads : public SolvedContact<ref::Estimated> {
+class RefRollingLineLoads : public SolvedContact<ref::Estimate> {
  public:
   RefRollingLineLoads(RefViscoelasticLineLoads solution, int digits)
       : solution_(std::move(solution)), digits_(digits) {}
 
-  [[nodiscard]] ref::Estimated number(ResultId id) const override {
-    if (id == ResultId::peak_shear) return number_of(ref::exact_zero(digits_));
-    return number_of((solution_.*rolling_line_load_numbers.at(id))());
+  [[nodiscard]] ref::Estimate number(ResultId id) const override {
+    if (id == ResultId::peak_shear) return ref::exact_zero(digits_);
+    return (solution_.*rolling_line_load_numbers.at(id))();
   }
-  [[nodiscard]] ref::Estimated at(ResultId id, double y) const override {
-    if (id == ResultId::shear) return number_of(ref::exact_zero(digits_));
-    if (id == ResultId::pressure) return number_of(solution_.pressure(y));
-    if (id == ResultId::normal_displacement) return number_of(solution_.normal_displacement(y));
-    return number_of(solution_.tangential_displacement(y));
+  [[nodiscard]] ref::Estimate at(ResultId id, double y) const override {
+    if (id == ResultId::shear) return ref::exact_zero(digits_);
+    if (id == ResultId::pressure) return solution_.pressure(y);
+    if (id == ResultId::normal_displacement) return solution_.normal_displacement(y);
+    return solution_.tangential_displacement(y);
   }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-solution_.trailing_length().to_double(), solution_.leading_length().to_double()};
@@ -73,7 +73,7 @@ struct SolveRefRollingLineLoads {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_rolling_line_loads(
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_rolling_line_loads(
     const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads, int digits) {
   const ref::ViscoelasticLineLoadMethod method{loads.leading_elements, loads.trailing_elements,
                                                loads.approach_lengths, loads.residue_terms};

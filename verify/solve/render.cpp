@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -14,15 +15,15 @@ namespace nipref::verify {
 namespace {
 
 bool is_proven(const fast::Estimate&) { return false; }
-bool is_proven(const ref::Estimated& number) { return number.proven; }
+bool is_proven(const ref::Estimate& number) { return number.proven; }
 /// What is proven is called a bound, and an error what is not.
 std::string_view error_word(const auto& number) { return is_proven(number) ? "bound" : "error"; }
 
 // In JSON a number of the reference is text: it may have more digits than a double, and an error below all doubles.
 Json value_json(const fast::Estimate& number) { return number.value; }
 Json error_json(const fast::Estimate& number) { return number.error; }
-Json value_json(const ref::Estimated& number) { return number.value_text(); }
-Json error_json(const ref::Estimated& number) { return number.error_text(); }
+Json value_json(const ref::Estimate& number) { return number.value_text(); }
+Json error_json(const ref::Estimate& number) { return number.error_text(); }
 
 template <class Number>
 Json values_json(const data::SceneResult& what, const std::vector<Number>& numbers,
@@ -109,7 +110,7 @@ void append_field(const typename SceneSolution<Number>::Result& result, const da
 /// What the errors are the distance to.
 template <class Number>
 std::string_view truth_of(const SceneSolution<Number>& solution) {
-  const bool is_of_ref = std::is_same_v<Number, ref::Estimated>;
+  const bool is_of_ref = std::is_same_v<Number, ref::Estimate>;
   return solution.is_discrete && is_of_ref ? "discrete system" : "continuous contact";
 }
 
@@ -148,8 +149,8 @@ Json warnings_json(const std::vector<BeyondTheory>& warnings) {
 
 std::string value_text(const fast::Estimate& number) { return fmt::format("{:.15g}", number.value); }
 std::string error_text(const fast::Estimate& number) { return upward_text(number.error); }
-std::string value_text(const ref::Estimated& number) { return number.value_text(); }
-std::string error_text(const ref::Estimated& number) { return number.error_text(); }
+std::string value_text(const ref::Estimate& number) { return number.value_text(); }
+std::string error_text(const ref::Estimate& number) { return number.error_text(); }
 
 template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution, bool full) {
@@ -177,15 +178,16 @@ template <class Number>
 Json solution_json(const SceneSolution<Number>& solution) {
   Json results = Json::object();
   for (const auto& result : solution.results) {
-    results.set(result.what->name, {{"value", values_json<Number>(*result.what, result.numbers, value_json)},
-                                    {"error", values_json<Number>(*result.what, result.numbers, error_json)},
-                                    {"proven", is_proven(result.numbers.front())},
-                                    {"met", result.met()},
-                                    {"unit", result.what->unit}});
+    results.set(result.what->name,
+                {{"value", values_json<Number>(*result.what, result.numbers, value_json)},
+                 {"error", values_json<Number>(*result.what, result.numbers, error_json)},
+                 {"proven", std::ranges::all_of(result.numbers, [](const auto& x) { return is_proven(x); })},
+                 {"met", result.met()},
+                 {"unit", result.what->unit}});
   }
   const auto& positions = solution.positions;
   return {{"title", solution.title},
-          {"path", std::is_same_v<Number, ref::Estimated> ? "ref" : "fast"},
+          {"path", std::is_same_v<Number, ref::Estimate> ? "ref" : "fast"},
           {"distance_to", truth_of(solution)},
           {"results", results},
           {"warnings", warnings_json(solution.warnings)},
@@ -197,8 +199,8 @@ Json solution_json(const SceneSolution<Number>& solution) {
 }
 
 template std::string solution_text(const SceneSolution<fast::Estimate>&, bool);
-template std::string solution_text(const SceneSolution<ref::Estimated>&, bool);
+template std::string solution_text(const SceneSolution<ref::Estimate>&, bool);
 template Json solution_json(const SceneSolution<fast::Estimate>&);
-template Json solution_json(const SceneSolution<ref::Estimated>&);
+template Json solution_json(const SceneSolution<ref::Estimate>&);
 
 }  // namespace nipref::verify

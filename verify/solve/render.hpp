@@ -14,12 +14,12 @@ Json warnings_json(const std::vector<BeyondTheory>& warnings);
 /// A number, and its error rounded upwards, as decimals.
 std::string value_text(const fast::Estimate& number);
 std::string error_text(const fast::Estimate& number);
-std::string value_text(const ref::Estimated& number);
-std::string error_text(const ref::Estimated& number);
+std::string value_text(const ref::Estimate& number);
+std::string error_text(const ref::Estimate& number);
 
 /// For people: whether the accuracy is met, numbers with errors and units, in `full` with their meanings, profiles as a
 /// table, the work in one line.
-/// Instantiated for fast::Estimate and ref::Estimated.
+/// Instantiated for fast::Estimate and ref::Estimate.
 template <class Number>
 std::string solution_text(const SceneSolution<Number>& solution, bool full = false);
 

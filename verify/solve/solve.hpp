@@ -11,7 +11,7 @@
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/nip/work.hpp>
 #include <nipref/fast/number/estimate.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 
 namespace nipref::verify {
 
@@ -27,7 +27,7 @@ struct BeyondTheory {
 /// it leaves out is as large a part of the results as they are of 1, to their order.
 inline constexpr double linear_theory_limit = 0.1;
 
-/// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or ref::Estimated.
+/// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or ref::Estimate.
 template <class Number>
 struct SceneSolution {
   struct Result {
@@ -81,9 +81,9 @@ struct SceneSolution {
 };
 
 inline double value_of(const fast::Estimate& number) { return number.value; }
-inline double value_of(const ref::Estimated& number) { return number.to_double(); }
+inline double value_of(const ref::Estimate& number) { return number.to_double(); }
 inline long double error_of(const fast::Estimate& number) { return number.error; }
-inline long double error_of(const ref::Estimated& number) {
+inline long double error_of(const ref::Estimate& number) {
   return std::strtold(number.error_text().c_str(), nullptr);
 }
 
@@ -114,6 +114,6 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
 /// - its line loads, real rates, estimated; digits from 16 to 30 (ref/viscoelastic_nip/line_loads.hpp);
 /// - bodies on half-spaces: compliances, couplings, what is given and, where all lines are alike, critical speeds
 ///   proven, the rest estimated; digits from 16 to 100 (ref/half_space/elliptic.hpp, sliding.hpp, rolling_sphere.hpp).
-[[nodiscard]] SceneSolution<ref::Estimated> solve_by_ref(const data::Scene& scene, int digits = 30);
+[[nodiscard]] SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits = 30);
 
 }  // namespace nipref::verify

@@ -16,7 +16,7 @@
 namespace nipref::verify {
 namespace {
 
-using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimated>>;
+using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;
 
 struct SolveRefByMethod {
   const data::ElasticNipProblem& problem;
@@ -48,16 +48,16 @@ void refuse_moments(const data::Scene& scene) {
   }
 }
 
-SceneSolution<ref::Estimated> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                                            int digits) {
+SceneSolution<ref::Estimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
+                                           int digits) {
   refuse_moments(scene);
   const SolvedByRef contact = solve_named(scene, problem, digits);
   return collect_results(scene, problem.profile, WithDerivedResults(scene, *contact),
                          std::pow(10.0L, -digits));
 }
 
-SceneSolution<ref::Estimated> solve_rolling(const data::Scene& scene,
-                                            const data::ViscoelasticNipProblem& problem, int digits) {
+SceneSolution<ref::Estimate> solve_rolling(const data::Scene& scene,
+                                           const data::ViscoelasticNipProblem& problem, int digits) {
   const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
   if (loads == nullptr) refuse_moments(scene);
   const SolvedByRef solved = [&] {
@@ -77,13 +77,13 @@ struct SolveSystemByRef {
   const data::Scene& scene;
   int digits;
 
-  SceneSolution<ref::Estimated> operator()(const data::ElasticNipProblem& problem) const {
+  SceneSolution<ref::Estimate> operator()(const data::ElasticNipProblem& problem) const {
     return solve_elastic(scene, problem, digits);
   }
-  SceneSolution<ref::Estimated> operator()(const data::ViscoelasticNipProblem& problem) const {
+  SceneSolution<ref::Estimate> operator()(const data::ViscoelasticNipProblem& problem) const {
     return solve_rolling(scene, problem, digits);
   }
-  SceneSolution<ref::Estimated> operator()(const data::HalfSpaceProblem& problem) const {
+  SceneSolution<ref::Estimate> operator()(const data::HalfSpaceProblem& problem) const {
     const RefSurface surface(problem);
     surface.check_subcritical(scene.origin);
     return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
@@ -93,9 +93,9 @@ struct SolveSystemByRef {
 
 }  // namespace
 
-SceneSolution<ref::Estimated> solve_by_ref(const data::Scene& scene, int digits) {
+SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits) {
   scene.check();
-  SceneSolution<ref::Estimated> solution;
+  SceneSolution<ref::Estimate> solution;
   const double seconds = seconds_of([&] {
     solution = std::visit(SolveSystemByRef{scene, digits}, scene.system);
   });

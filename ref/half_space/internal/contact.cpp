@@ -82,20 +82,20 @@ int working_digits(int digits, int cancelled) {
   return digits + guard_digits + cancelled;
 }
 
-Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled) {
+Estimate with_digits(int digits, const std::function<Estimate(int working)>& compute, int cancelled) {
   const int digits_here = working_digits(digits, cancelled);
   const WorkingDigits working(digits_here);
   return compute(digits_here);
 }
 
-Estimated estimated(const Float& value, const Float& error, int digits) {
+Estimate estimated(const Float& value, const Float& error, int digits) {
   // Two results may agree to the last bit: then rounding and the surface's own digits are what is left.
   const Float sum = error + tolerance(digits + guard_digits / 2) * at_most_1(value);
   if (!(sum <= tolerance(digits) * at_most_1(value))) refuse_digits(digits);
   return {to_real(value), to_real(sum), digits};
 }
 
-Estimated of_levels(const Float& fine, const Float& coarse, int digits) {
+Estimate of_levels(const Float& fine, const Float& coarse, int digits) {
   const Float rounding = tolerance(digits + guard_digits / 2) * abs(fine);
   return {to_real(fine), to_real(abs(fine - coarse) + rounding), digits};
 }
@@ -111,7 +111,7 @@ Float force_of(const HalfSpaceLoad& load, const Float& factor) {
   return factor * span * span * span;
 }
 
-Estimated closed(const Float& value, int digits) { return estimated(value, 0, digits); }
+Estimate closed(const Float& value, int digits) { return estimated(value, 0, digits); }
 
 bool is_settled(const Float& change, const Float& value, int digits) {
   return change <= tolerance(digits) * at_most_1(value) / 10;

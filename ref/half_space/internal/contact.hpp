@@ -6,7 +6,7 @@
 #include <nipref/ref/half_space/indenter.hpp>
 #include <nipref/ref/half_space/internal/crowded_directions.hpp>
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/internal/float.hpp>
 
 namespace nipref::ref {
@@ -49,28 +49,28 @@ int working_digits(int digits, int cancelled = 0);
 /// `compute(working)` at so many working digits that the result may be good to `digits`: for the roundings of
 /// thousands of terms, and the small factors of what is computed from the integrals; `cancelled` more for what
 /// cancels before. BadInput unless 16 <= digits <= 100.
-Estimated with_digits(int digits, const std::function<Estimated(int working)>& compute, int cancelled = 0);
+Estimate with_digits(int digits, const std::function<Estimate(int working)>& compute, int cancelled = 0);
 
 /// The value with its error, rounding and the surface's own digits included; BadInput "digits" where that is
 /// more than 10^-digits of the value (or of 1, if that is less).
-Estimated estimated(const Float& value, const Float& error, int digits);
+Estimate estimated(const Float& value, const Float& error, int digits);
 
 /// Without quadrature: what the surface's own digits and rounding leave.
-Estimated closed(const Float& value, int digits);
+Estimate closed(const Float& value, int digits);
 
 /// Of two levels of a quadrature, without asking how far apart they are: the error is their difference, relative
 /// rounding and the surface's own digits included.
-Estimated of_levels(const Float& fine, const Float& coarse, int digits);
+Estimate of_levels(const Float& fine, const Float& coarse, int digits);
 
 /// A traction near the ends of a line, where what rounding leaves of the ends shows: at(span along the motion, change of
 /// both ends over the line's span) grows with both; Contact gives functions of that span by of_span, and `digits`.
 template <class Contact, class At>
-Estimated with_shifted_ends(const Contact& contact, const At& at) {
+Estimate with_shifted_ends(const Contact& contact, const At& at) {
   const Float off = tolerance(contact.digits + 6);
   const Float none(0);
-  Estimated result = contact.of_span([&](const Float& along) { return at(along, none); });
-  const Estimated more = contact.of_span([&](const Float& along) { return at(along, off); });
-  const Estimated less = contact.of_span([&](const Float& along) { return at(along, -off); });
+  Estimate result = contact.of_span([&](const Float& along) { return at(along, none); });
+  const Estimate more = contact.of_span([&](const Float& along) { return at(along, off); });
+  const Estimate less = contact.of_span([&](const Float& along) { return at(along, -off); });
   const Float value = to_float(result.value);
   const Float change =
       std::max(Float(abs(to_float(more.value) - value)), Float(abs(to_float(less.value) - value)));

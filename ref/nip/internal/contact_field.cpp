@@ -3,6 +3,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/nip/internal/contact_field.hpp>
+#include <nipref/ref/number/enclosure.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -42,12 +43,12 @@ InnerStresses ContactField::at(const Place& place, bool symmetric, const Float& 
   const FloatStresses value = fine_.at(place.alpha, place.depth);
   const Float error = 2 * largest_difference(value, coarse_.at(place.alpha, place.depth)) +
                       scale_ * power_of_ten(-digits_ - 2) + uncertainty_;
-  const auto estimated = [&](const Float& x) -> Estimated {
+  const auto estimated = [&](const Float& x) -> Estimate {
     return {to_real(unit * x), to_real(unit * error), digits_};
   };
   const bool no_shear = place.depth == 0 || (symmetric && place.alpha == 0);
   return {estimated(value.across), estimated(value.along),
-          no_shear ? Estimated(exact_zero(digits_)) : estimated(value.shear)};
+          no_shear ? Estimate(exact_zero(digits_)) : estimated(value.shear)};
 }
 
 /// As far as nothing is singular: the nearer end, half of the contact or of the sheet.
@@ -131,9 +132,9 @@ GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Fl
   // What lies on a line of symmetry does so exactly.
   if (symmetric && abs(fine.place.alpha) < fine.unsure) fine.place.alpha = 0;
   if (abs(fine.place.depth) < fine.unsure) fine.place.depth = 0;
-  Estimated value = at(fine.place, symmetric, unit).maximum_shear();
+  Estimate value = at(fine.place, symmetric, unit).maximum_shear();
   value.error = to_real(to_float(value.error) + unit * fine.missed);
-  const auto place = [&](const Float& here, const Float& other, const Float& in_unit) -> Estimated {
+  const auto place = [&](const Float& here, const Float& other, const Float& in_unit) -> Estimate {
     return {to_real(in_unit * here),
             to_real(in_unit * (2 * abs(here - other) + fine.unsure + power_of_ten(-digits_ - 2))), digits_};
   };

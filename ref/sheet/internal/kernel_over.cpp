@@ -36,7 +36,7 @@ Interval kernel_over(SheetKernel kernel, const Interval& alpha, int residue_term
   mpfi_diam_abs(radius.get(), alpha.get());
   const Interval far = point(farthest, precision), slope = 2 * (far + 1L) / point(nearest, precision);
   return point(value.value, precision)
-      .widened(point(value.error_bound, precision))
+      .widened(point(value.error, precision))
       .widened(slope * point(radius, precision));
 }
 

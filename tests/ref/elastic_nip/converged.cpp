@@ -25,7 +25,7 @@ TEST_CASE("ref converged contact: the double path agrees to 1e-12, its estimates
       const ElasticNip here = nipref::data::seed::nip(thickness);
       const auto truth = ref::converged_for_load(here, load, 25);
       const auto computed = fast::converged_for_load(here, data::Friction::none, load, 1e-12);
-      const auto agree = [](const ref::Estimated& exact, const fast::Estimate& estimate) {
+      const auto agree = [](const ref::Estimate& exact, const fast::Estimate& estimate) {
         CHECK(relative_error(exact, estimate.value) < 1e-12);
         CHECK(std::fabs(exact.error_of(estimate.value)) <= estimate.error);
       };

@@ -191,7 +191,7 @@ namespace {
 
 struct GrippedResult {
   const char* name;
-  std::function<ref::Estimated(const ref::GrippedElasticNip&)> reference;
+  std::function<ref::Estimate(const ref::GrippedElasticNip&)> reference;
   std::function<fast::Estimate(const fast::ConvergedElasticNip&)> computed;
 };
 
@@ -233,7 +233,7 @@ TEST_CASE("ref gripped contact: next to its end the strain outside is the creep,
       CAPTURE(length);
       CAPTURE(beyond);
       const double y = length / 2 * (1 + beyond);
-      const ref::Estimated strain = contact.surface_strain(y);
+      const ref::Estimate strain = contact.surface_strain(y);
       const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
       CHECK(error <= 1e-16 * size);
       CHECK(std::fabs(strain.to_double() - contact.creep_ratio().to_double()) <=
@@ -278,7 +278,7 @@ TEST_CASE("ref gripped contact: more digits stay within the error, of a length a
   const auto check = [&](const ref::GrippedElasticNip& coarse, const ref::GrippedElasticNip& fine) {
     for (const GrippedResult& result : gripped_results(0.29, 0.8)) {
       CAPTURE(result.name);
-      const ref::Estimated rough = result.reference(coarse), good = result.reference(fine);
+      const ref::Estimate rough = result.reference(coarse), good = result.reference(fine);
       CHECK(difference(rough, good) <= error(rough));
       CHECK(error(good) < 1e-10 * error(rough) + 1e-300);
     }
@@ -306,7 +306,7 @@ TEST_CASE("ref gripped contact: lengths and moduli scale") {
   larger.material.young *= 7;
   const auto one = ref::gripped_for_length(nip_of(0.2), 0.5, 20),
              three = ref::gripped_for_length(larger, 1.5, 20);
-  const auto ratio = [](const ref::Estimated& x, const ref::Estimated& y) {
+  const auto ratio = [](const ref::Estimate& x, const ref::Estimate& y) {
     return y.to_double() / x.to_double();
   };
   CHECK(ratio(one.load(), three.load()) == doctest::Approx(21).epsilon(1e-15));

@@ -16,11 +16,11 @@ TEST_CASE(
   const double length = 26;
   const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, 18);
   const ref::ConvergedElasticNip contact = ref::converged_for_length(nip, length, 18);
-  const auto check = [](const ref::Estimated& found, const ref::Enclosure& truth) {
+  const auto check = [](const ref::Estimate& found, const ref::Enclosure& truth) {
     ref::Real distance(64);
     mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
     const double allowed =
-        mpfr_get_d(found.error.get(), MPFR_RNDU) + mpfr_get_d(truth.error_bound.get(), MPFR_RNDU);
+        mpfr_get_d(found.error.get(), MPFR_RNDU) + mpfr_get_d(truth.error.get(), MPFR_RNDU);
     CHECK(std::fabs(mpfr_get_d(distance.get(), MPFR_RNDA)) <= allowed);
     CHECK(allowed <
           1e-16 * std::fabs(truth.to_double()));  // of the displacements, that is, not of the strain
@@ -38,12 +38,12 @@ TEST_CASE(
   for (const auto& [length, most] :
        {std::pair(11.0, 1e-13), std::pair(16.0, 1e-20), std::pair(20.0, 1e-23)}) {
     CAPTURE(length);
-    const ref::Estimated found = ref::thin_nip_of_length(nip, length, 21).peak_pressure;
+    const ref::Estimate found = ref::thin_nip_of_length(nip, length, 21).peak_pressure;
     const ref::Enclosure truth = ref::converged_for_length(nip, length, 26).peak_pressure();
     ref::Real distance(64);
     mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
     mpfr_abs(distance.get(), distance.get(), MPFR_RNDA);
-    mpfr_add(distance.get(), distance.get(), truth.error_bound.get(), MPFR_RNDU);
+    mpfr_add(distance.get(), distance.get(), truth.error.get(), MPFR_RNDU);
     const double error = mpfr_get_d(found.error.get(), MPFR_RNDU);
     CHECK(mpfr_get_d(distance.get(), MPFR_RNDU) <= error);
     CHECK(error <= most * truth.to_double());

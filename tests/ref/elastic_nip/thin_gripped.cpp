@@ -16,7 +16,7 @@ TEST_CASE(
   const double length = 120;  // shorter ones: L/B 5 to 7.5
   const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, 12);
   const auto panels = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
-  const auto check = [](const ref::Estimated& truth, const fast::Estimate& found) {
+  const auto check = [](const ref::Estimate& truth, const fast::Estimate& found) {
     const double error = mpfr_get_d(truth.error.get(), MPFR_RNDU);
     CHECK(std::fabs(truth.error_of(found.value)) <= found.error + error);
     CHECK(error < 1e-12 * std::fabs(found.value));

@@ -20,7 +20,7 @@
 
 using namespace nipref;
 using ref::Enclosure;
-using ref::Estimated;
+using ref::Estimate;
 using ref::Exact;
 using ref::ExactStiffness;
 using ref::LineResponse;
@@ -29,13 +29,13 @@ using stroh::Float;
 
 namespace {
 
-Float value(const Estimated& x) {
+Float value(const Estimate& x) {
   Float result;
   mpfr_set(result.backend().data(), x.value.get(), MPFR_RNDN);
   return result;
 }
 
-Float bound(const Estimated& x) {
+Float bound(const Estimate& x) {
   Float result;
   mpfr_set(result.backend().data(), x.error.get(), MPFR_RNDN);
   return result;

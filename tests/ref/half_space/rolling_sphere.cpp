@@ -28,7 +28,7 @@ TEST_CASE("a rolling sphere has the shape found before") {
 TEST_CASE("the reference's rolling sphere keeps its digits where K Knn - S^2 vanishes") {
   const double rayleigh = 0.92741270970293665;  // nu = 0.3
   const auto surface = isotropic_surface(0.3, (1 - 1e-13) * rayleigh);
-  const auto agree = [](const ref::Estimated& few, const ref::Estimated& many) {
+  const auto agree = [](const ref::Estimate& few, const ref::Estimate& many) {
     const ref::Float off = abs(ref::to_float(few.value) - ref::to_float(many.value));
     CHECK(off <= ref::to_float(few.error) + ref::to_float(many.error));
   };

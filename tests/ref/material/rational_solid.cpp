@@ -30,7 +30,7 @@ std::vector<Exact> exacts(const std::vector<std::string>& texts) {
 void check_holds(const Enclosure& found, const Float60& truth) {
   Float60 off = number(found) - truth;
   if (off < 0) off = -off;
-  CHECK(off <= Float60(found.bound_text()));
+  CHECK(off <= Float60(found.error_text()));
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ TEST_CASE("rational solids: springs and dashpots by operators, with what both ha
                                      exacts({"11", "11.6", "0.6"}), exacts({"28", "32.2", "4.2"}));
   for (const std::string t : {"0", "1e-12", "0.4", "77"}) {
     const auto same = [&](const Enclosure& x, const Enclosure& y) {
-      CHECK(abs(number(x) - number(y)) <= Float60(x.bound_text()) + Float60(y.bound_text()));
+      CHECK(abs(number(x) - number(y)) <= Float60(x.error_text()) + Float60(y.error_text()));
     };
     same(fading_part(solid.theta1, exact(t), digits), theta1(shear, exact(t), digits));
     same(fading_part(solid.theta2, exact(t), digits), theta2(shear, bulk, exact(t), digits));

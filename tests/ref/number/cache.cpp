@@ -31,7 +31,7 @@ std::vector<std::string> values() {
   const Enclosure kernel = I1(Exact(0.75), 60);
   const Enclosure memory =
       moving_load_normal_displacement(one, Exact(2.0), one, one, exact_solid(Solid::thesis, one, one), 40);
-  return {kernel.value_text(), kernel.bound_text(), memory.value_text(), memory.bound_text()};
+  return {kernel.value_text(), kernel.error_text(), memory.value_text(), memory.error_text()};
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/sheet/displacements.hpp>
 #include <nipref/ref/sheet/kernels.hpp>
 #include <nipref/ref/sheet/roots.hpp>
@@ -22,7 +23,7 @@ namespace {
 using Float160 = nipref::test::Decimal<160>;
 
 Float160 value(const Enclosure& e) { return Float160(e.value_text()); }
-Float160 bound(const Enclosure& e) { return Float160(e.bound_text()); }
+Float160 bound(const Enclosure& e) { return Float160(e.error_text()); }
 
 using Kernel = Enclosure (*)(const Exact&, int);
 const std::vector<Kernel> kernels{I1, I2, I3, I4, I5, I7};
@@ -58,7 +59,7 @@ TEST_CASE("the bound reaches both ends of the interval, wherever its middle was 
     Interval interval(1L, 53);
     mpfi_put_d(interval.get(), 1 + std::ldexp(static_cast<double>(last), -52));
     const Enclosure made = enclosure_of(interval, 16);
-    const double middle = made.to_double(), error = mpfr_get_d(made.error_bound.get(), MPFR_RNDN);
+    const double middle = made.to_double(), error = mpfr_get_d(made.error.get(), MPFR_RNDN);
     CHECK(middle - error <= 1);
     CHECK(middle + error >= 1 + std::ldexp(static_cast<double>(last), -52));
   }
@@ -153,9 +154,9 @@ TEST_CASE("displacements are what their kernels make of them") {
 TEST_CASE("exact zeros are exact") {
   for (const Kernel odd : {I2, I3, I4, I5}) {
     CHECK(odd(exact("0"), 20).value_text() == "0");
-    CHECK(odd(exact("0"), 20).bound_text() == "0");
+    CHECK(odd(exact("0"), 20).error_text() == "0");
   }
-  CHECK(us(exact("0"), exact("1"), exact("0.3"), 20).bound_text() == "0");
+  CHECK(us(exact("0"), exact("1"), exact("0.3"), 20).error_text() == "0");
   CHECK(us(exact("1e-3"), exact("1"), exact("0.5"), 20).to_double() < 0);
 }
 
@@ -177,12 +178,12 @@ TEST_CASE("what cannot be told from zero is refused, not looked at for ever") {
 }
 
 TEST_CASE("a proven bound is an estimate, too, but an estimate no proven bound") {
-  static_assert(std::is_convertible_v<Enclosure, Estimated>);
-  static_assert(!std::is_constructible_v<Enclosure, Estimated>);
+  static_assert(std::is_convertible_v<Enclosure, Estimate>);
+  static_assert(!std::is_constructible_v<Enclosure, Estimate>);
   const Enclosure proven = I1(exact("0.73"), 30);
-  const Estimated estimated = proven;
+  const Estimate estimated = proven;
   CHECK(estimated.value_text() == proven.value_text());
-  CHECK(estimated.error_text() == proven.bound_text());
+  CHECK(estimated.error_text() == proven.error_text());
   CHECK(estimated.to_double() == proven.to_double());
   CHECK(estimated.error_of(1) == proven.error_of(1));
 }
@@ -225,19 +226,19 @@ TEST_CASE("a number known exactly has no error, but its text may") {
     mpfr_set_d(result.value.get(), value, MPFR_RNDN);
     return result;
   };
-  CHECK(known(0.5).bound_text() == "0");
-  CHECK(known(0).bound_text() == "0");
+  CHECK(known(0.5).error_text() == "0");
+  CHECK(known(0).error_text() == "0");
   // 0.1000000000000000055511151231257827...
   CHECK(known(0.1).value_text() == "0.1000000000000000056");
-  CHECK(Float160(known(0.1).bound_text()) >= Float160("4.8e-20"));
-  CHECK(Float160(known(0.1).bound_text()) < Float160("1e-18"));
+  CHECK(Float160(known(0.1).error_text()) >= Float160("4.8e-20"));
+  CHECK(Float160(known(0.1).error_text()) < Float160("1e-18"));
 }
 
 TEST_CASE("0 has no last place: beside it stands the error alone") {
   Real zero(64), error(64);
   mpfr_set_zero(zero.get(), 1);
   mpfr_set_d(error.get(), 0x1p-100, MPFR_RNDN);
-  const Estimated nothing(zero, error, 16);
+  const Estimate nothing(zero, error, 16);
   CHECK(nothing.value_text() == "0");
   CHECK(std::stod(nothing.error_text()) == doctest::Approx(0x1p-100).scale(0).epsilon(0.1));
 }

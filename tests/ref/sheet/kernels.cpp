@@ -29,7 +29,7 @@ using Complex60 = ComplexDecimal<60>;
 template <unsigned digits>
 void check_agrees(const Enclosure& reference, const Decimal<digits>& other, const char* tolerance) {
   const Decimal<digits> value(reference.value_text());
-  const Decimal<digits> bound(reference.bound_text());
+  const Decimal<digits> bound(reference.error_text());
   CHECK(abs(value - other) <= bound + Decimal<digits>(tolerance) * abs(other));
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("the roots satisfy sinh 2z + 2z = 0 to their bounds") {
     CAPTURE(n);
     const Complex120 z = root(n);
     const Float120 slope = abs(4 * cosh(z) * cosh(z));
-    CHECK(abs(sinh(2 * z) + 2 * z) <= slope * Float120(sheet_root(n, 100).im.bound_text()) * 3);
+    CHECK(abs(sinh(2 * z) + 2 * z) <= slope * Float120(sheet_root(n, 100).im.error_text()) * 3);
   }
 }
 

@@ -46,7 +46,7 @@ ViscoelasticNip swinging_nip(double thickness, double way, double swing) {
 /// A number of each contact.
 struct RollingResult {
   const char* name;
-  std::function<ref::Estimated(const ref::ConvergedViscoelasticNip&)> reference;
+  std::function<ref::Estimate(const ref::ConvergedViscoelasticNip&)> reference;
   std::function<fast::Estimate(const fast::ConvergedViscoelasticNip&)> computed;
 };
 
@@ -82,7 +82,7 @@ void check_covered(const ref::ConvergedViscoelasticNip& truth, const fast::Conve
   for (const auto& [name, reference, in_double] :
        rolling_results({-0.7 * length, -0.2 * length, 0.3 * length})) {
     CAPTURE(name);
-    const ref::Estimated exact = reference(truth);
+    const ref::Estimate exact = reference(truth);
     const fast::Estimate estimate = in_double(computed);
     CAPTURE(exact.value_text());
     CAPTURE(estimate.value);
@@ -109,7 +109,7 @@ TEST_CASE("ref rolling contact: without memory it is the proven elastic contact,
                             data::elastic_solid(elastic.material), 1};
   const auto rolled = ref::converged_for_length(nip, 0.15, 20);
   const auto proven = ref::converged_for_length(elastic, 0.15, 30);
-  const auto same = [](const char* name, const ref::Estimated& mine, const ref::Enclosure& theirs) {
+  const auto same = [](const char* name, const ref::Estimate& mine, const ref::Enclosure& theirs) {
     CAPTURE(name);
     ref::Real difference(200);
     mpfr_sub(difference.get(), mine.value.get(), theirs.value.get(), MPFR_RNDN);
@@ -134,7 +134,7 @@ TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") 
   const auto rolled = ref::converged_for_length(
       {elastic.roller_radius, 1, data::elastic_solid(elastic.material), 1}, length, 18);
   const ref::LongContactFit thin = ref::thin_nip_of_length(elastic, length, 19);
-  const auto same = [](const ref::Estimated& mine, const ref::Estimated& theirs) {
+  const auto same = [](const ref::Estimate& mine, const ref::Estimate& theirs) {
     CAPTURE(mine.value_text());
     ref::Real difference(200);
     mpfr_sub(difference.get(), mine.value.get(), theirs.value.get(), MPFR_RNDN);
@@ -228,7 +228,7 @@ TEST_CASE("ref rolling contact: the length that a load needs gives it back, and 
   const auto near = ref::converged_for_length(nip, 0.1, 16), fine = ref::converged_for_length(nip, 0.1, 25);
   for (const auto& result : rolling_results({-0.07, -0.02, 0.03})) {
     CAPTURE(result.name);
-    const ref::Estimated first = result.reference(near), second = result.reference(fine);
+    const ref::Estimate first = result.reference(near), second = result.reference(fine);
     ref::Real difference(200);
     mpfr_sub(difference.get(), first.value.get(), second.value.get(), MPFR_RNDN);
     CHECK(mpfr_cmpabs(difference.get(), first.error.get()) <= 0);
@@ -248,14 +248,14 @@ TEST_CASE(
     for (const double beyond : {1e-14, 1e-8, 1e-3, 1.0}) {
       for (const double y : {leading + beyond * length, -trailing - beyond * length}) {
         CAPTURE(y);
-        const ref::Estimated strain = truth.surface_strain(y);
+        const ref::Estimate strain = truth.surface_strain(y);
         const fast::Estimate found = computed.surface_strain(y);
         const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
         CHECK(error <= std::pow(10, -digits) * length / nip.roller_radius);
         CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error);
       }
     }
-    const auto evaluations = [&](ref::Estimated (ref::ConvergedViscoelasticNip::*profile)(double) const,
+    const auto evaluations = [&](ref::Estimate (ref::ConvergedViscoelasticNip::*profile)(double) const,
                                  double y) {
       const long before = truth.kernel_evaluations();
       static_cast<void>((truth.*profile)(y));

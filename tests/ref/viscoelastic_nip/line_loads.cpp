@@ -14,9 +14,9 @@ namespace {
 
 data::ViscoelasticNip nip_of(const data::ViscoelasticMaterial& material) { return {6, 0.5, material, 1}; }
 
-double error(const ref::Estimated& number) { return mpfr_get_d(number.error.get(), MPFR_RNDU); }
+double error(const ref::Estimate& number) { return mpfr_get_d(number.error.get(), MPFR_RNDU); }
 
-double difference(const ref::Estimated& a, const ref::Estimated& b) {
+double difference(const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real both(200);
   mpfr_sub(both.get(), a.value.get(), b.value.get(), MPFR_RNDN);
   return std::fabs(mpfr_get_d(both.get(), MPFR_RNDN));
@@ -24,7 +24,7 @@ double difference(const ref::Estimated& a, const ref::Estimated& b) {
 
 void check_like_fast(const ref::ViscoelasticLineLoads& mine, const fast::ViscoelasticLineLoads& theirs,
                      double accuracy) {
-  const auto near = [&](const ref::Estimated& a, double b) {
+  const auto near = [&](const ref::Estimate& a, double b) {
     return std::fabs(a.to_double() - b) <= accuracy * std::fabs(b);
   };
   CHECK(near(mine.contact_length(), theirs.contact_length()));
@@ -63,7 +63,7 @@ TEST_CASE("ref rolling line loads of a given load: fewer digits agree with more 
   const auto nip = nip_of(data::single_relaxation_time_solid(1e5, 3.75e4, 0.3));
   const auto coarse = ref::ViscoelasticLineLoads::for_load(nip, {2, 1, 1.0, 0}, 50, 16);
   const auto fine = ref::ViscoelasticLineLoads::for_load(nip, {2, 1, 1.0, 0}, 50, 24);
-  using Number = ref::Estimated (ref::ViscoelasticLineLoads::*)() const;
+  using Number = ref::Estimate (ref::ViscoelasticLineLoads::*)() const;
   for (const Number number :
        {&ref::ViscoelasticLineLoads::contact_length, &ref::ViscoelasticLineLoads::indentation,
         &ref::ViscoelasticLineLoads::load, &ref::ViscoelasticLineLoads::rolling_resistance}) {

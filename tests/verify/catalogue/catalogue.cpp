@@ -145,7 +145,7 @@ TEST_CASE(
       CAPTURE(quantity.name);
       CAPTURE(point.front());
       const double value = quantity.by_fast(point, {});
-      const verify::Reference truth = verify::ref_value(quantity, point, digits);
+      const ref::Estimate truth = verify::ref_value(quantity, point, digits);
       CHECK(verify::deviation(value, truth, quantity.envelope(point)).ulps <= quantity.promise);
       if (quantity.fast_error) {
         // A proven bound or not, as the point is: see the entry's own tests.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 
 namespace {
@@ -13,7 +14,7 @@ using namespace nipref;
 ref::Enclosure enclosure(double value, double bound) {
   ref::Enclosure result{ref::Real(53), ref::Real(53), 16};
   mpfr_set_d(result.value.get(), value, MPFR_RNDN);
-  mpfr_set_d(result.error_bound.get(), bound, MPFR_RNDN);
+  mpfr_set_d(result.error.get(), bound, MPFR_RNDN);
   return result;
 }
 

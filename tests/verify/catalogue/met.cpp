@@ -23,7 +23,7 @@ bool is_met_of(const std::string& value, const std::string& error, int digits, d
   verify::Quantity quantity = verify::find_quantity("I1");
   quantity.envelope = [=](std::span<const double>) { return envelope; };
   return verify::is_met(quantity, verify::parse_arguments(quantity, {{"alpha", "1"}}),
-                        ref::Estimated(decimal(value), decimal(error), digits), digits);
+                        ref::Estimate(decimal(value), decimal(error), digits), digits);
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST_CASE("a reference that moves by less than any double sees is found") {
   const Quantity& quantity = verify::find_quantity("I1");
   Quantity moved = quantity;
   moved.by_ref = [by_ref = quantity.by_ref](std::span<const ref::Exact> x, int digits) {
-    verify::Reference reference = by_ref(x, digits);
+    ref::Estimate reference = by_ref(x, digits);
     ref::Real step(64);
     mpfr_mul_d(step.get(), reference.value.get(), 1e-45, MPFR_RNDN);
     mpfr_add(reference.value.get(), reference.value.get(), step.get(), MPFR_RNDN);
@@ -95,7 +95,7 @@ TEST_CASE("a bound too wide to say anything is useless, and not wrong") {
   CHECK(checked.failures.front().row == 2);
   Quantity coarse = file.quantity();
   coarse.by_ref = [by_ref = coarse.by_ref](std::span<const ref::Exact> x, int digits) {
-    verify::Reference reference = by_ref(x, digits);
+    ref::Estimate reference = by_ref(x, digits);
     mpfr_set_d(reference.error.get(), 1, MPFR_RNDU);
     return reference;
   };

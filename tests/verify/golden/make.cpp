@@ -17,7 +17,7 @@ const verify::Provenance nowhere{"0", "a compiler", "4", std::string(40, 'a'), t
 /// What the reference says, moved by this part of it; its bound is what it was.
 Quantity with_wrong_reference(Quantity quantity, double part) {
   quantity.by_ref = [by_ref = quantity.by_ref, part](std::span<const ref::Exact> arguments, int digits) {
-    verify::Reference reference = by_ref(arguments, digits);
+    ref::Estimate reference = by_ref(arguments, digits);
     ref::Real moved(reference.value.precision());
     mpfr_mul_d(moved.get(), reference.value.get(), part, MPFR_RNDN);
     mpfr_add(reference.value.get(), reference.value.get(), moved.get(), MPFR_RNDN);

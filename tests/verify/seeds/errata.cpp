@@ -10,8 +10,8 @@
 
 using namespace nipref;
 using verify::FormulaErratum;
+using verify::Propagated;
 using verify::Settlement;
-using verify::WithError;
 
 TEST_CASE("every erratum of a formula is settled: the right one is the truth, the printed one is not") {
   std::set<std::string_view> settled, listed;
@@ -32,7 +32,7 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
     CHECK(settlement.settled());
     // Not by a hair, or the truth would have to be known better.
     if (settlement.printed) {
-      const WithError apart = verify::fabs(*settlement.printed - settlement.truth);
+      const Propagated apart = verify::fabs(*settlement.printed - settlement.truth);
       CAPTURE(verify::stated_text(*settlement.printed));
       CHECK(apart.value() > 100 * apart.error());
     }
@@ -41,7 +41,7 @@ TEST_CASE("every erratum of a formula is settled: the right one is the truth, th
 }
 
 TEST_CASE("an erratum is open if the right formula is not the truth or the printed one is") {
-  const WithError one(1, 0.05), two(2, 0.05);
+  const Propagated one(1, 0.05), two(2, 0.05);
   CHECK(Settlement{"", two, one, one}.settled());
   CHECK(Settlement{"", {}, one, one}.settled());
   CHECK(Settlement{"", two, {1.09, 0.05}, one}.settled());

@@ -9,7 +9,7 @@
 using namespace nipref;
 using verify::LimitRow;
 using verify::LimitSample;
-using verify::WithError;
+using verify::Propagated;
 
 namespace {
 
@@ -20,8 +20,8 @@ LimitRow row_with(double order, double before, double last, double error = 0) {
           "",
           "size",
           order,
-          {LimitSample{0.2, {1 + before, error}, WithError::exact(1)},
-           LimitSample{0.1, {1 - last, error}, WithError::exact(1)}}};
+          {LimitSample{0.2, {1 + before, error}, Propagated::exact(1)},
+           LimitSample{0.1, {1 - last, error}, Propagated::exact(1)}}};
 }
 
 }  // namespace

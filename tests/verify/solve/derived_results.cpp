@@ -189,7 +189,7 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
     for (const char* result : {"surface_strain", "slip"}) {
       for (std::size_t i = 0; i < 2; ++i) {
         const fast::Estimate number = fast.profile(result)[i];
-        const ref::Estimated& truth = by_ref.profile(result)[i];
+        const ref::Estimate& truth = by_ref.profile(result)[i];
         check_agree(number.value, number.error + std::stod(truth.error_text()), truth.to_double());
         CHECK(truth.proven == (std::string(name) == "intermediate-frictionless"));
         CHECK(std::stod(truth.error_text()) < 1e-13);
@@ -200,17 +200,17 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
 
 namespace {
 
-ref::Estimated exactly(double value) {
+ref::Estimate exactly(double value) {
   ref::Real number(64);
   mpfr_set_d(number.get(), value, MPFR_RNDN);
   return {number, ref::Real(64), 16};
 }
 
 /// Counts how often its strain is computed, which is -0.5 everywhere; its other numbers are 0.25.
-class CountedStrain : public verify::SolvedContact<ref::Estimated> {
+class CountedStrain : public verify::SolvedContact<ref::Estimate> {
  public:
-  [[nodiscard]] ref::Estimated number(data::ResultId) const override { return exactly(0.25); }
-  [[nodiscard]] ref::Estimated at(data::ResultId, double) const override {
+  [[nodiscard]] ref::Estimate number(data::ResultId) const override { return exactly(0.25); }
+  [[nodiscard]] ref::Estimate at(data::ResultId, double) const override {
     ++strains;
     return exactly(-0.5);
   }

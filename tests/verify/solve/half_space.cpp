@@ -305,7 +305,7 @@ TEST_CASE(
     CAPTURE(name);
     for (std::size_t i = 0; i < fast.profile(name).size(); ++i) {
       const fast::Estimate number = fast.profile(name)[i];
-      const ref::Estimated& truth = by_ref.profile(name)[i];
+      const ref::Estimate& truth = by_ref.profile(name)[i];
       CHECK(std::fabs(number.value - truth.to_double()) <=
             number.error + std::stod(truth.error_text()) + 1e-15 * std::fabs(number.value));
     }

@@ -7,6 +7,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 #include "support/solved_scene.hpp"
@@ -234,6 +235,16 @@ TEST_CASE(
       }
     }
   }
+}
+
+TEST_CASE(
+    "a field is proven only where each of its numbers is: the exact zeros of the shear do not make it so") {
+  data::Scene scene = inside_example("inside-thick-frictionless",
+                                     {{"field.positions", "[0.035]"}, {"field.depths", "[0, 0.5]"}});
+  scene.wanted = {"stress_shear"};
+  const auto by_ref = verify::solve_by_ref(scene, 16);
+  CHECK(by_ref.profile("stress_shear")[0].proven);
+  CHECK(verify::solution_json(by_ref).text().find("\"proven\": false") != std::string::npos);
 }
 
 TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contact, and fast's everywhere") {

@@ -78,7 +78,7 @@ TEST_CASE("the reference's converged contact lies within the error estimates of 
       REQUIRE(reference.results[r].numbers.size() == fast.results[r].numbers.size());
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const fast::Estimate& number = fast.results[r].numbers[i];
-        const ref::Estimated& truth = reference.results[r].numbers[i];
+        const ref::Estimate& truth = reference.results[r].numbers[i];
         const double rounding = 1e-15 * std::fabs(number.value);
         CHECK(std::fabs(number.value - truth.to_double()) <= number.error + rounding);
         CHECK(std::stod(truth.error_text()) <= 1e-19 * std::fmax(std::fabs(number.value), 1e-6));
@@ -175,7 +175,7 @@ TEST_CASE("the reference's line loads carry a given load, all of their results a
       CHECK(reference.results[r].met().value_or(false));
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const double value = fast.results[r].numbers[i].value;
-        const ref::Estimated& truth = reference.results[r].numbers[i];
+        const ref::Estimate& truth = reference.results[r].numbers[i];
         CHECK(std::fabs(truth.to_double() - value) <= 1e-11 * std::fmax(std::fabs(value), 1e-4));
         CHECK(truth.proven);
       }
@@ -199,7 +199,7 @@ TEST_CASE("every example that takes the reference less than about a second is so
       CAPTURE(scene.wanted[r]);
       for (std::size_t i = 0; i < fast.results[r].numbers.size(); ++i) {
         const fast::Estimate& number = fast.results[r].numbers[i];
-        const ref::Estimated& truth = reference.results[r].numbers[i];
+        const ref::Estimate& truth = reference.results[r].numbers[i];
         const double rounding = 1e-15 * std::fabs(number.value);
         CHECK(std::fabs(number.value - truth.to_double()) <=
               number.error + std::stod(truth.error_text()) + rounding);

@@ -17,7 +17,7 @@ Comparator::Comparator(const Quantity& quantity, const Evaluator& evaluator, con
       checks_own_error_(is_fast && quantity.fast_error) {}
 
 void Comparator::operator()(std::span<const Point> points, std::span<std::optional<Finding>> findings) const {
-  std::vector<std::optional<Reference>> truths;
+  std::vector<std::optional<ref::Estimate>> truths;
   std::vector<Point> known;
   for (const Point& point : points) {
     truths.push_back(truth(point));
@@ -41,7 +41,7 @@ std::optional<Finding> Comparator::operator()(const Point& point, double value) 
   return known ? std::optional(finding(value, *known, point)) : std::nullopt;
 }
 
-std::optional<Reference> Comparator::truth(const Point& point) const {
+std::optional<ref::Estimate> Comparator::truth(const Point& point) const {
   try {
     return ref_value(quantity_, point, digits_beyond_double);
   } catch (const data::BadInput&) {
@@ -50,7 +50,7 @@ std::optional<Reference> Comparator::truth(const Point& point) const {
   }
 }
 
-Finding Comparator::finding(double value, const Reference& truth, const Point& point) const {
+Finding Comparator::finding(double value, const ref::Estimate& truth, const Point& point) const {
   const Deviation found = deviation(value, truth, quantity_.envelope(point));
   return {found.ulps, found.relative, found.ulps == 0 ? 0 : found.ulps / allowed_ulps(found.scale, point)};
 }

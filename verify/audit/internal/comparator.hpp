@@ -21,8 +21,8 @@ class Comparator {
   [[nodiscard]] std::optional<Finding> operator()(const Point& point, double value) const;
 
  private:
-  [[nodiscard]] std::optional<Reference> truth(const Point& point) const;
-  [[nodiscard]] Finding finding(double value, const Reference& truth, const Point& point) const;
+  [[nodiscard]] std::optional<ref::Estimate> truth(const Point& point) const;
+  [[nodiscard]] Finding finding(double value, const ref::Estimate& truth, const Point& point) const;
   [[nodiscard]] double allowed_ulps(double scale, const Point& point) const;
   [[nodiscard]] double tolerated_ulps(double scale) const;
 

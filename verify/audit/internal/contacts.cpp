@@ -123,7 +123,7 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
                      shear ? std::optional(fast::oscillation(sampled_shear(contact, 40))) : std::nullopt,
                      load.error / load.value};
   if (shear || ratio > longest_ref_converged) return audit;
-  const ref::Estimated truth = ref::converged_for_length(nip, length, contact_digits).load();
+  const ref::Estimate truth = ref::converged_for_length(nip, length, contact_digits).load();
   audit.error = std::fabs(truth.error_of(load.value)) / load.value;
   return audit;
 }

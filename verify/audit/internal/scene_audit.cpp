@@ -32,10 +32,9 @@ constexpr double fastest_by_ref = 0.98;
 using RefNumber = data::WithError<long double, double>;
 
 /// With the rounding to a long double, which has 19 digits, in the error.
-RefNumber ref_number(const ref::Estimated& number) {
+RefNumber ref_number(const ref::Estimate& number) {
   const long double value = mpfr_get_ld(number.value.get(), MPFR_RNDN);
-  return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value)),
-          number.proven};
+  return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
 /// What a number is compared with.
@@ -200,9 +199,9 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
     if (is_too_dear(problem, surface, id, critical_speed) || (!dear && is_dear(problem, surface, id)))
       return std::optional<Other>();
     try {
-      const ref::Estimated number = result.what->shape == data::Shape::profile
-                                        ? contact->at(id, solved.positions[i])
-                                        : contact->number(id);
+      const ref::Estimate number = result.what->shape == data::Shape::profile
+                                       ? contact->at(id, solved.positions[i])
+                                       : contact->number(id);
       return std::optional(Other{ref_number(number), true});
     } catch (const data::BadInput&) {
       return std::optional<Other>();  // where no proof is found, or not the digits
@@ -222,7 +221,7 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
   try {
     const auto truth = solvers.ref(drawn.scene(), ref_digits);
     comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
-      const ref::Estimated& number = truth.profile(result.what->name)[i];
+      const ref::Estimate& number = truth.profile(result.what->name)[i];
       return std::optional(Other{ref_number(number), true});
     });
   } catch (const data::BadInput&) {

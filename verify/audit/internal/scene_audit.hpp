@@ -14,7 +14,7 @@ namespace nipref::verify {
 /// What is audited, and by what.
 struct SceneSolvers {
   std::function<SceneSolution<fast::Estimate>(const data::Scene&)> fast = solve;
-  std::function<SceneSolution<ref::Estimated>(const data::Scene&, int digits)> ref = solve_by_ref;
+  std::function<SceneSolution<ref::Estimate>(const data::Scene&, int digits)> ref = solve_by_ref;
 };
 
 /// What was found about one drawn scene. A number is a result, or one of a profile.

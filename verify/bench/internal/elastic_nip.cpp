@@ -82,7 +82,7 @@ std::vector<BenchRow> rows_of(const Case& at, int rounds) {
   std::vector<Contender> contenders;
   for (const ElasticNipMethod& method : all) contenders.push_back(contender(method.length));
   const auto timings = time_interleaved(contenders, rounds);
-  const ref::Estimated truth = ref::converged_for_load(at.nip, at.load, length_digits).contact_length();
+  const ref::Estimate truth = ref::converged_for_load(at.nip, at.load, length_digits).contact_length();
   std::vector<BenchRow> rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double length = all[i].length();

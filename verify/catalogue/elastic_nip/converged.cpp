@@ -69,11 +69,11 @@ NipEstimates nip_by_fast(NipArguments x, fast::Accuracy accuracy) {
 }
 
 struct NipResults {
-  Reference load, indentation, creep_ratio, peak_pressure, peak_shear;
+  ref::Estimate load, indentation, creep_ratio, peak_pressure, peak_shear;
 };
 
 template <class Contact>
-NipResults results_of(const Contact& contact, const Reference& peak_shear) {
+NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
@@ -126,7 +126,7 @@ NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, 
     const auto contact = ref::gripped_for_length(nip, length, digits);
     return results_of(contact, contact.peak_shear());
   }
-  const Reference nothing = ref::exact_zero(digits);
+  const ref::Estimate nothing = ref::exact_zero(digits);
   if (length < shortest_from_shorter || digits > most_digits_of_thin) {
     check_work(length, digits);
     return results_of(ref::converged_for_length(nip, length, digits), nothing);

@@ -92,7 +92,7 @@ Quantity isotropic_shear(std::string name, std::string definition, FastMember of
         ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, x[0], unit), data::SymmetryAxis::normal);
     // Near the critical speed the bounds are those of the compliance, which is much larger than what is across.
     const auto bound_over_value = [](const ref::Enclosure& found) {
-      return mpfr_get_exp(found.error_bound.get()) - mpfr_get_exp(found.value.get());
+      return mpfr_get_exp(found.error.get()) - mpfr_get_exp(found.value.get());
     };
     ref::Enclosure found = ref::line_response(solid, line.speed, line.motion, line.psi, digits).*of_ref;
     const auto asked = static_cast<long>(-digits / std::log10(2.0));

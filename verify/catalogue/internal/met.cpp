@@ -16,7 +16,8 @@ double known_envelope(const Quantity& quantity, const ParsedArguments& arguments
 
 }  // namespace
 
-bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const Reference& found, int digits) {
+bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const ref::Estimate& found,
+            int digits) {
   constexpr mpfr_prec_t precision = 64;
   ref::Real allowed(precision), envelope(precision), power(precision);
   mpfr_set_d(envelope.get(), known_envelope(quantity, arguments), MPFR_RNDD);

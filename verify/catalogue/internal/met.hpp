@@ -13,7 +13,8 @@ namespace nipref::verify {
 
 /// Of the reference at these arguments. Where the envelope leaves the doubles the scale is the value alone, which is
 /// no larger.
-bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const Reference& found, int digits);
+bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const ref::Estimate& found,
+            int digits);
 
 /// Of fast; a NaN meets nothing.
 inline bool is_met(double error, double scale, double rtol) { return error <= rtol * scale; }

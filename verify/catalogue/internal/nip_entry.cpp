@@ -21,7 +21,7 @@ struct SolvedNips {
     key.push_back(accuracy.rtol());
     return (*by_fast.at(key, [&] { return solver.fast(x, accuracy); }))[number];
   }
-  Reference ref(std::span<const double> x, int digits, std::size_t number) {
+  ref::Estimate ref(std::span<const double> x, int digits, std::size_t number) {
     std::vector<double> key(x.begin(), x.end());
     key.push_back(digits);
     return (*by_ref.at(key, [&] { return solver.ref(x, digits); }))[number];
@@ -47,7 +47,7 @@ void check_nip_length(double L_over_B) {
 
 double nip_accuracy(fast::Accuracy accuracy) { return std::clamp(accuracy.rtol(), 1e-13, 0.1); }
 
-Reference in_unit(Reference number, const mpq_class& factor) {
+ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor) {
   const mpq_class size = abs(factor);
   ref::Real rounding(64);
   mpfr_mul_q(number.value.get(), number.value.get(), factor.get_mpq_t(), MPFR_RNDN);

@@ -20,7 +20,7 @@ inline constexpr double shortest_nip = 1e-8, longest_nip = 1e3;  ///< L/B
 
 /// Numbers of a contact in the order of their entries.
 using NipEstimates = std::vector<fast::Estimate>;
-using NipReferences = std::vector<Reference>;
+using NipReferences = std::vector<ref::Estimate>;
 
 /// BadInput unless L/B is one that is solved.
 void check_nip_length(double L_over_B);
@@ -29,7 +29,7 @@ void check_nip_length(double L_over_B);
 double nip_accuracy(fast::Accuracy accuracy);
 
 /// The number in another unit, by a factor known exactly or rounded; a proven bound stays one.
-Reference in_unit(Reference number, const mpq_class& factor);
+ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor);
 fast::Estimate in_unit(const fast::Estimate& number, double factor);
 
 /// One number of a kind of contact.

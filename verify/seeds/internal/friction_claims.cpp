@@ -20,9 +20,9 @@ constexpr double third = 1.0 / 3;
 std::string ratio_text(double poisson) { return poisson == third ? "1/3" : fmt::format("{}", poisson); }
 
 /// |chi_0| - |chi_inf| over the sum of their sizes.
-WithError creep_excess(double length_over_thickness) {
-  const WithError without = fabs(nip_of_length(length_over_thickness, Friction::none, third).creep_ratio());
-  const WithError with = fabs(nip_of_length(length_over_thickness, Friction::full, third).creep_ratio());
+Propagated creep_excess(double length_over_thickness) {
+  const Propagated without = fabs(nip_of_length(length_over_thickness, Friction::none, third).creep_ratio());
+  const Propagated with = fabs(nip_of_length(length_over_thickness, Friction::full, third).creep_ratio());
   return (without - with) / (without + with);
 }
 
@@ -37,7 +37,7 @@ ClaimOutcome creep_with_friction() {
   if (!(fabs(outcome.numbers[3].number) - fabs(outcome.numbers[2].number)).is_positive())
     outcome.verdict = ClaimVerdict::holds;
   // Thin, thick and in between, where the two creeps vanish one after the other.
-  const WithError from = sign_change(creep_excess, 0.3, 0.55), to = sign_change(creep_excess, 0.8, 3);
+  const Propagated from = sign_change(creep_excess, 0.3, 0.55), to = sign_change(creep_excess, 0.8, 3);
   outcome.why = fmt::format("at nu = 1/3 |chi_inf| is the larger one for L/B between {:.4f} and {:.4f}",
                             from.value(), to.value());
   outcome.numbers.push_back({"L/B from which |chi_inf| is the larger one, nu = 1/3", from});
@@ -47,8 +47,8 @@ ClaimOutcome creep_with_friction() {
 
 /// A result without friction, with it, and by how much friction changes it.
 struct Change {
-  WithError without, with;
-  [[nodiscard]] WithError share() const { return (with - without) / without; }
+  Propagated without, with;
+  [[nodiscard]] Propagated share() const { return (with - without) / without; }
 };
 
 using Result = fast::Estimate (ConvergedElasticNip::*)() const;
@@ -66,7 +66,7 @@ ClaimOutcome changes_less(const std::vector<std::pair<std::string, Result>>& res
   bool holds_there = true, holds_everywhere = true;
   for (const auto& [name, result] : results) {
     for (const double poisson : {data::seed::sheet_of_the_tables.poisson, 0.5}) {
-      const WithError share = change_of(result, 0.005, 100, poisson).share();
+      const Propagated share = change_of(result, 0.005, 100, poisson).share();
       outcome.numbers.push_back(
           {fmt::format("change of the {}, B = 0.005 in, W = 100 lbf/in, nu = {}", name, ratio_text(poisson)),
            share});
@@ -128,16 +128,16 @@ ClaimOutcome sign_of_creep() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   for (const double poisson : {0.25, third, 0.45, 0.49}) {
     for (const Friction friction : {Friction::none, Friction::full}) {
-      const WithError zero = sign_change(
+      const Propagated zero = sign_change(
           [&](double length) { return nip_of_length(length, friction, poisson).creep_ratio(); }, 0.005, 3);
       outcome.numbers.push_back({fmt::format("L/B at which the creep vanishes, nu = {}, {} friction",
                                              ratio_text(poisson), friction == Friction::none ? "no" : "full"),
                                  zero});
     }
   }
-  const WithError thick = nip_of_length(0.005, Friction::none, third).creep_ratio(),
-                  incompressible = nip_of_length(1e-3, Friction::none, 0.5).creep_ratio(),
-                  auxetic = nip_of_length(100, Friction::none, -0.5).creep_ratio();
+  const Propagated thick = nip_of_length(0.005, Friction::none, third).creep_ratio(),
+                   incompressible = nip_of_length(1e-3, Friction::none, 0.5).creep_ratio(),
+                   auxetic = nip_of_length(100, Friction::none, -0.5).creep_ratio();
   outcome.numbers.push_back({"creep of a thick sheet, R = 100.5 b, nu = 1/3, L/B = 0.005", thick});
   outcome.numbers.push_back({"the same of an incompressible one, R = 100.1 b, L/B = 0.001", incompressible});
   outcome.numbers.push_back({"creep of a thin sheet, R = 10100 b, nu = -1/2, L/B = 100", auxetic});
@@ -153,15 +153,15 @@ ClaimOutcome sign_of_creep() {
 }
 
 /// d ln W/d ln L of one roller
-WithError load_exponent(double length_over_thickness, Friction friction, double poisson) {
+Propagated load_exponent(double length_over_thickness, Friction friction, double poisson) {
   constexpr double accuracy = 1e-13, step = 0.25;
   const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, poisson}};
   return derivative(
       [&](double log_of_length) {
         const double length = length_over_thickness * std::exp(log_of_length);
-        const WithError load = fast::converged_for_length(nip, friction, 2 * length, accuracy).load();
+        const Propagated load = fast::converged_for_length(nip, friction, 2 * length, accuracy).load();
         // No load grows faster than L^5: what rounding of the length makes of it.
-        return log(load) + WithError(0, 5 * 0x1p-51);
+        return log(load) + Propagated(0, 5 * 0x1p-51);
       },
       0, step);
 }
@@ -179,7 +179,7 @@ ClaimOutcome load_as_cube() {
                              {100, Friction::none, third},
                              {100, Friction::full, third},
                              {100, Friction::full, 0.5}}) {
-    const WithError exponent = load_exponent(sheet.length, sheet.friction, sheet.poisson);
+    const Propagated exponent = load_exponent(sheet.length, sheet.friction, sheet.poisson);
     outcome.numbers.push_back(
         {fmt::format("d ln W/d ln L, L/B = {}, nu = {}, {} friction", sheet.length, ratio_text(sheet.poisson),
                      sheet.friction == Friction::none ? "no" : "full"),

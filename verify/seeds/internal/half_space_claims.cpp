@@ -45,8 +45,8 @@ ClaimOutcome ellipse_at_rest() {
   outcome.numbers.push_back(row("ellipse.axis_ratio",
                                 {{"poisson", "0.3"}, {"speed", "0"}, {"curvature_ratio", "4"}},
                                 "axes of the exact contact, curvatures 4 to 1"));
-  outcome.numbers.push_back({"axes of the profile's section", sqrt(1 / WithError(curvature_ratio))});
-  outcome.numbers.push_back({"L2/L1 = C1/C2 of (35)", 1 / WithError(curvature_ratio)});
+  outcome.numbers.push_back({"axes of the profile's section", sqrt(1 / Propagated(curvature_ratio))});
+  outcome.numbers.push_back({"L2/L1 = C1/C2 of (35)", 1 / Propagated(curvature_ratio)});
   const double exact = outcome.numbers[0].number.value(), section = outcome.numbers[1].number.value();
   const bool more_slender = exact < section, as_printed = std::fabs(exact * curvature_ratio - 1) < 1e-3;
   if (!more_slender) {
@@ -101,9 +101,9 @@ ClaimOutcome strip_of_oscillation() {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   std::string last_true;
   for (const char* speed : {"0.01", "0.1", "0.2", "0.3", "0.5", "0.9"}) {
-    const WithError index =
+    const Propagated index =
         row("rolling.index", {{"poisson", one_third}, {"speed", speed}, {"psi_deg", "0"}}, "P").number;
-    const WithError strip = exp(-WithError::pi() / (2 * index));
+    const Propagated strip = exp(-Propagated::pi() / (2 * index));
     outcome.numbers.push_back({fmt::format("exp(-pi/2P), nu = 1/3, c = {}", speed), strip});
     if (strip.value() < order_of_magnitude * said)
       last_true = speed;
@@ -132,10 +132,10 @@ ClaimOutcome rayleigh_roots() {
 /// c0 of steel's shear waves to m/s, as the paper has it.
 constexpr double steel_shear_speed = 3133.99;
 
-ClaimOutcome subcritical_limit(const Assignments& where, const WithError& said, const std::string& why_not) {
+ClaimOutcome subcritical_limit(const Assignments& where, const Propagated& said, const std::string& why_not) {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   outcome.numbers.push_back(row("ti.critical", where, "smallest speed at which some line is critical, c0"));
-  const WithError limit = outcome.numbers[0].number;
+  const Propagated limit = outcome.numbers[0].number;
   outcome.numbers.push_back({"the same, m/s", limit * steel_shear_speed});
   outcome.numbers.push_back({"said, c0", said, true});
   if (!rounds_to(limit.value(), said.value(), 1e-3)) {
@@ -147,13 +147,13 @@ ClaimOutcome subcritical_limit(const Assignments& where, const WithError& said, 
 
 ClaimOutcome limit_with_normal_axis() {
   return subcritical_limit(
-      {{"axis", "normal"}}, WithError::exact(0.4595),
+      {{"axis", "normal"}}, Propagated::exact(0.4595),
       "the branch point is that of waves which have no part in the normal displacement; the limit is "
       "the surface wave's");
 }
 
 ClaimOutcome limit_at_45() {
-  return subcritical_limit({{"axis", "in-plane"}, {"theta_deg", "45"}}, 1769 / WithError(steel_shear_speed),
+  return subcritical_limit({{"axis", "in-plane"}, {"theta_deg", "45"}}, 1769 / Propagated(steel_shear_speed),
                            "other lines than the one of the motion are critical before");
 }
 

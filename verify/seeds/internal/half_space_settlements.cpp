@@ -31,20 +31,20 @@ Settlement in_plane_compliance() {
 Settlement cosine_of_exponent() {
   const SettledRow row("die.exponent",
                        {{"poisson", many_thirds}, {"speed", "0.5"}, {"friction", "0.5"}, {"psi_deg", "60"}});
-  const WithError cosine = 0.5;
+  const Propagated cosine = 0.5;
   // gamma S cos psi/sqrt(K^2 + (gamma S cos psi)^2), K and S of the half-space; printed with one cosine more.
   const Assignments line{{"poisson", many_thirds}, {"speed", "0.5"}, {"psi_deg", "60"}};
-  const WithError compliance = SettledRow("halfspace.compliance", line).by_fast,
-                  coupling = SettledRow("halfspace.coupling", line).by_fast;
-  const WithError gamma = 0.5 * cosine * coupling, right = gamma / hypot(compliance, gamma);
+  const Propagated compliance = SettledRow("halfspace.compliance", line).by_fast,
+                   coupling = SettledRow("halfspace.coupling", line).by_fast;
+  const Propagated gamma = 0.5 * cosine * coupling, right = gamma / hypot(compliance, gamma);
   return {"cos pi Omega, nu = 1/3, c = 0.5, friction 0.5, psi = 60 degrees", right * cosine, right,
-          cos(WithError::pi() * row.by_ref)};
+          cos(Propagated::pi() * row.by_ref)};
 }
 
 Settlement branch_radicand() {
   const data::TransverselyIsotropicSolid& solid = data::seed::graphite_epoxy;
   const data::IsotropicSolid& steel = data::seed::steel;
-  const WithError speed_scale = sqrt(WithError(solid.density) / steel.density);
+  const Propagated speed_scale = sqrt(Propagated(solid.density) / steel.density);
   const ScaledModuli moduli{solid.c11 / steel.shear,
                             solid.c33 / steel.shear,
                             solid.c13 / steel.shear,
@@ -53,7 +53,7 @@ Settlement branch_radicand() {
                             speed_scale.value(),
                             0};
   const SettledRow branch("ti.branch", {{"theta_deg", "45"}, {"which", "minus"}});
-  const auto radicand = [&](const WithError& speed) { return 2 * square(speed * speed_scale); };
+  const auto radicand = [&](const Propagated& speed) { return 2 * square(speed * speed_scale); };
   return {"2 c_minus^2 at theta = 45 degrees",
           printed_form(branch_radicand_as_printed(moduli, fast::Direction::of_degrees(45))),
           radicand(branch.by_fast), radicand(branch.by_ref)};
@@ -63,7 +63,7 @@ Settlement branch_radicand() {
 Settlement die_span_ratio_at_rest() {
   const Assignments at{{"poisson", many_thirds}, {"speed", "0"}, {"friction", "0.3"}};
   const SettledRow row("die.span_ratio", at);
-  return {"C2 L2/(C1 L1) at rest, nu = 1/3, friction 0.3", WithError::exact(1), row.by_fast, row.by_ref};
+  return {"C2 L2/(C1 L1) at rest, nu = 1/3, friction 0.3", Propagated::exact(1), row.by_fast, row.by_ref};
 }
 
 Settlement in_line_response() {

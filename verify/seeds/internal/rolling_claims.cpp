@@ -24,9 +24,10 @@ fast::ConvergedViscoelasticNip thesis_rolling(double thickness, double load, dou
 }
 
 /// What f is at a place, which it changes with all one way.
-WithError at_place(const Function& f, const WithError& place) {
-  const WithError below = f(place.value() - place.error()), above = f(place.value() + place.error());
-  return below.value() < above.value() ? WithError::between(below, above) : WithError::between(above, below);
+Propagated at_place(const Function& f, const Propagated& place) {
+  const Propagated below = f(place.value() - place.error()), above = f(place.value() + place.error());
+  return below.value() < above.value() ? Propagated::between(below, above)
+                                       : Propagated::between(above, below);
 }
 
 ClaimOutcome largest_resistance() {
@@ -34,13 +35,13 @@ ClaimOutcome largest_resistance() {
   double least = 1, most = 0;
   for (const double thickness : {1.0, 0.25, 0.0625, 0.005}) {
     for (const double load : {50.0, 200.0}) {
-      const WithError memory =
+      const Propagated memory =
           largest([&](double at) { return thesis_rolling(thickness, load, at).rolling_resistance(); }, 1e-3,
                   1)
               .place;
-      const WithError share = at_place(
+      const Propagated share = at_place(
           [&](double at) {
-            return WithError::exact(at) / thesis_rolling(thickness, load, at).contact_length();
+            return Propagated::exact(at) / thesis_rolling(thickness, load, at).contact_length();
           },
           memory);
       const std::string where = fmt::format("of the largest mu_R, B = {} in, W = {} lbf/in", thickness, load);
@@ -64,7 +65,7 @@ ClaimOutcome largest_resistance() {
 
 ClaimOutcome resistance_of_short_memory() {
   constexpr double memory = 1e-4;
-  const WithError limit = memory / WithError(2 * thesis_radius);
+  const Propagated limit = memory / Propagated(2 * thesis_radius);
   ClaimOutcome outcome{ClaimVerdict::holds, "", {{"F0 tau/(2R), the limit of a short memory", limit}}};
   double farthest = 0;
   struct Case {
@@ -74,14 +75,14 @@ ClaimOutcome resistance_of_short_memory() {
   for (const Case& one :
        {Case{"thesis-XXIII", 50}, {"thesis-XXIV", 100}, {"thesis-XXV", 150}, {"thesis-XXVI", 200}}) {
     const data::Table table = data::load_table_by_id(one.table);
-    const WithError found = thesis_rolling(0.005, one.load, memory).rolling_resistance();
+    const Propagated found = thesis_rolling(0.005, one.load, memory).rolling_resistance();
     outcome.numbers.push_back({fmt::format("mu_R, B = 0.005 in, W = {} lbf/in", one.load), found});
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
       const auto& key = table.cell(row, "F0_tau").number;
       const auto& printed = table.cell(row, "muR").number;
       if (!key || !printed || std::fabs(key->value / memory - 1) > 1e-6) continue;
       outcome.numbers.push_back(
-          {fmt::format("printed in {}", one.table), WithError::exact(printed->value), true});
+          {fmt::format("printed in {}", one.table), Propagated::exact(printed->value), true});
       farthest = std::max(farthest, std::fabs(printed->value / found.value() - 1));
     }
   }
@@ -96,7 +97,7 @@ ClaimOutcome elastic_extremes() {
   for (const double thickness : {1.0, 0.005}) {
     for (const double memory : {1e3, 1e-6}) {
       const auto nip = thesis_rolling(thickness, 100, memory);
-      const WithError share = WithError(nip.leading_length()) / nip.contact_length();
+      const Propagated share = Propagated(nip.leading_length()) / nip.contact_length();
       outcome.numbers.push_back(
           {fmt::format("L1/L, B = {} in, W = 100 lbf/in, F0 tau = {} in", thickness, memory), share});
       farthest = std::max(farthest, std::fabs(share.value() - 0.5));

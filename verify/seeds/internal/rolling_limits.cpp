@@ -30,12 +30,12 @@ data::ViscoelasticMaterial two_times(double scale) {
 }
 
 /// What the material's own functions are rounded by: sums of a few products.
-WithError of_material(double value) { return {value, 0x1p-48 * std::fabs(value)}; }
+Propagated of_material(double value) { return {value, 0x1p-48 * std::fabs(value)}; }
 
 /// F0 sum(gamma/lambda^2)/(R N(infinity)): what a short memory leaves of the resistance.
-WithError short_memory_resistance(const data::ViscoelasticMaterial& material) {
+Propagated short_memory_resistance(const data::ViscoelasticMaterial& material) {
   const data::MaterialFunction n = material.functions()->normal_compliance();
-  WithError sum = 0;
+  Propagated sum = 0;
   for (const data::RelaxationTerm& term : n.terms)
     sum = sum + of_material((term.amplitude / (term.rate * term.rate)).real());
   return sum / (rolling_radius * of_material(n.long_time()));
@@ -43,22 +43,22 @@ WithError short_memory_resistance(const data::ViscoelasticMaterial& material) {
 
 /// mu_R of a long memory: the elastic contact of the compliance at once, over all of which the amplitudes act: sum(gamma)
 /// (d0 - int p Y^2/(2 R W))/(F0 N(0)).
-WithError long_memory_resistance(const data::ViscoelasticMaterial& material, double length) {
+Propagated long_memory_resistance(const data::ViscoelasticMaterial& material, double length) {
   const data::MaterialFunction n = material.functions()->normal_compliance();
   const data::ElasticNip nip{rolling_radius, 2, {2 / n.instantaneous, 0}};
   const auto contact = fast::converged_for_length(nip, data::Friction::none, length, rolling_accuracy);
   constexpr int nodes = 200;
-  const WithError half = WithError::exact(length / 2), step = WithError::pi() / (nodes + 1);
-  WithError second_moment = 0;
+  const Propagated half = Propagated::exact(length / 2), step = Propagated::pi() / (nodes + 1);
+  Propagated second_moment = 0;
   for (int i = 1; i <= nodes; ++i) {  // Gauss's rule for the ends' square roots
-    const WithError angle = i * step, t = cos(angle);
+    const Propagated angle = i * step, t = cos(angle);
     second_moment = second_moment + contact.pressure((half * t).value()) * square(t) * sin(angle);
   }
   second_moment = second_moment * half * square(half) * step;
-  WithError amplitudes = 0;
+  Propagated amplitudes = 0;
   for (const data::RelaxationTerm& term : n.terms)
     amplitudes = amplitudes + of_material(term.amplitude.real());
-  const WithError lost = contact.indentation() - second_moment / (2 * rolling_radius * contact.load());
+  const Propagated lost = contact.indentation() - second_moment / (2 * rolling_radius * contact.load());
   return amplitudes * lost / of_material(n.instantaneous);
 }
 
@@ -76,7 +76,7 @@ std::vector<LimitRow> memory_limits() {
               [](double size) {
                 return LimitSample{
                     size, rolling(one_time(size * memory_length), memory_length).rolling_resistance(),
-                    WithError::exact(size) * memory_length / (2 * rolling_radius)};
+                    Propagated::exact(size) * memory_length / (2 * rolling_radius)};
               })},
       {"limit.short_memory.prony_resistance",
        "mu_R = F0 sum(gamma/lambda^2)/(R N(infinity)), two relaxation times",
@@ -112,13 +112,13 @@ std::vector<LimitRow> thin_limits() {
        halved(first,
               [&](double size) {
                 return LimitSample{
-                    size, WithError::exact(rolling_radius * size / 2) * nip(size).rolling_resistance(),
+                    size, Propagated::exact(rolling_radius * size / 2) * nip(size).rolling_resistance(),
                     limit.resistance};
               })},
       {"limit.thin_memory.leading_share", "L1/L", source, "B/L", 1,
        halved(first,
               [&](double size) {
-                return LimitSample{size, WithError::exact(size / 2) * nip(size).leading_length(),
+                return LimitSample{size, Propagated::exact(size / 2) * nip(size).leading_length(),
                                    limit.leading_share};
               })},
   };

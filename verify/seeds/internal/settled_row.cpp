@@ -8,7 +8,7 @@
 #include <nipref/verify/seeds/internal/settled_row.hpp>
 
 namespace nipref::verify {
-WithError SettledRow::in_double(const Reference& reference) {
+Propagated SettledRow::in_double(const ref::Estimate& reference) {
   const double value = reference.to_double();
   return {value, std::fabs(reference.error_of(value)) + std::strtod(reference.error_text().c_str(), nullptr)};
 }
@@ -21,7 +21,7 @@ SettledRow::SettledRow(const std::string& name, const Assignments& given)
   by_ref = in_double(quantity->by_ref(arguments.exact, digits));
   const double value = quantity->by_fast(point, {});
   const double promised = quantity->promise * ulp_of(std::max(std::fabs(value), quantity->envelope(point)));
-  const WithError moved = in_double(ref_value(*quantity, point, digits)) - by_ref;
+  const Propagated moved = in_double(ref_value(*quantity, point, digits)) - by_ref;
   by_fast = {value, promised + std::fabs(moved.value()) + moved.error()};
 }
 

@@ -60,19 +60,19 @@ bool ratio_rises(const std::vector<Station>& all) {
 using Property = std::function<bool(const std::vector<Station>&)>;
 
 /// L/B between one where `is_so` and one where it is not.
-WithError border_between(const Property& is_so, double with, double without) {
+Propagated border_between(const Property& is_so, double with, double without) {
   constexpr int halvings = 7;
   for (int i = 0; i < halvings; ++i) {
     const double middle = std::midpoint(with, without);
     (is_so(stations(nip_of_length(middle, Friction::full, shear_poisson))) ? with : without) = middle;
   }
-  return WithError::between(WithError::exact(std::min(with, without)),
-                            WithError::exact(std::max(with, without)));
+  return Propagated::between(Propagated::exact(std::min(with, without)),
+                             Propagated::exact(std::max(with, without)));
 }
 
 /// From the first to the last L/B at which `is_so`, nu = 1/3, of those looked at in steps of a twentieth from 0.5 to 20.
 struct Range {
-  WithError first, last;
+  Propagated first, last;
 };
 std::optional<Range> range_where(const Property& is_so) {
   constexpr double lowest = 0.5, highest = 20, factor = 1.05;
@@ -84,8 +84,8 @@ std::optional<Range> range_where(const Property& is_so) {
     last = here;
   }
   if (first == 0) return {};
-  return Range{first == lowest ? WithError::exact(lowest) : border_between(is_so, first, first / factor),
-               last == highest ? WithError::exact(highest) : border_between(is_so, last, last * factor)};
+  return Range{first == lowest ? Propagated::exact(lowest) : border_between(is_so, first, first / factor),
+               last == highest ? Propagated::exact(highest) : border_between(is_so, last, last * factor)};
 }
 
 ClaimOutcome outcome_outside(const std::optional<Range>& broken, const char* what) {
@@ -106,7 +106,7 @@ ClaimOutcome one_reversal() {
     outcome.numbers.push_back(
         {fmt::format("q at 2Y/L = {}, B = 0.0625 in, W = 100 lbf/in, psi", share), nip.shear(share * half)});
   outcome.numbers.push_back(
-      {"2Y/L at which q vanishes there", 2 * WithError(nip.shear_zeros().at(1)) / nip.contact_length()});
+      {"2Y/L at which q vanishes there", 2 * Propagated(nip.shear_zeros().at(1)) / nip.contact_length()});
   return outcome;
 }
 
@@ -129,7 +129,7 @@ ClaimOutcome place_of_largest() {
   double least = 1, most = 0;
   for (const Sheet& sheet : {Sheet{1, 100}, {0.25, 100}, {0.005, 25}, {0.005, 100}, {0.005, 200}}) {
     const ConvergedElasticNip nip = thesis_nip(sheet.thickness, sheet.load, Friction::full);
-    const WithError place = 0.5 - WithError(nip.peak_shear_position()) / nip.contact_length();
+    const Propagated place = 0.5 - Propagated(nip.peak_shear_position()) / nip.contact_length();
     outcome.numbers.push_back(
         {fmt::format("distance from the end over L, B = {} in, W = {} lbf/in", sheet.thickness, sheet.load),
          place});
@@ -146,10 +146,10 @@ ClaimOutcome place_of_largest() {
 
 ClaimOutcome intermediate_shear() {
   ClaimOutcome outcome{ClaimVerdict::holds, "smallest over the peak pressure on the sheet in between", {}};
-  std::vector<WithError> shares;
+  std::vector<Propagated> shares;
   for (const double thickness : {1.0, 0.0625, 0.005}) {
     const ConvergedElasticNip nip = thesis_nip(thickness, 25, Friction::full);
-    shares.push_back(WithError(nip.peak_shear()) / nip.peak_pressure());
+    shares.push_back(Propagated(nip.peak_shear()) / nip.peak_pressure());
     outcome.numbers.push_back(
         {fmt::format("peak shear over peak pressure, B = {} in, W = 25 lbf/in", thickness), shares.back()});
   }

@@ -1,13 +1,13 @@
 #pragma once
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 
 namespace nipref::verify {
 
 /// A very thin frictionless sheet of the solid with one relaxation time tau that ends up twice as compliant as it
 /// begins: springs with N p + (N/tau) int e^(-t/tau) p = 2 u/b, in closed form.
 struct ThinStandardSolid {
-  WithError leading_share;  ///< L1/L
-  WithError resistance;     ///< mu_R R/L
+  Propagated leading_share;  ///< L1/L
+  Propagated resistance;     ///< mu_R R/L
 };
 
 /// memory: F0 tau/L, > 0.

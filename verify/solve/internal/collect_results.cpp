@@ -67,12 +67,12 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
   return allowed;
 }
 
-std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimated>& contact,
-                                        const SceneSolution<ref::Estimated>::Result& result,
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimate>& contact,
+                                        const SceneSolution<ref::Estimate>::Result& result,
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field) {
   long double largest = 0;
-  for (const ref::Estimated& number : result.numbers)
+  for (const ref::Estimate& number : result.numbers)
     largest = std::max(largest, std::fabs(mpfr_get_ld(number.value.get(), MPFR_RNDN)));
   std::vector<long double> allowed;
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {

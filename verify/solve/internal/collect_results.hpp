@@ -22,7 +22,7 @@ inline bool is_finite(const fast::Estimate& number) {
   return std::isfinite(number.value) && std::isfinite(number.error);
 }
 /// These have a range that no scene leaves.
-inline bool is_finite(const ref::Estimated&) { return true; }
+inline bool is_finite(const ref::Estimate&) { return true; }
 
 /// Whether the scene is solved by line loads.
 bool is_by_line_loads(const data::Scene& scene);
@@ -53,8 +53,8 @@ std::vector<long double> allowed_errors(long double accuracy, const SolvedContac
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
 /// The reference's digits likewise, of a profile those of its largest number.
-std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimated>& contact,
-                                        const SceneSolution<ref::Estimated>::Result& result,
+std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimate>& contact,
+                                        const SceneSolution<ref::Estimate>::Result& result,
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <variant>
 
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/enclosure.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/ref/number/exact.hpp>
 #include <nipref/verify/solve/internal/derived_results.hpp>
 
@@ -43,18 +44,17 @@ struct FactorOf {
 Estimate multiplied(const Estimate& a, const Estimate& b) { return a * b; }
 
 /// With the error `error`, and what the value's own rounding adds, as many digits as the better of the two.
-ref::Estimated estimated_of(ref::Real value, ref::Real error, const ref::Estimated& a,
-                            const ref::Estimated& b) {
+ref::Estimate estimated_of(ref::Real value, ref::Real error, const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real rounding(64);
   mpfr_abs(rounding.get(), value.get(), MPFR_RNDU);
   mpfr_div_2si(rounding.get(), rounding.get(), value.precision() - 1, MPFR_RNDU);
   mpfr_add(error.get(), error.get(), rounding.get(), MPFR_RNDU);
-  ref::Estimated result(std::move(value), std::move(error), std::max(a.digits, b.digits));
+  ref::Estimate result(std::move(value), std::move(error), std::max(a.digits, b.digits));
   result.proven = a.proven && b.proven;
   return result;
 }
 
-ref::Estimated multiplied(const ref::Estimated& a, const ref::Estimated& b) {
+ref::Estimate multiplied(const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64), part(64);
   mpfr_mul(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
   mpfr_mul(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
@@ -66,22 +66,22 @@ ref::Estimated multiplied(const ref::Estimated& a, const ref::Estimated& b) {
   return estimated_of(std::move(value), std::move(error), a, b);
 }
 
-ref::Estimated less(const ref::Estimated& a, const ref::Estimated& b) {
+ref::Estimate less(const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64);
   mpfr_sub(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
   mpfr_add(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
   return estimated_of(std::move(value), std::move(error), a, b);
 }
 
-bool same(const ref::Estimated& a, const ref::Estimated& b) {
+bool same(const ref::Estimate& a, const ref::Estimate& b) {
   return mpfr_equal_p(a.value.get(), b.value.get()) != 0 && mpfr_equal_p(a.error.get(), b.error.get()) != 0;
 }
 
 Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
-ref::Estimated exact_number(double value, const ref::Estimated& like) {
+ref::Estimate exact_number(double value, const ref::Estimate& like) {
   ref::Real real(64);
   mpfr_set_d(real.get(), value, MPFR_RNDN);
-  return number_of(ref::Enclosure{std::move(real), ref::Real(64), like.digits});
+  return ref::Enclosure{std::move(real), ref::Real(64), like.digits};
 }
 
 /// int p Y dY from a to b, of which either may be an end of the contact, where p falls like a root.
@@ -147,14 +147,14 @@ Estimate WithDerivedResults<Estimate>::slip(double y) const {
 }
 
 template <>
-ref::Estimated WithDerivedResults<ref::Estimated>::slip(double y) const {
+ref::Estimate WithDerivedResults<ref::Estimate>::slip(double y) const {
   if (!creep_) creep_ = contact_.number(ResultId::creep_ratio);
-  const ref::Estimated& stretched = strain(y);
+  const ref::Estimate& stretched = strain(y);
   // What sticks has the creep ratio itself for its strain.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
   if (!grips || !same(stretched, *creep_)) return less(stretched, *creep_);
-  ref::Estimated none = exact_number(0, stretched);
+  ref::Estimate none = exact_number(0, stretched);
   none.proven = stretched.proven;
   return none;
 }
@@ -183,6 +183,6 @@ std::optional<double> WithDerivedResults<Number>::least_size(ResultId id, double
 }
 
 template class WithDerivedResults<Estimate>;
-template class WithDerivedResults<ref::Estimated>;
+template class WithDerivedResults<ref::Estimate>;
 
 }  // namespace nipref::verify

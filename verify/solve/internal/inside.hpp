@@ -23,22 +23,17 @@ struct FastPath {
 };
 struct RefPath {
   static constexpr bool is_fast = false;
-  using Number = ref::Estimated;
+  using Number = ref::Estimate;
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;
   using Greatest = ref::GreatestShear;
-  static Number number(const auto& x) { return number_of(x); }
-  static Number half_of(ref::Enclosure x) {
-    mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
-    mpfr_div_2ui(x.error_bound.get(), x.error_bound.get(), 1, MPFR_RNDU);
-    return number_of(x);
-  }
-  static Number half_of(ref::Estimated x) {
+  static Number number(const auto& x) { return x; }
+  static Number half_of(Number x) {
     mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
     mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
-    return number_of(x);
+    return x;
   }
-  static Number zero() { return number_of(ref::exact_zero(16)); }
+  static Number zero() { return ref::exact_zero(16); }
   static double in_double(const auto& x) { return x.to_double(); }
 };
 

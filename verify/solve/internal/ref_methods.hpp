@@ -4,8 +4,7 @@
 #include <vector>
 
 #include <nipref/data/scene/scene.hpp>
-#include <nipref/ref/number/enclosure.hpp>
-#include <nipref/ref/number/estimated.hpp>
+#include <nipref/ref/number/estimate.hpp>
 #include <nipref/verify/solve/internal/ref_surface.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 #include <nipref/verify/solve/solve.hpp>
@@ -15,34 +14,26 @@ namespace nipref::verify {
 // A contact solved by the reference. BadInput naming "load" or "contact_length" if that is not allowed.
 
 /// Proven without friction, estimated with it.
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_converged(const data::ElasticNipProblem& problem,
-                                                                   int digits);
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_converged(const data::ElasticNipProblem& problem,
+                                                                  int digits);
 
 /// Proven.
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
-                                                                    const data::LineLoads& loads, int digits);
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
+                                                                   const data::LineLoads& loads, int digits);
 
 /// Estimated.
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
-                                                                 int digits);
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_rolling(const data::ViscoelasticNipProblem& problem,
+                                                                int digits);
 
 /// Estimated.
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_rolling_line_loads(
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_rolling_line_loads(
     const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads, int digits);
 
 /// A body on a half-space: line answers and, where all lines are alike, the critical speed are proven, contacts
 /// estimated. Nothing is computed before it is asked for. BadInput "digits" where the digits are not reached,
 /// "span" where a rolling sphere's is too large.
-std::unique_ptr<SolvedContact<ref::Estimated>> solve_ref_half_space(const RefSurface& surface,
-                                                                    const data::HalfSpaceProblem& problem,
-                                                                    int digits);
-
-/// What a scene is answered, which knows whether its error is a bound.
-inline ref::Estimated number_of(const ref::Enclosure& enclosure) {
-  ref::Estimated number(enclosure);
-  number.proven = true;
-  return number;
-}
-inline ref::Estimated number_of(const ref::Estimated& estimated) { return estimated; }
+std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_half_space(const RefSurface& surface,
+                                                                   const data::HalfSpaceProblem& problem,
+                                                                   int digits);
 
 }  // namespace nipref::verify

@@ -103,25 +103,22 @@ ref::Enclosure RefSurface::coupling(double degrees, int digits) const {
   return ref::enclosure_of(ref::interval_of(below) - ref::interval_of(above), digits);
 }
 
-ref::Estimated RefSurface::critical(const Surface& surface, int digits, bool& proven) const {
+ref::Estimate RefSurface::critical(const Surface& surface, int digits) const {
   const ref::SurfaceDirection motion = ref::SurfaceDirection::of_degrees(ref::Exact(direction_));
-  if (!surface.is_alike) {
-    proven = false;
-    return ref::critical_speed(surface.solid, motion, digits).speed;
-  }
+  if (!surface.is_alike) return ref::critical_speed(surface.solid, motion, digits).speed;
   const auto of_wave = ref::surface_wave_speed(surface.solid, motion, motion, digits);
   return of_wave ? *of_wave : ref::limiting_speed(surface.solid, motion, motion, digits);
 }
 
-ref::Estimated RefSurface::critical_speed(int digits) const {
-  bool proven = true;
-  ref::Estimated slowest = critical(half_space_, digits, proven);
+ref::Estimate RefSurface::critical_speed(int digits) const {
+  ref::Estimate slowest = critical(half_space_, digits);
   // A patch that does not move in the body is never critical there.
   if (body_ && body_->moves) {
-    ref::Estimated of_body = critical(*body_, digits, proven);
+    ref::Estimate of_body = critical(*body_, digits);
+    const bool proven = slowest.proven && of_body.proven;
     if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
+    slowest.proven = proven;
   }
-  slowest.proven = proven;
   return slowest;
 }
 

@@ -27,7 +27,7 @@ class RefSurface {
   [[nodiscard]] ref::Enclosure coupling(double degrees, int digits) const;
   /// The smallest critical speed of this motion, unit of speed: proven where all lines are alike, otherwise
   /// estimated, in seconds.
-  [[nodiscard]] ref::Estimated critical_speed(int digits) const;
+  [[nodiscard]] ref::Estimate critical_speed(int digits) const;
   [[nodiscard]] bool all_lines_are_alike() const { return half_space_.is_alike; }
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
 
@@ -41,7 +41,7 @@ class RefSurface {
   };
   struct SurfaceOf;
   [[nodiscard]] ref::LineResponse along(const Surface& surface, const ref::Exact& degrees, int digits) const;
-  [[nodiscard]] ref::Estimated critical(const Surface& surface, int digits, bool& proven) const;
+  [[nodiscard]] ref::Estimate critical(const Surface& surface, int digits) const;
 
   bool rolls_;
   double direction_;

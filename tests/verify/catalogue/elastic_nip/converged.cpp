@@ -18,7 +18,7 @@ double nip(const char* number, const Point& point) {
   return verify::find_quantity(number).by_fast(point, {});
 }
 
-verify::Reference nip_reference(const char* number, const Point& point) {
+ref::Estimate nip_reference(const char* number, const Point& point) {
   return verify::ref_value(verify::find_quantity(number), point, 18);
 }
 

@@ -19,7 +19,7 @@ void check_kept(const char* name, const Point& point) {
   CAPTURE(name);
   const Quantity& quantity = verify::find_quantity(name);
   const std::vector<ref::Exact> exactly(point.begin(), point.end());
-  const verify::Reference truth = quantity.by_ref(exactly, verify::digits_beyond_double);
+  const ref::Estimate truth = quantity.by_ref(exactly, verify::digits_beyond_double);
   const double value = quantity.by_fast(point, {});
   CHECK(verify::deviation(value, truth, quantity.envelope(point)).ulps <= quantity.promise);
 }

@@ -22,7 +22,7 @@ TEST_CASE("materials: series, operators and the thesis's solid are confirmed by 
         verify::Point point = quantity.draw(random);
         point[1] = model;
         CAPTURE(point[0]);
-        const verify::Reference truth = verify::ref_value(quantity, point, 30);
+        const ref::Estimate truth = verify::ref_value(quantity, point, 30);
         CHECK(truth.proven);
         verify::GoldenRow row = verify::golden_row(quantity, point, truth);
         CHECK(verify::confirm_row(quantity, row) == "");

@@ -49,7 +49,7 @@ TEST_CASE("dimensionless rolling nips: fast's errors are covered, and nothing of
   const Point point{0.02, 5, 1.0 / 3, 2, 1};
   for (const char* number : {"resistance", "leading_share", "load", "indentation", "creep"}) {
     const verify::Quantity& quantity = verify::find_quantity(std::string("rolling_nip.") + number);
-    const verify::Reference truth = verify::ref_value(quantity, point, 18);
+    const ref::Estimate truth = verify::ref_value(quantity, point, 18);
     CHECK_FALSE(truth.proven);
     CHECK(std::fabs(truth.error_of(quantity.by_fast(point, {}))) <= quantity.fast_error(point, {}));
   }
@@ -60,7 +60,7 @@ TEST_CASE("dimensionless rolling nips: promises hold for the shortest contacts o
   for (const char* number : {"resistance", "leading_share", "load", "indentation", "creep"}) {
     CAPTURE(number);
     const verify::Quantity& quantity = verify::find_quantity(std::string("rolling_nip.") + number);
-    const verify::Reference truth = verify::ref_value(quantity, point, 16);
+    const ref::Estimate truth = verify::ref_value(quantity, point, 16);
     CHECK(verify::deviation(quantity.by_fast(point, {}), truth, quantity.envelope(point)).ulps <=
           quantity.promise);
   }

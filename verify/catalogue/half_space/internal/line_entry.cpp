@@ -33,8 +33,8 @@ Quantity condition_entry(std::string name, std::string source) {
 
 // The step so far below any distance from the critical speed that a double can have, that the next term of the
 // difference, step^2 over that distance's square, is below what the digits ask for.
-ref::Estimated exact_condition(const ref::ExactStiffness& solid, const Exact& speed,
-                               const SurfaceDirection& motion, const SurfaceDirection& psi, int digits) {
+ref::Estimate exact_condition(const ref::ExactStiffness& solid, const Exact& speed,
+                              const SurfaceDirection& motion, const SurfaceDirection& psi, int digits) {
   constexpr int below_a_rounding = 20, guard = 10, most = 485;
   if (digits < 16 || digits > most) {
     throw data::BadInput("digits", std::to_string(digits),

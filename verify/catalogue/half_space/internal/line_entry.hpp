@@ -16,9 +16,9 @@ Quantity half_space_entry(std::string name, std::string definition, std::string 
 Quantity condition_entry(std::string name, std::string source);
 
 /// By a central difference of the reference's K in three times the digits; digits: 16 to 485.
-ref::Estimated exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
-                               const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
-                               int digits);
+ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
+                              const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
+                              int digits);
 
 /// Of the critical speed: from 1e-8 to 1 - 1e-9.
 double draw_share(Random& random);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 
 namespace nipref::verify {
@@ -16,44 +16,44 @@ constexpr double half_unit = 0x1p-53, library_rounding = 0x1p-51,
                  infinite = std::numeric_limits<double>::infinity();
 
 /// The error is a sum of parts that were themselves rounded.
-WithError inflated(double value, double error) { return {value, error * (1 + 0x1p-48)}; }
+Propagated inflated(double value, double error) { return {value, error * (1 + 0x1p-48)}; }
 
 /// A function of the library at x, which changes by no more than `change` within the error of x.
-WithError of_library(double value, double change) {
+Propagated of_library(double value, double change) {
   return inflated(value, change + library_rounding * std::fabs(value));
 }
 
 }  // namespace
 
-WithError::WithError(double constant) : value_(constant), error_(half_unit * std::fabs(constant)) {
+Propagated::Propagated(double constant) : value_(constant), error_(half_unit * std::fabs(constant)) {
   int exponent = 0;
   const double scaled = std::ldexp(std::frexp(constant, &exponent), 40);
   if (scaled == std::trunc(scaled)) error_ = 0;
 }
 
-WithError WithError::between(const WithError& lower, const WithError& upper) {
+Propagated Propagated::between(const Propagated& lower, const Propagated& upper) {
   const double middle = std::midpoint(lower.value_, upper.value_);
   const double reach = std::max(middle - lower.value_ + lower.error_, upper.value_ - middle + upper.error_);
   return inflated(middle, reach);
 }
 
-WithError WithError::pi() { return {std::numbers::pi, half_unit * std::numbers::pi}; }
+Propagated Propagated::pi() { return {std::numbers::pi, half_unit * std::numbers::pi}; }
 
-WithError operator+(const WithError& a, const WithError& b) {
+Propagated operator+(const Propagated& a, const Propagated& b) {
   const double sum = a.value() + b.value(), part = sum - a.value();
   const double rounding = (a.value() - (sum - part)) + (b.value() - part);
   return inflated(sum, a.error() + b.error() + std::fabs(rounding));
 }
 
-WithError operator-(const WithError& a, const WithError& b) { return a + -b; }
+Propagated operator-(const Propagated& a, const Propagated& b) { return a + -b; }
 
-WithError operator*(const WithError& a, const WithError& b) {
+Propagated operator*(const Propagated& a, const Propagated& b) {
   const double product = a.value() * b.value();
   return inflated(product, std::fabs(a.value()) * b.error() + std::fabs(b.value()) * a.error() +
                                a.error() * b.error() + std::fabs(std::fma(a.value(), b.value(), -product)));
 }
 
-WithError operator/(const WithError& a, const WithError& b) {
+Propagated operator/(const Propagated& a, const Propagated& b) {
   const double quotient = a.value() / b.value(), least = std::fabs(b.value()) - b.error();
   if (!(least > 0)) return {quotient, infinite};
   return inflated(quotient, (a.error() + std::fabs(quotient) * b.error() +
@@ -61,57 +61,57 @@ WithError operator/(const WithError& a, const WithError& b) {
                                 least);
 }
 
-WithError fabs(const WithError& x) { return {std::fabs(x.value()), x.error()}; }
-WithError square(const WithError& x) { return x * x; }
+Propagated fabs(const Propagated& x) { return {std::fabs(x.value()), x.error()}; }
+Propagated square(const Propagated& x) { return x * x; }
 
-WithError sqrt(const WithError& x) {
+Propagated sqrt(const Propagated& x) {
   const double root = std::sqrt(x.value()), least = x.value() - x.error();
   if (!(least >= 0)) return {root, infinite};
   if (root == 0) return {0, 0};
   return inflated(root, x.error() / (root + std::sqrt(least)) + half_unit * root);
 }
 
-WithError hypot(const WithError& x, const WithError& y) { return sqrt(x * x + y * y); }
+Propagated hypot(const Propagated& x, const Propagated& y) { return sqrt(x * x + y * y); }
 
-WithError exp(const WithError& x) {
+Propagated exp(const Propagated& x) {
   const double value = std::exp(x.value());
   return of_library(value, value * std::expm1(x.error()));
 }
 
-WithError expm1(const WithError& x) {
+Propagated expm1(const Propagated& x) {
   return of_library(std::expm1(x.value()), std::exp(x.value()) * std::expm1(x.error()));
 }
 
-WithError log(const WithError& x) {
+Propagated log(const Propagated& x) {
   const double least = x.value() - x.error();
   if (!(least > 0)) return {std::log(x.value()), infinite};
   return of_library(std::log(x.value()), std::log1p(x.error() / least));
 }
 
-WithError pow(const WithError& x, const WithError& exponent) { return exp(exponent * log(x)); }
+Propagated pow(const Propagated& x, const Propagated& exponent) { return exp(exponent * log(x)); }
 
-WithError sinh(const WithError& x) {
+Propagated sinh(const Propagated& x) {
   return of_library(std::sinh(x.value()), x.error() * std::cosh(std::fabs(x.value()) + x.error()));
 }
 
-WithError cosh(const WithError& x) {
+Propagated cosh(const Propagated& x) {
   return of_library(std::cosh(x.value()), x.error() * std::sinh(std::fabs(x.value()) + x.error()));
 }
 
-WithError tanh(const WithError& x) { return of_library(std::tanh(x.value()), x.error()); }
+Propagated tanh(const Propagated& x) { return of_library(std::tanh(x.value()), x.error()); }
 
-WithError atanh(const WithError& x) {
+Propagated atanh(const Propagated& x) {
   const double farthest = std::fabs(x.value()) + x.error();
   if (!(farthest < 1)) return {std::atanh(x.value()), infinite};
   return of_library(std::atanh(x.value()), x.error() / ((1 - farthest) * (1 + farthest)));
 }
 
-WithError sin(const WithError& x) { return of_library(std::sin(x.value()), x.error()); }
-WithError cos(const WithError& x) { return of_library(std::cos(x.value()), x.error()); }
-WithError tan(const WithError& x) { return sin(x) / cos(x); }
-WithError atan(const WithError& x) { return of_library(std::atan(x.value()), x.error()); }
+Propagated sin(const Propagated& x) { return of_library(std::sin(x.value()), x.error()); }
+Propagated cos(const Propagated& x) { return of_library(std::cos(x.value()), x.error()); }
+Propagated tan(const Propagated& x) { return sin(x) / cos(x); }
+Propagated atan(const Propagated& x) { return of_library(std::atan(x.value()), x.error()); }
 
-Stated stated(const WithError& number) {
+Stated stated(const Propagated& number) {
   const double value = number.value();
   if (number.error() == 0) return {fmt::format("{}", value), "0"};
   if (!std::isfinite(number.error())) return {"unknown", "infinite"};
@@ -124,7 +124,7 @@ Stated stated(const WithError& number) {
   return {text, upward_text(error + left_out + half_unit * std::fabs(value))};
 }
 
-std::string stated_text(const WithError& number) {
+std::string stated_text(const Propagated& number) {
   const auto [value, error] = stated(number);
   return error == "0" ? value : value + " +- " + error;
 }

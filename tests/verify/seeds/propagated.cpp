@@ -21,16 +21,16 @@
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/seeds/errata.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
-#include <nipref/verify/seeds/with_error.hpp>
+#include <nipref/verify/seeds/propagated.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 using namespace nipref;
-using verify::WithError;
+using verify::Propagated;
 using Wide = boost::multiprecision::cpp_bin_float_50;
 
 namespace {
 
-void check_covers(const WithError& number, const Wide& truth) {
+void check_covers(const Propagated& number, const Wide& truth) {
   CAPTURE(verify::stated_text(number));
   CAPTURE(truth.str());
   CHECK(boost::multiprecision::abs(Wide(number.value()) - truth) <= number.error());
@@ -56,7 +56,7 @@ TEST_CASE("the exponent of the load is what the reference's loads have, to its e
   const double length = 2;  // L/B = 1
   const long double truth = length * slope(log_load, length, 0x1p-20);
   const std::vector<verify::Claim> claims = verify::claims();
-  const WithError number =
+  const Propagated number =
       verify::check(*std::ranges::find(claims, "thesis-load-as-cube", &verify::Claim::id))
           .numbers.at(1)
           .number;
@@ -78,7 +78,7 @@ TEST_CASE("the slope that settles the rotation is that of the reference's displa
   const std::vector<verify::FormulaErratum> errata = verify::formula_errata();
   const verify::Settlement settlement =
       verify::settle(*std::ranges::find(errata, "thesis-4.15b", &verify::FormulaErratum::id));
-  for (const WithError& number : {settlement.right, settlement.truth}) {
+  for (const Propagated& number : {settlement.right, settlement.truth}) {
     CHECK(number.error() < 1e-11);
     CHECK(std::fabs(number.value() - truth) <= number.error() + 1e-11L);
   }
@@ -86,10 +86,10 @@ TEST_CASE("the slope that settles the rotation is that of the reference's displa
 
 TEST_CASE("arithmetic carries errors on: all that the operands may be is in the result's") {
   using boost::multiprecision::atanh;
-  const std::vector<WithError> numbers{{0.3, 1e-9},   0.7,         {2.5, 1e-3},
-                                       {0.015625, 0}, {0.9, 0.05}, {1e-6, 1e-9}};
+  const std::vector<Propagated> numbers{{0.3, 1e-9},   0.7,         {2.5, 1e-3},
+                                        {0.015625, 0}, {0.9, 0.05}, {1e-6, 1e-9}};
   struct Unary {
-    WithError (*mine)(const WithError&);
+    Propagated (*mine)(const Propagated&);
     std::function<Wide(const Wide&)> truth;
   };
   const std::vector<Unary> functions{{verify::sqrt, [](const Wide& x) { return Wide(sqrt(x)); }},
@@ -103,14 +103,14 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
                                      {verify::cos, [](const Wide& x) { return Wide(cos(x)); }},
                                      {verify::tan, [](const Wide& x) { return Wide(tan(x)); }},
                                      {verify::atan, [](const Wide& x) { return Wide(atan(x)); }}};
-  const auto ends = [](const WithError& x) {
+  const auto ends = [](const Propagated& x) {
     return std::vector<Wide>{Wide(x.value()) - x.error(), Wide(x.value()), Wide(x.value()) + x.error()};
   };
-  for (const WithError& a : numbers) {
+  for (const Propagated& a : numbers) {
     for (const Wide& x : ends(a)) {
       for (const auto& [mine, truth] : functions) check_covers(mine(a), truth(x));
       if (a.value() + a.error() < 1) check_covers(verify::atanh(a), atanh(x));
-      for (const WithError& b : numbers) {
+      for (const Propagated& b : numbers) {
         for (const Wide& y : ends(b)) {
           check_covers(a + b, x + y);
           check_covers(a - b, x - y);
@@ -123,9 +123,9 @@ TEST_CASE("arithmetic carries errors on: all that the operands may be is in the 
     }
   }
   // A decimal's double is half a unit off, a small binary fraction's is not; nothing is known of what may be 0/0.
-  CHECK(WithError(0.1).error() > 0);
-  CHECK(WithError(0.375).error() == 0);
-  CHECK(std::isinf((1 / WithError(0.5, 0.5)).error()));
+  CHECK(Propagated(0.1).error() > 0);
+  CHECK(Propagated(0.375).error() == 0);
+  CHECK(std::isinf((1 / Propagated(0.5, 0.5)).error()));
 }
 
 TEST_CASE(
@@ -133,31 +133,31 @@ TEST_CASE(
   CHECK(verify::stated_text({2.4929584293488993, 2.5e-7}) == "2.4929584 +- 2.8e-07");
   CHECK(verify::stated_text({1234567.0, 765.0}) == "1.2346e+06 +- 8.0e+02");
   CHECK(verify::stated_text({3e-5, 1e-3}) == "0 +- 1.1e-03");
-  CHECK(verify::stated_text(WithError::exact(0.1803)) == "0.1803");
+  CHECK(verify::stated_text(Propagated::exact(0.1803)) == "0.1803");
   CHECK(verify::stated({1.0, INFINITY}).error == "infinite");
 }
 
 TEST_CASE("slopes, zeros, maxima and integrals lie within their errors") {
-  const auto number = [](double x) { return WithError::exact(x); };
-  const WithError slope_of_sine =
-      verify::derivative([&](double x) { return verify::sin(number(x)) + WithError(0, 1e-13); }, 1, 0.25);
+  const auto number = [](double x) { return Propagated::exact(x); };
+  const Propagated slope_of_sine =
+      verify::derivative([&](double x) { return verify::sin(number(x)) + Propagated(0, 1e-13); }, 1, 0.25);
   check_covers(slope_of_sine, cos(Wide(1)));
   CHECK(slope_of_sine.error() < 1e-10);
-  const WithError root =
-      verify::sign_change([&](double x) { return number(x) * number(x) - 2 + WithError(0, 1e-11); }, 1, 2);
+  const Propagated root =
+      verify::sign_change([&](double x) { return number(x) * number(x) - 2 + Propagated(0, 1e-11); }, 1, 2);
   check_covers(root, sqrt(Wide(2)));
   CHECK(root.error() < 1e-10);
   const auto [place, top] =
-      verify::largest([&](double x) { return verify::sin(number(x)) + WithError(0, 1e-14); }, 1, 3);
+      verify::largest([&](double x) { return verify::sin(number(x)) + Propagated(0, 1e-14); }, 1, 3);
   check_covers(place, Wide(std::numbers::pi) / 2);
   check_covers(top, Wide(1));
   CHECK(place.error() < 1e-5);
   // int_0^1 1/sqrt(x) dx, int_0^1 e^x dx, (1/pi) vp int_-1^1 sqrt(1 - t^2)/(t - x) dt = -x.
-  check_covers(verify::integral_between([](const WithError& x) { return 1 / verify::sqrt(x); }, 0, 1),
+  check_covers(verify::integral_between([](const Propagated& x) { return 1 / verify::sqrt(x); }, 0, 1),
                Wide(2));
-  check_covers(verify::smooth_integral([](const WithError& x) { return verify::exp(x); }, 0, 1),
+  check_covers(verify::smooth_integral([](const Propagated& x) { return verify::exp(x); }, 0, 1),
                exp(Wide(1)) - 1);
   check_covers(
-      verify::hilbert([](const WithError& t) { return verify::sqrt((1 - t) * (1 + t)); }, 0.25, -1, 1),
+      verify::hilbert([](const Propagated& t) { return verify::sqrt((1 - t) * (1 + t)); }, 0.25, -1, 1),
       Wide(-0.25));
 }

@@ -1,0 +1,28 @@
+#pragma once
+#include <string>
+
+#include <nipref/data/number/with_error.hpp>
+#include <nipref/ref/number/real.hpp>
+
+namespace nipref::ref {
+
+/// A number of the reference, its error (>= 0), and the digits that were asked for. An estimated error is meant to cover
+/// the truth with a margin; where the error is proven, see Enclosure, `proven` is true.
+struct Estimate : data::WithError<Real> {
+  int digits;
+  bool proven = false;
+
+  Estimate(Real the_value, Real the_error, int the_digits);
+
+  /// Decimal text of the value, three significant digits more than were asked for (and as many more as the
+  /// value has before the point).
+  [[nodiscard]] std::string value_text() const;
+  /// The error and what rounding the value to value_text() adds to it, two significant digits, rounded up: "1.2e-53".
+  [[nodiscard]] std::string error_text() const;
+  /// Nearest double.
+  [[nodiscard]] double to_double() const;
+  /// x - value, formed exactly and rounded once: the error of an approximation x.
+  [[nodiscard]] double error_of(double x) const;
+};
+
+}  // namespace nipref::ref
