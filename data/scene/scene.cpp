@@ -169,27 +169,7 @@ SceneKind kind_of(const Scene& scene) {
                       fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
 }
 
-/// What the stresses inside the sheet need: a nip's converged contact, and places if they are a field.
-struct InsideCheck {
-  const SceneOrigin& origin;
-  const SceneResult& result;
-  const std::string& key;
-
-  template <class Problem>
-  void operator()(const Problem& problem) const {
-    if (!std::holds_alternative<ConvergedMethod>(problem.method)) {
-      origin.refuse(key, result.name,
-                    "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
-    }
-    if (result.shape == Shape::field && !problem.field) {
-      origin.refuse("field", "(missing)",
-                    "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
-    }
-  }
-  void operator()(const HalfSpaceProblem&) const {}
-};
-
-/// What a result is defined for.
+/// Refuses a result of a nip where the scene lacks what the result needs.
 struct NeedsCheck {
   const SceneOrigin& origin;
   const SceneResult& result;
@@ -209,6 +189,14 @@ struct NeedsCheck {
       origin.refuse(
           key, result.name,
           "must be left out: it is of line loads with full friction; a converged contact has one creep");
+    }
+    if (result.needs == Needs::inside && !std::holds_alternative<ConvergedMethod>(problem.method)) {
+      origin.refuse(key, result.name,
+                    "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
+    }
+    if (result.shape == Shape::field && !problem.field) {
+      origin.refuse("field", "(missing)",
+                    "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
     }
     if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
       origin.refuse(
@@ -232,7 +220,6 @@ bool check_wanted(const Scene& scene) {
     if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
       check_half_space_wanted(*on_half_space, name, key, scene.origin);
     if (result->needs != Needs::nothing) std::visit(NeedsCheck{scene.origin, *result, key}, scene.system);
-    if (result->is_inside) std::visit(InsideCheck{scene.origin, *result, key}, scene.system);
     if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
     profile_wanted = profile_wanted || result->shape == Shape::profile;
   }

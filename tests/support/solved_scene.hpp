@@ -19,8 +19,7 @@ inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::s
 inline std::vector<std::string> all_names() {
   std::vector<std::string> names;
   for (const nipref::data::SceneResult& result : nipref::data::scene_results()) {
-    if (result.is_of(nipref::data::SceneKind::nip) && !result.is_inside &&
-        result.needs == nipref::data::Needs::nothing)
+    if (result.is_of(nipref::data::SceneKind::nip) && result.needs == nipref::data::Needs::nothing)
       names.emplace_back(result.name);
   }
   return names;

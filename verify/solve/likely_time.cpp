@@ -62,7 +62,8 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   for (const std::string& name : scene.wanted) {
     const data::SceneResult& result = *data::find_scene_result(name);
     has_field = has_field || result.shape == data::Shape::field;
-    has_greatest = has_greatest || (result.is_inside && result.shape == data::Shape::number);
+    has_greatest =
+        has_greatest || (result.needs == data::Needs::inside && result.shape == data::Shape::number);
     if (result.shape == data::Shape::profile && result.id != data::ResultId::pressure &&
         result.id != data::ResultId::shear)
       seconds += 0.02 * (1 + ratio / 4) * std::visit(CountPlaces(), *problem.profile);

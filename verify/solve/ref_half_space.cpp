@@ -71,14 +71,8 @@ class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
     return {trailing_end(*problem_.line).to_double(), leading_end(ref::Exact(*problem_.line)).to_double()};
   }
   [[nodiscard]] std::optional<double> least_size(ResultId id, double place) const final {
-    if (id == ResultId::pressure || id == ResultId::shear) {
-      const auto [first, last] = profile_extent();
-      return traction_size(place, first, last, std::pow(10.0, -digits_)) *
-             contact().peak_pressure().to_double();
-    }
-    if (id == ResultId::centre_along || id == ResultId::centre_across)
-      return contact().span(ref::Exact(0.0)).to_double();
-    return half_space_result_size(id, [&] { return surface_.compliance(place, least_digits).to_double(); });
+    return half_space_result_size(id, place, std::pow(10.0, -digits_), *this,
+                                  [&] { return surface_.compliance(place, least_digits).to_double(); });
   }
   [[nodiscard]] fast::Work work() const override {
     fast::Work work;

@@ -35,7 +35,7 @@ struct SceneSolution {
     /// Of a profile one for each of `positions`, of a field one for each of its places, depth after depth, of a list as
     /// many as there are; else one.
     std::vector<Number> numbers;
-    /// What the scene's accuracy allows the error of each to be, see result_sizes.hpp; empty where the error
+    /// What the scene's accuracy allows the error of each to be, see data::Scale; empty where the error
     /// is of another kind: that of line loads is their distance to the continuous contact. The reference's
     /// digits are of the result, of a profile the largest of its numbers, but of no less than that size either.
     std::vector<long double> allowed = {};

@@ -26,6 +26,13 @@ double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
   return verify::nip_result_size(id, y, {4, -1, 1, accuracy}, [] { return 10.0; });
 }
 
+struct EverythingIsTwo : verify::SolvedContact<fast::Estimate> {
+  [[nodiscard]] fast::Estimate number(ResultId) const override { return {2, 0}; }
+  [[nodiscard]] fast::Estimate at(ResultId, double) const override { return {2, 0}; }
+  [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {-1, 1}; }
+  [[nodiscard]] fast::Work work() const override { return {}; }
+};
+
 std::string scene(const std::string& friction, double length, double accuracy) {
   return "title = \"thin\"\nwanted = [\"contact_length\", \"load\", \"peak_shear\", \"pressure\"]\naccuracy = " +
          std::to_string(accuracy) + "\n[roller]\nradius = 1e4\n[sheet]\nthickness = 1e-4\n[material]\n" +
@@ -50,10 +57,15 @@ TEST_CASE("what may be 0 is measured by the size of its kind, everything else by
   CHECK(size_of(ResultId::peak_shear) == 1);
   CHECK(size_of(ResultId::rolling_resistance) == doctest::Approx(1e-8 / 4));
   CHECK(size_of(ResultId::rolling_resistance, 0, 1e-13) == doctest::Approx(0.1 / 4));
-  CHECK(verify::half_space_result_size(ResultId::orientation, [] { return 3.0; }) * std::acos(-1) ==
-        doctest::Approx(180));
-  CHECK(verify::half_space_result_size(ResultId::coupling, [] { return 3.0; }) == 3);
-  CHECK(verify::half_space_result_size(ResultId::compliance, [] { return 3.0; }) == 0);
+  const auto on_half_space = [](ResultId id) {
+    return verify::half_space_result_size(id, 0, 1e-6, EverythingIsTwo(), [] { return 3.0; });
+  };
+  CHECK(on_half_space(ResultId::orientation) * std::acos(-1) == doctest::Approx(180));
+  CHECK(on_half_space(ResultId::coupling) == 3);
+  CHECK(on_half_space(ResultId::compliance) == 0);
+  for (const ResultId two :
+       {ResultId::pressure, ResultId::shear, ResultId::centre_along, ResultId::centre_across})
+    CHECK(on_half_space(two) == 2);
 }
 
 TEST_CASE("next to an end a traction may be off by what moving that end by the accuracy changes") {

@@ -90,8 +90,8 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
     const auto [first, last] = ends();
     const NipSize size{roller_radius_, first, last, accuracy_};
     const auto middle = [&] { return pressure_in_the_middle(); };
-    // The reference's digits of an elastic nip are of the result itself, but for the stresses inside.
-    if constexpr (!Path::is_fast && !is_rolling) return inside_result_size(id, y, size, middle);
+    // The reference's digits of an elastic nip are relative to the result alone, except for the stresses inside.
+    if (!Path::is_fast && !is_rolling && data::scene_result(id).needs != data::Needs::inside) return {};
     return nip_result_size(id, y, size, middle);
   }
   bool refine() override {

@@ -68,12 +68,8 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     return {-leading_end(reversed(psi)).value, leading_end(psi).value};
   }
   [[nodiscard]] std::optional<double> least_size(ResultId id, double place) const final {
-    if (id == ResultId::pressure || id == ResultId::shear) {
-      const auto [first, last] = profile_extent();
-      return traction_size(place, first, last, accuracy_) * peak_pressure().value;
-    }
-    if (id == ResultId::centre_along || id == ResultId::centre_across) return span(along).value;
-    return half_space_result_size(id, [&] { return response_(Direction::of_degrees(place)).compliance; });
+    return half_space_result_size(id, place, accuracy_, *this,
+                                  [&] { return response_(Direction::of_degrees(place)).compliance; });
   }
   [[nodiscard]] fast::Work work() const final {
     fast::Work work;

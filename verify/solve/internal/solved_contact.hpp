@@ -32,8 +32,8 @@ class SolvedContact {
   /// Of a result that is a list; those who have none are not asked.
   [[nodiscard]] virtual std::vector<Number> list(ResultId) const { return {}; }
   [[nodiscard]] virtual ProfileExtent profile_extent() const = 0;
-  /// The least size that the error of a result, of a profile at Y, is measured by, in its unit: see
-  /// result_sizes.hpp. Nothing where the error is not about the accuracy that the scene asks for.
+  /// The least size of data::Scale for the error of a result, of a profile at Y. Nothing if the error does not
+  /// depend on the accuracy that the scene asks for.
   [[nodiscard]] virtual std::optional<double> least_size(ResultId, double) const { return {}; }
   /// Solves with more terms, for smaller errors; false where there are none.
   virtual bool refine() { return false; }
