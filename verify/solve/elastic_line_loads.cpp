@@ -10,9 +10,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/fast_methods.hpp>
-#include <nipref/verify/solve/internal/symmetry.hpp>
+#include <nipref/verify/solve/internal/line_load_contact.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -26,6 +24,7 @@ const std::map<ResultId, double fast::LineLoadSolution::*> elastic_line_load_num
     {ResultId::load, &fast::LineLoadSolution::load},
     {ResultId::indentation, &fast::LineLoadSolution::indentation},
     {ResultId::edge_displacement, &fast::LineLoadSolution::edge_displacement},
+    {ResultId::trailing_displacement, &fast::LineLoadSolution::edge_displacement},
     {ResultId::peak_pressure, &fast::LineLoadSolution::peak_pressure},
     {ResultId::peak_shear, &fast::LineLoadSolution::peak_shear},
 };
@@ -94,64 +93,56 @@ fast::LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const
   return std::visit(SolveAtThesisCreep{problem.nip, method, &work}, problem.given);
 }
 
-class LineLoadContact : public SolvedContact<Estimate> {
+class ElasticLineLoads : public LineLoadContact {
  public:
-  LineLoadContact(const data::ElasticNipProblem& problem, LineLoadMethod method)
-      : truth_(solve_converged(problem, truth_accuracy)),
+  ElasticLineLoads(const data::ElasticNipProblem& problem, LineLoadMethod method)
+      : LineLoadContact(solve_converged(problem, truth_accuracy)),
         nip_(problem.nip),
         method_(std::move(method)),
         solution_(solve_loads(problem, method_, work_)) {}
 
-  [[nodiscard]] Estimate number(ResultId id) const override {
-    if (const auto same = by_symmetry(*this, id)) return *same;
-    if (is_moment(id)) return beside(moment(id), moment_of_pressure(*truth_, id));
-    if (id == ResultId::peak_pressure_position)
-      return beside(fast::place_of_largest_pressure(solution_), truth_->number(id));
-    if (id == ResultId::peak_shear_position)
-      return beside(fast::place_of_largest_shear(solution_), truth_->number(id));
-    const double value = id == ResultId::creep_ratio ? fast::creep_ratio(nip_, solution_, method_, &work_)
-                                                     : solution_.*elastic_line_load_numbers.at(id);
-    return beside(value, truth_->number(id));
-  }
-  [[nodiscard]] Estimate at(ResultId id, double y) const override {
-    return beside(profile(id, y), truth_->at(id, y));
-  }
-  /// Each beside the nearest of the continuous contact.
+  /// The error of a zero of the shear is its distance to the nearest zero of the continuous contact.
   [[nodiscard]] std::vector<Estimate> list(ResultId id) const override {
     if (id == ResultId::creep_range) return creep_range();
-    const std::vector<Estimate> truth = truth_->list(id);
+    const std::vector<Estimate> zeros_of_truth = truth().list(id);
     std::vector<Estimate> zeros;
     for (const double place : fast::shear_borders(solution_)) {
-      zeros.push_back(beside(place, *std::ranges::min_element(truth, {}, [&](const Estimate& zero) {
-                               return std::fabs(zero.value - place);
-                             })));
+      zeros.push_back(
+          estimate(place, *std::ranges::min_element(zeros_of_truth, {}, [&](const Estimate& zero) {
+                     return std::fabs(zero.value - place);
+                   })));
     }
     return zeros;
   }
   [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
   [[nodiscard]] Work work() const override { return work_; }
-  [[nodiscard]] Work error_work() const override { return truth_->work(); }
 
  private:
-  static Estimate beside(double value, const Estimate& truth) {
-    return {value, std::fabs(value - truth.value) + truth.error};
-  }
-  /// Each beside the creep of the continuous contact, which has but one.
+  /// The continuous contact has one creep ratio, to which all three are compared.
   [[nodiscard]] std::vector<Estimate> creep_range() const {
     const auto creep = fast::thesis_creep(nip_, method_, solution_.contact_length, &work_);
     if (!creep) SolveAtThesisCreep::refuse("contact_length", solution_.contact_length);
-    const Estimate truth = truth_->number(ResultId::creep_ratio);
-    return {beside(creep->range.lower, truth), beside(creep->range.upper, truth),
-            beside(creep->chosen, truth)};
+    const Estimate creep_of_truth = truth().number(ResultId::creep_ratio);
+    return {estimate(creep->range.lower, creep_of_truth), estimate(creep->range.upper, creep_of_truth),
+            estimate(creep->chosen, creep_of_truth)};
   }
-  /// Of one side; the other mirrors it.
-  [[nodiscard]] double moment(ResultId id) const {
+  /// The loads of one side are given; the other side mirrors them.
+  [[nodiscard]] double moment(ResultId id) const override {
     double sum = 0;
     for (std::size_t k = 0; k < solution_.line_loads.size(); ++k)
       sum += solution_.line_loads[k] * (static_cast<double>(k) + 0.5) * solution_.element_width();
     return id == ResultId::leading_moment ? sum : -sum;
   }
-  [[nodiscard]] double profile(ResultId id, double y) const {
+  [[nodiscard]] double value(ResultId id) const override {
+    if (id == ResultId::leading_length || id == ResultId::trailing_length)
+      return solution_.contact_length / 2;
+    if (id == ResultId::rolling_resistance) return 0;
+    if (id == ResultId::peak_pressure_position) return fast::place_of_largest_pressure(solution_);
+    if (id == ResultId::peak_shear_position) return fast::place_of_largest_shear(solution_);
+    if (id == ResultId::creep_ratio) return fast::creep_ratio(nip_, solution_, method_, &work_);
+    return solution_.*elastic_line_load_numbers.at(id);
+  }
+  [[nodiscard]] double profile(ResultId id, double y) const override {
     if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
     if (id == ResultId::shear) return fast::element_shear(solution_, y);
     if (id == ResultId::normal_displacement) {
@@ -160,10 +151,9 @@ class LineLoadContact : public SolvedContact<Estimate> {
     return fast::tangential_displacement(nip_, solution_, method_, y, &work_);
   }
 
-  std::unique_ptr<SolvedContact<Estimate>> truth_;
   data::ElasticNip nip_;
   LineLoadMethod method_;
-  mutable Work work_;  ///< grows with what is asked for
+  mutable Work work_;  ///< grows with each result that is computed
   fast::LineLoadSolution solution_;
 };
 
@@ -171,7 +161,7 @@ class LineLoadContact : public SolvedContact<Estimate> {
 
 std::unique_ptr<SolvedContact<Estimate>> solve_line_loads(const data::ElasticNipProblem& problem,
                                                           const data::LineLoads& loads, double accuracy) {
-  return std::make_unique<LineLoadContact>(
+  return std::make_unique<ElasticLineLoads>(
       problem, LineLoadMethod(loads.leading_elements, loads.residue_terms, fast::Accuracy(accuracy)));
 }
 

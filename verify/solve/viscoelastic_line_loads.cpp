@@ -8,8 +8,7 @@
 
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
-#include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/line_load_contact.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -46,23 +45,16 @@ struct SolveViscoelasticLineLoads {
   }
 };
 
-class LineLoadViscoelastic : public SolvedContact<Estimate> {
+class LineLoadViscoelastic : public LineLoadContact {
  public:
   LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
-      : truth_(solve_viscoelastic(problem, truth_accuracy)),
+      : LineLoadContact(solve_viscoelastic(problem, truth_accuracy)),
         nip_(problem.nip),
         solution_(std::visit(SolveViscoelasticLineLoads{nip_, method_of(loads), !loads.trailing_elements},
                              problem.given)),
         method_(method_of(loads, solution_)),
         surface_(nip_, solution_, method_) {}
 
-  [[nodiscard]] Estimate number(ResultId id) const override {
-    if (is_moment(id)) return beside(moment(id), moment_of_pressure(*truth_, id));
-    return beside(value(id), truth_->number(id));
-  }
-  [[nodiscard]] Estimate at(ResultId id, double y) const override {
-    return beside(profile(id, y), truth_->at(id, y));
-  }
   [[nodiscard]] ProfileExtent profile_extent() const override {
     return {-solution_.trailing_length, solution_.leading_length};
   }
@@ -72,25 +64,20 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     work.unknowns = static_cast<int>(solution_.loads.size()) + 1;
     return work;
   }
-  [[nodiscard]] Work error_work() const override { return truth_->work(); }
 
  private:
   static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads) {
     return {loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
             loads.residue_terms};
   }
-  /// A search leaves its own number of trailing elements.
+  /// A search chooses the number of trailing elements.
   static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads,
                                               const ViscoelasticLineLoads& solution) {
     ViscoelasticLineLoadMethod method = method_of(loads);
     method.trailing_elements = static_cast<int>(solution.loads.size()) - method.leading_elements;
     return method;
   }
-  static Estimate beside(double value, const Estimate& truth) {
-    return {value, std::fabs(value - truth.value) + truth.error};
-  }
-  /// (thesis 7.13)
-  [[nodiscard]] double moment(ResultId id) const {
+  [[nodiscard]] double moment(ResultId id) const override {
     double sum = 0;
     for (std::size_t j = 0; j < solution_.loads.size(); ++j) {
       const double y = solution_.leading_length - (static_cast<double>(j) + 0.5) * solution_.element_width();
@@ -102,21 +89,20 @@ class LineLoadViscoelastic : public SolvedContact<Estimate> {
     const auto largest = std::ranges::max_element(solution_.loads) - solution_.loads.begin();
     return solution_.leading_length - (static_cast<double>(largest) + 0.5) * solution_.element_width();
   }
-  [[nodiscard]] double value(ResultId id) const {
+  [[nodiscard]] double value(ResultId id) const override {
     if (id == ResultId::peak_shear) return 0;  // without friction
     if (id == ResultId::peak_pressure_position) return place_of_largest_load();
     if (id == ResultId::contact_length) return solution_.contact_length();
     if (id == ResultId::creep_ratio) return fast::creep_ratio(nip_, solution_, method_);
     return solution_.*viscoelastic_line_load_numbers.at(id);
   }
-  [[nodiscard]] double profile(ResultId id, double y) const {
+  [[nodiscard]] double profile(ResultId id, double y) const override {
     if (id == ResultId::shear) return 0;
     if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
     if (id == ResultId::normal_displacement) return surface_.normal_displacement(y);
     return surface_.tangential_displacement(y);
   }
 
-  std::unique_ptr<SolvedContact<Estimate>> truth_;
   data::ViscoelasticNip nip_;
   ViscoelasticLineLoads solution_;
   ViscoelasticLineLoadMethod method_;
