@@ -1,7 +1,9 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace nipref::data {
 
@@ -129,5 +131,8 @@ struct SceneResult {
 [[nodiscard]] const SceneResult* find_scene_result(std::string_view name);
 
 [[nodiscard]] const SceneResult& scene_result(ResultId id);
+
+/// The names by which a scene wants these results.
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<ResultId>& ids);
 
 }  // namespace nipref::data

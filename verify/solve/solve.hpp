@@ -70,8 +70,12 @@ struct SceneSolution {
     return missed().empty();
   }
 
-  /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted `name`.
+  /// A result that is one number, and all numbers of a result. BadInput unless the scene wanted the result.
   [[nodiscard]] const Number& operator[](std::string_view name) const { return profile(name).front(); }
+  [[nodiscard]] const Number& operator[](data::ResultId id) const { return profile(id).front(); }
+  [[nodiscard]] const std::vector<Number>& profile(data::ResultId id) const {
+    return profile(data::scene_result(id).name);
+  }
   [[nodiscard]] const std::vector<Number>& profile(std::string_view name) const {
     for (const Result& result : results) {
       if (result.what->name == name) return result.numbers;

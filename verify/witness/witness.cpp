@@ -16,6 +16,8 @@
 namespace nipref::verify {
 namespace {
 
+using data::ResultId;
+
 constexpr double witnessed_load = 100;
 
 data::Scene witnessed_scene(double thickness, data::Friction friction) {
@@ -26,8 +28,8 @@ data::Scene witnessed_scene(double thickness, data::Friction friction) {
                                   .method = data::ConvergedMethod{},
                                   .profile = {}};
   return {.title = "witnessed",
-          .wanted = {"contact_length", "indentation", "creep_ratio", "normal_displacement",
-                     "tangential_displacement"},
+          .wanted = data::names_of({ResultId::contact_length, ResultId::indentation, ResultId::creep_ratio,
+                                    ResultId::normal_displacement, ResultId::tangential_displacement}),
           .accuracy = 1e-9,
           .system = problem,
           .origin = {}};
@@ -47,11 +49,11 @@ calculix::IndentedStrip witnessed_strip(data::Scene scene) {
   calculix::IndentedStrip strip{.young = problem.nip.material.young,
                                 .poisson = problem.nip.material.poisson,
                                 .half_thickness = problem.nip.half_thickness(),
-                                .contact_end = contact["contact_length"].value / 2,
-                                .indentation = contact["indentation"].value,
+                                .contact_end = contact[ResultId::contact_length].value / 2,
+                                .indentation = contact[ResultId::indentation].value,
                                 .radius = problem.nip.roller_radius,
                                 .creep = {}};
-  if (problem.friction == data::Friction::full) strip.creep = contact["creep_ratio"].value;
+  if (problem.friction == data::Friction::full) strip.creep = contact[ResultId::creep_ratio].value;
   return strip;
 }
 
@@ -73,8 +75,8 @@ SurfaceDifference surface_difference(const calculix::Response& witness, const ca
   double largest_tangential = 0;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const calculix::SurfaceDisplacement& there = witness.surface.at(positions[i]);
-    const double u = contact.profile("normal_displacement")[i].value;
-    const double v = contact.profile("tangential_displacement")[i].value;
+    const double u = contact.profile(ResultId::normal_displacement)[i].value;
+    const double v = contact.profile(ResultId::tangential_displacement)[i].value;
     normal = std::max(normal, std::abs(there.normal - u));
     tangential = std::max(tangential, std::abs(there.tangential - v));
     largest_tangential = std::max(largest_tangential, std::abs(v));

@@ -11,6 +11,8 @@
 namespace nipref::verify {
 namespace {
 
+using data::ResultId;
+
 /// Those for which Lame's first constant is a product without rounding: see identities.hpp.
 constexpr std::array short_poissons{-0.5, 0.0, 0.25, 0.375, 0.4375};
 
@@ -87,24 +89,27 @@ double draw_speed(Random& random, DrawnScene drawn) {
                       : random.chance(0.5) ? random.uniform()
                                            : 1 - random.log_uniform(1e-9, 0.5);
   drawn.set("title", "its critical speed");
-  drawn.set("wanted", std::vector<std::string>{"critical_speed"});
+  drawn.set("wanted", data::names_of({ResultId::critical_speed}));
   try {
-    return part * solve(drawn.scene())["critical_speed"].value;
+    return part * solve(drawn.scene())[ResultId::critical_speed].value;
   } catch (const data::BadInput&) {
     return 0;
   }
 }
 
 std::vector<std::string> results_of(data::ContourRule rule, Body body) {
-  std::vector<std::string> wanted{"span_along",     "span_across",   "span_ratio", "normal_force",
-                                  "friction_force", "peak_pressure", "span",       "compliance",
-                                  "coupling",       "critical_speed"};
-  wanted.insert(wanted.end(), {"centre_along", "centre_across", "leading_end", "trailing_end"});
-  if (body == Body::rolling_sphere) wanted.insert(wanted.end(), {"creep", "compressed_radius"});
-  if (rule == data::ContourRule::similar_contour) std::erase(wanted, "peak_pressure");
+  std::vector<ResultId> wanted{ResultId::span_along,    ResultId::span_across,    ResultId::span_ratio,
+                               ResultId::normal_force,  ResultId::friction_force, ResultId::peak_pressure,
+                               ResultId::span,          ResultId::compliance,     ResultId::coupling,
+                               ResultId::critical_speed};
+  wanted.insert(wanted.end(), {ResultId::centre_along, ResultId::centre_across, ResultId::leading_end,
+                               ResultId::trailing_end});
+  if (body == Body::rolling_sphere)
+    wanted.insert(wanted.end(), {ResultId::creep, ResultId::compressed_radius});
+  if (rule == data::ContourRule::similar_contour) std::erase(wanted, ResultId::peak_pressure);
   if (rule == data::ContourRule::exact)
-    wanted.insert(wanted.end(), {"axis_ratio", "orientation", "approach"});
-  return wanted;
+    wanted.insert(wanted.end(), {ResultId::axis_ratio, ResultId::orientation, ResultId::approach});
+  return data::names_of(wanted);
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 namespace nipref::verify {
 namespace {
 
+using data::ResultId;
+
 struct Size {
   double thickness, radius, length;
 };
@@ -47,27 +49,27 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
   drawn.set("profile.positions", draw_positions(random, size.length));
-  drawn.set("wanted", std::vector<std::string>{"contact_length",
-                                               "leading_length",
-                                               "trailing_length",
-                                               "load",
-                                               "indentation",
-                                               "edge_displacement",
-                                               "trailing_displacement",
-                                               "rolling_resistance",
-                                               "eccentricity",
-                                               "resistance_force",
-                                               "power_loss",
-                                               "creep_ratio",
-                                               "peak_pressure",
-                                               "peak_pressure_position",
-                                               "peak_shear",
-                                               "pressure",
-                                               "shear",
-                                               "normal_displacement",
-                                               "tangential_displacement",
-                                               "surface_strain",
-                                               "slip"});
+  drawn.set("wanted", data::names_of({ResultId::contact_length,
+                                      ResultId::leading_length,
+                                      ResultId::trailing_length,
+                                      ResultId::load,
+                                      ResultId::indentation,
+                                      ResultId::edge_displacement,
+                                      ResultId::trailing_displacement,
+                                      ResultId::rolling_resistance,
+                                      ResultId::eccentricity,
+                                      ResultId::resistance_force,
+                                      ResultId::power_loss,
+                                      ResultId::creep_ratio,
+                                      ResultId::peak_pressure,
+                                      ResultId::peak_pressure_position,
+                                      ResultId::peak_shear,
+                                      ResultId::pressure,
+                                      ResultId::shear,
+                                      ResultId::normal_displacement,
+                                      ResultId::tangential_displacement,
+                                      ResultId::surface_strain,
+                                      ResultId::slip}));
   return drawn;
 }
 
@@ -196,7 +198,8 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
   drawn.set("friction.model", grips ? "full" : "none");
   if (grips) {
     auto wanted = drawn.texts("wanted");
-    wanted.insert(wanted.end(), {"peak_shear_position", "shear_zeros"});
+    std::ranges::copy(data::names_of({ResultId::peak_shear_position, ResultId::shear_zeros}),
+                      std::back_inserter(wanted));
     drawn.set("wanted", wanted);
   }
   if (random.chance(0.5)) {

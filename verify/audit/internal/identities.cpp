@@ -14,6 +14,7 @@ namespace {
 using fast::Estimate;
 
 using data::Dimension;
+using data::ResultId;
 
 constexpr Dimension of_length{1, 0, 0}, of_stress{0, 1, 0};
 
@@ -85,15 +86,18 @@ std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
 }
 
 struct GivenPair {
-  const char *found_key, *found, *given_key, *given;
+  const char* found_key;
+  ResultId found;
+  const char* given_key;
+  ResultId given;
   /// The answer's relative change over that of what is given is at most this.
   double condition;
 };
 constexpr std::array given_pairs{
-    GivenPair{"contact.length", "load", "load.per_length", "contact_length", 1},
-    GivenPair{"load.per_length", "contact_length", "contact.length", "load", 5},
-    GivenPair{"contact.span_along", "normal_force", "load.normal_force", "span_along", 1},
-    GivenPair{"load.normal_force", "span_along", "contact.span_along", "normal_force", 3}};
+    GivenPair{"contact.length", ResultId::load, "load.per_length", ResultId::contact_length, 1},
+    GivenPair{"load.per_length", ResultId::contact_length, "contact.length", ResultId::load, 5},
+    GivenPair{"contact.span_along", ResultId::normal_force, "load.normal_force", ResultId::span_along, 1},
+    GivenPair{"load.normal_force", ResultId::span_along, "contact.span_along", ResultId::normal_force, 3}};
 
 std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<Estimate>& solved) {
   for (const GivenPair& pair : given_pairs) {
@@ -106,7 +110,7 @@ std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<E
                     }};
     variant.scene.remove(pair.found_key);
     variant.scene.set(pair.given_key, found.value);
-    variant.scene.set("wanted", std::vector<std::string>{pair.given});
+    variant.scene.set("wanted", data::names_of({pair.given}));
     return variant;
   }
   return {};

@@ -47,7 +47,7 @@ struct Other {
 class Comparisons {
  public:
   /// `given`: what the scene itself says, so that there is no error to be overestimated.
-  Comparisons(SceneFindings& findings, const Solution& solved, std::vector<std::string_view> given)
+  Comparisons(SceneFindings& findings, const Solution& solved, std::vector<ResultId> given)
       : findings_(findings), solved_(solved), given_(std::move(given)) {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
@@ -101,7 +101,7 @@ class Comparisons {
         difference - other.error > result.allowed[i])
       checked.missed = true;
     // The first truth is the best one.
-    const bool is_given = std::ranges::find(given_, result.what->name) != given_.end();
+    const bool is_given = std::ranges::find(given_, result.what->id) != given_.end();
     if (with.is_truth && !is_given && !checked.overestimate && mine.error > 0 &&
         other.error <= 0.1 * mine.error) {
       const double least = std::max(other.error, 0x1p-53 * std::fabs(mine.value));
@@ -137,7 +137,7 @@ class Comparisons {
 
   SceneFindings& findings_;
   const Solution& solved_;
-  std::vector<std::string_view> given_;
+  std::vector<ResultId> given_;
   std::vector<std::vector<Checked>> checked_;
 };
 
@@ -193,7 +193,7 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
   const RefSurface surface(problem);
   const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
-  const double critical_speed = solved["critical_speed"].value;
+  const double critical_speed = solved[ResultId::critical_speed].value;
   comparisons.against("ref", wanted, [&](const Solution::Result& result, std::size_t i) {
     const ResultId id = result.what->id;
     if (is_too_dear(problem, surface, id, critical_speed) || (!dear && is_dear(problem, surface, id)))
@@ -213,15 +213,16 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
 void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
                       const SceneSolvers& solvers) {
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
-  if (solved["contact_length"].value > longest_by_ref * drawn.number("sheet.thickness")) return;
-  const std::vector<std::string> known{"contact_length",         "load",          "indentation",
-                                       "edge_displacement",      "peak_pressure", "pressure",
-                                       "peak_pressure_position", "surface_strain"};
+  if (solved[ResultId::contact_length].value > longest_by_ref * drawn.number("sheet.thickness")) return;
+  const std::vector<std::string> known =
+      data::names_of({ResultId::contact_length, ResultId::load, ResultId::indentation,
+                      ResultId::edge_displacement, ResultId::peak_pressure, ResultId::pressure,
+                      ResultId::peak_pressure_position, ResultId::surface_strain});
   drawn.set("wanted", known);
   try {
     const auto truth = solvers.ref(drawn.scene(), ref_digits);
     comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
-      const ref::Estimate& number = truth.profile(result.what->name)[i];
+      const ref::Estimate& number = truth.profile(result.what->id)[i];
       return std::optional(Other{ref_number(number), true});
     });
   } catch (const data::BadInput&) {
@@ -248,12 +249,12 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
 }
 
 /// Half of the length is given with it where the contact is symmetric.
-std::vector<std::string_view> given_results(const DrawnScene& drawn) {
-  if (drawn.has("load.per_length")) return {"load"};
-  if (drawn.has("load.normal_force")) return {"normal_force"};
-  if (drawn.has("contact.span_along")) return {"span_along"};
-  if (drawn.has("rolling.speed")) return {"contact_length"};
-  return {"contact_length", "leading_length", "trailing_length"};
+std::vector<ResultId> given_results(const DrawnScene& drawn) {
+  if (drawn.has("load.per_length")) return {ResultId::load};
+  if (drawn.has("load.normal_force")) return {ResultId::normal_force};
+  if (drawn.has("contact.span_along")) return {ResultId::span_along};
+  if (drawn.has("rolling.speed")) return {ResultId::contact_length};
+  return {ResultId::contact_length, ResultId::leading_length, ResultId::trailing_length};
 }
 
 void audit_drawn(SceneFindings& findings, const DrawnScene& drawn, Random& random,
