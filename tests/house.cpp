@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <nipref/verify/cli/house.hpp>
+
 #include "support/paths.hpp"
 
 // The order of the house: which room, and inside a room which subject, may include which; and that the same path stands
@@ -20,58 +22,9 @@ namespace fs = std::filesystem;
 namespace {
 
 using Names = std::set<std::string>;
+using nipref::verify::room_arrows, nipref::verify::subject_arrows;
 
 const fs::path top = source_directory();
-
-/// What a room includes besides itself.
-const std::map<std::string, Names> room_arrows{
-    {"data", {}}, {"ref", {"data"}}, {"fast", {"data"}}, {"verify", {"data", "ref", "fast"}}};
-
-/// What a subject includes besides itself, of its own room. "" is the room's own folder.
-const std::map<std::string, std::map<std::string, Names>> subject_arrows{
-    {"data",
-     {{"", {}},
-      {"number", {}},
-      {"material", {""}},
-      {"problem", {"", "material"}},
-      {"scene", {"", "material", "problem"}},
-      {"table", {""}}}},
-    {"ref",
-     {{"number", {}},
-      {"material", {"number"}},
-      {"sheet", {"number"}},
-      {"memory", {"number", "sheet", "material"}},
-      {"nip", {"number"}},
-      {"elastic_nip", {"number", "sheet", "nip"}},
-      {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
-      {"half_space", {"number"}}}},
-    {"fast",
-     {{"number", {}},
-      {"material", {"number"}},
-      {"sheet", {"number"}},
-      {"memory", {"number", "sheet", "material"}},
-      {"nip", {"number", "sheet"}},
-      {"elastic_nip", {"number", "sheet", "nip"}},
-      {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
-      {"half_space", {"number"}}}},
-    {"verify",
-     {{"support", {}},
-      {"catalogue", {"support"}},
-      {"audit", {"support", "catalogue", "solve"}},
-      {"solve", {"support", "catalogue"}},
-      {"replay", {"support", "catalogue"}},
-      {"bench", {"support", "catalogue", "replay", "audit", "grade"}},
-      {"grade", {"support", "catalogue", "audit"}},
-      {"witness", {"support", "solve"}},
-      {"seeds", {"support", "catalogue"}},
-      {"figures", {"support", "catalogue", "replay"}},
-      {"c_interface", {"support", "catalogue"}},
-      {"golden", {"support", "catalogue", "audit"}},
-      {"report", {"support", "catalogue", "audit", "golden", "grade", "replay", "bench", "solve", "witness", "seeds", "figures"}},
-      {"cli",
-       {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds", "figures", "report"}},
-      {"mpi", {"support", "audit", "cli"}}}},
-};
 
 /// "fast/sheet/internal/tables.hpp": room fast, subject sheet.
 struct Place {
@@ -91,9 +44,9 @@ struct Place {
 /// Whether a file at `from` may include the header at `to`, both as paths from the top.
 bool may_include(const std::string& from, const std::string& to) {
   const Place here(from), there(to);
-  if (here.room != there.room) return room_arrows.at(here.room).contains(there.room) && !there.internal;
+  if (here.room != there.room) return room_arrows().at(here.room).contains(there.room) && !there.internal;
   if (here.subject == there.subject) return true;
-  return subject_arrows.at(here.room).at(here.subject).contains(there.subject);
+  return subject_arrows().at(here.room).at(here.subject).contains(there.subject);
 }
 
 std::string read(const fs::path& file) {
@@ -172,7 +125,7 @@ std::string listed(const std::string& title, const Names& names) {
 
 TEST_CASE("every include follows the arrows of the rooms and of the subjects in them") {
   std::size_t files = 0, includes = 0;
-  for (const auto& [room, arrows] : room_arrows) {
+  for (const auto& [room, arrows] : room_arrows()) {
     for (const std::string& source : sources_in(room)) {
       ++files;
       for (const std::string& header : headers_of(source)) {
@@ -204,9 +157,34 @@ TEST_CASE("an include against the arrows is seen") {
   CHECK(may_include("verify/cli/eval.cpp", "ref/sheet/kernels.hpp"));
 }
 
+TEST_CASE("the README's tables of rooms and subjects are the arrows of the house") {
+  static const std::regex row(R"re(\n\| ((?:`\w+`(?:, )?)+) \|[^|\n]*\|([^|\n]*)\|)re"), name("`(\\w+)`");
+  const auto names_in = [](const std::string& text) {
+    Names names;
+    for (std::sregex_iterator it(text.begin(), text.end(), name), end; it != end; ++it)
+      names.insert((*it)[1]);
+    return names;
+  };
+  const std::string readme = read(top / "README.md");
+  const std::size_t begin = readme.find("\n| room | what"), end = readme.find("How the numbers come about");
+  REQUIRE(begin < end);
+  const std::string tables = readme.substr(begin, end - begin);
+  nipref::verify::Arrows written;
+  for (std::sregex_iterator it(tables.begin(), tables.end(), row), last; it != last; ++it) {
+    for (const std::string& key : names_in((*it)[1])) written[key] = names_in((*it)[2]);
+  }
+  nipref::verify::Arrows arrows = room_arrows();
+  for (const char* const room : {"ref", "fast"}) {
+    for (const auto& [subject, included] : subject_arrows().at(room))
+      arrows[subject].insert(included.begin(), included.end());
+  }
+  written.erase("tests");  // not a room that is included by others
+  CHECK(written == arrows);
+}
+
 TEST_CASE("no two sources define types of one name in one namespace") {
   std::map<std::string, std::string> defined_in;
-  for (const auto& [room, arrows] : room_arrows) {
+  for (const auto& [room, arrows] : room_arrows()) {
     for (const std::string& source : sources_in(room)) {
       for (const std::string& type : types_of(source)) {
         const auto [first, is_new] = defined_in.emplace(type, source);

@@ -1,9 +1,10 @@
 #include <algorithm>
-#include <map>
+#include <array>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/changed.hpp>
+#include <nipref/verify/cli/house.hpp>
 #include <nipref/verify/cli/output_of.hpp>
 
 namespace nipref::verify {
@@ -11,18 +12,26 @@ namespace {
 
 using Subjects = std::set<std::string>;
 
-const Subjects everything{"sheet",       "memory",           "half_space", "material",
-                          "elastic_nip", "viscoelastic_nip", "contacts"};
+const Subjects in_catalogue{"sheet", "memory", "half_space", "material", "elastic_nip", "viscoelastic_nip"};
 
-/// What is computed from a subject of ref or fast.
-const std::map<std::string, Subjects> users{
-    {"sheet", {"sheet", "memory", "elastic_nip", "viscoelastic_nip", "contacts"}},
-    {"memory", {"memory", "viscoelastic_nip", "contacts"}},
-    {"half_space", {"half_space", "contacts"}},
-    {"material", {"material"}},
-    {"nip", {"elastic_nip", "viscoelastic_nip", "contacts"}},
-    {"elastic_nip", {"elastic_nip", "contacts"}},
-    {"viscoelastic_nip", {"viscoelastic_nip", "contacts"}}};
+/// The subjects of the catalogue, and "contacts", that are computed from a subject of ref or fast.
+Subjects users_of(const std::string& room, const std::string& subject) {
+  Subjects users{subject};
+  for (std::size_t before = 0; before != users.size();) {
+    before = users.size();
+    for (const auto& [user, included] : subject_arrows().at(room)) {
+      if (std::ranges::any_of(included, [&](const auto& used) { return users.contains(used); }))
+        users.insert(user);
+    }
+  }
+  const bool in_contacts = std::ranges::any_of(std::array{"elastic_nip", "viscoelastic_nip", "half_space"},
+                                               [&](auto user) { return users.contains(user); });
+  std::erase_if(users, [](const std::string& user) { return !in_catalogue.contains(user); });
+  if (in_contacts) users.insert("contacts");
+  return users;
+}
+
+Subjects everything() { return users_of("ref", "number"); }
 
 std::vector<std::string> parts_of(const std::string& path) {
   std::vector<std::string> parts;
@@ -37,16 +46,16 @@ Subjects touched_by(const std::string& file) {
   const std::string& room = parts.front();
   if (room == "verify") {
     if (part(1) != "catalogue") return part(1) == "solve" ? Subjects{"contacts"} : Subjects{};
-    return users.contains(part(2)) ? Subjects{part(2)} : everything;
+    return in_catalogue.contains(part(2)) ? Subjects{part(2)} : everything();
   }
   if (room == "ref" || room == "fast") {
-    const auto found = users.find(part(1));
-    return found == users.end() ? everything : found->second;  // numbers, and how they are compiled
+    const bool is_subject = subject_arrows().at(room).contains(part(1));  // else how the room is compiled
+    return is_subject ? users_of(room, part(1)) : everything();
   }
   if (room == "data")
     return part(1) == "material" || part(1) == "problem" || part(1) == "scene" ? Subjects{"contacts"}
                                                                                : Subjects{};
-  return file == "CMakeLists.txt" ? everything : Subjects{};
+  return file == "CMakeLists.txt" ? everything() : Subjects{};
 }
 
 /// Lines that git prints.
