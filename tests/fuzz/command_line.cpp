@@ -37,7 +37,7 @@ void read_options(const CommandLine& line) {
 }
 
 void read_scene(const CommandLine& line) {
-  const data::SceneText text = verify::scene_request(line, line.verb, 30).scene;
+  const data::SceneText text = verify::scene_request(line).scene;
   const verify::AxesProduct scenes = verify::swept_scenes(text, line);
   static_cast<void>(data::load_scene(text, scenes.assignments(0, &verify::AxisValue::shown)));
 }
@@ -47,7 +47,7 @@ void read_arguments(const CommandLine& line) {
   take_or_refuse([&] { static_cast<void>(verify::parse_ranges(quantity, line.assignments)); });
   std::vector<verify::Axis> axes;
   for (const auto& [name, text] : line.assignments)
-    axes.push_back(verify::axis_of(name, text, verify::sweep_points_option(line)));
+    axes.push_back(verify::axis_of(name, text, line.option("points") ? verify::points_option(line) : 100));
   const verify::AxesProduct points(axes);
   static_cast<void>(
       verify::parse_arguments(quantity, points.assignments(0, &verify::AxisValue::exact)).nearest(quantity));

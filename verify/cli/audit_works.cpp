@@ -21,18 +21,11 @@ constexpr const char* contacts = "contacts";
 
 constexpr double quick = 0.1;
 constexpr double thorough = 10;
-constexpr double of_report = 0.3;  // so that it takes no more than three minutes
 
 double density_option(const CommandLine& line) {
-  constexpr double least = 1e-6, most = 1000;
   if (line.has("quick")) return quick;
   if (line.has("thorough")) return thorough;
-  const auto text = line.option("density");
-  if (!text) return line.verb == "report" ? of_report : 1;
-  const double density = parse_real("density", *text);
-  if (density < least || density > most)
-    throw data::BadInput("density", *text, "must be a number from 1e-6 to 1000");
-  return density;
+  return parse_real("density", line.option_or_usual("density"));
 }
 
 AuditOptions audit_options(const CommandLine& line) {

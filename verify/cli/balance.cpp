@@ -41,7 +41,7 @@ Json balance_json(const EnergyBalance& balance, const std::string& path) {
 }  // namespace
 
 int balance_verb(const CommandLine& line, std::ostream& out) {
-  const SceneRequest request = scene_request(line, "balance", 16);
+  const SceneRequest request = scene_request(line);
   const EnergyBalance balance =
       energy_balance(data::load_scene(request.scene, line.assignments), request.digits);
   out << (line.json

@@ -56,7 +56,7 @@ void declare(CLI::App& app, const VerbText& verb, Raw& raw) {
       ->option_text(verb.words.empty() ? "name=value ..." : "...");
   for (const OptionText& option : verb.options) {
     sub->add_option(names_of(option), raw.options[option.name],
-                    option.meaning + "; also " + option.name + "=...");
+                    help_of(option) + "; also " + option.name + "=...");
   }
   for (const OptionText& flag : verb.flags)
     sub->add_flag("--" + flag.name, raw.flags[flag.name], flag.meaning);
@@ -83,7 +83,7 @@ void sort_words(const VerbText& verb, const Raw& raw, CommandLine& line) {
     }
     const std::string name = word.substr(0, equals);
     const std::string value = word.substr(equals + 1);
-    if (std::ranges::find(verb.options, name, &OptionText::name) == verb.options.end()) {
+    if (find_option(verb, name) == nullptr) {
       if (!verb.takes_assignments) refuse_assignment(verb, name, value);
       line.assignments.emplace_back(name, value);
     } else if (!line.options.emplace(name, value).second) {
@@ -97,6 +97,12 @@ void sort_words(const VerbText& verb, const Raw& raw, CommandLine& line) {
 std::optional<std::string> CommandLine::option(const std::string& name) const {
   const auto found = options.find(name);
   return found == options.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string CommandLine::option_or_usual(const std::string& name) const {
+  if (const auto given = option(name)) return *given;
+  const OptionText* const known = find_option(find_verb(verb), name);
+  return known == nullptr ? "" : known->usual;
 }
 
 bool CommandLine::has(const std::string& flag) const { return flags.contains(flag); }
@@ -143,7 +149,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   for (const auto& [name, value] : raw.options) {
     if (app.get_subcommand(line.verb)->count("--" + name) > 0) line.options.emplace(name, value);
   }
-  sort_words(find_verb(line.verb), raw, line);
+  const VerbText& verb = find_verb(line.verb);
+  sort_words(verb, raw, line);
+  for (const auto& [name, value] : line.options) check_option(*find_option(verb, name), value);
   return line;
 }
 

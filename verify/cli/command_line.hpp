@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// A command line taken apart. Values are still text: whoever uses them checks them.
+/// A command line taken apart. Values are text; those of options are in the domain that the table of verbs has for them.
 struct CommandLine {
   std::string verb;
   std::vector<std::string> words;  ///< names of quantities, tables or files
@@ -25,6 +25,8 @@ struct CommandLine {
 
   /// The option's text, or nothing.
   [[nodiscard]] std::optional<std::string> option(const std::string& name) const;
+  /// The option's text, or its default in the table of verbs; empty if that has none.
+  [[nodiscard]] std::string option_or_usual(const std::string& name) const;
   /// True if the flag is given.
   [[nodiscard]] bool has(const std::string& flag) const;
 };

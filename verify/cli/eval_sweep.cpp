@@ -11,8 +11,7 @@ namespace {
 
 std::vector<Axis> axes_of(const CommandLine& line) {
   std::vector<Axis> axes;
-  for (const auto& [name, text] : line.assignments)
-    axes.push_back(axis_of(name, text, sweep_points_option(line)));
+  for (const auto& [name, text] : line.assignments) axes.push_back(axis_of(name, text, points_option(line)));
   return axes;
 }
 

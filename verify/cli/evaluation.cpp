@@ -20,19 +20,12 @@ namespace {
 using data::BadInput;
 
 constexpr auto right_form = "corrected";
-constexpr int default_digits = 50;
+
 const Quantity& quantity_of(const CommandLine& line) {
   if (line.words.size() > 1) {
     throw BadInput("argument", line.words[1], "unexpected: eval takes one quantity and name=value pairs");
   }
   return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
-}
-
-std::string path_of(const CommandLine& line) {
-  const std::string path = line.option("path").value_or("both");
-  if (path != "ref" && path != "fast" && path != "both")
-    throw BadInput("path", path, "must be ref, fast or both");
-  return path;
 }
 
 /// Null for the right one.
@@ -42,7 +35,8 @@ const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
   std::vector<std::string> known{right_form};
   for (const SeedForm& candidate : quantity.seed_forms) {
     if (candidate.name == form && line.option("path"))
-      throw BadInput("path", path_of(line), "must be left out with form=" + form + ": that is no path's");
+      throw BadInput("path", line.option_or_usual("path"),
+                     "must be left out with form=" + form + ": that is no path's");
     if (candidate.name == form) return &candidate;
     known.push_back(candidate.name);
   }
@@ -57,7 +51,8 @@ void refuse_options_without_effect(const CommandLine& line, const std::string& p
 }
 
 int digits_for(const Quantity& quantity, const CommandLine& line) {
-  const int digits = digits_option(line, std::min(default_digits, quantity.most_digits));
+  const int digits = digits_option(line).value();
+  if (!line.option("digits")) return std::min(digits, quantity.most_digits);
   if (digits > quantity.most_digits) {
     throw BadInput(
         "digits", std::to_string(digits),
@@ -122,7 +117,7 @@ EvalAnswer answer_of_seed(const EvalRequest& request, const ParsedArguments& arg
 
 EvalRequest request_of(const CommandLine& line) {
   const Quantity& quantity = quantity_of(line);
-  const std::string path = path_of(line);
+  const std::string path = line.option_or_usual("path");
   const SeedForm* form = form_of(line, quantity);
   refuse_options_without_effect(line, path, form);
   return {&quantity,

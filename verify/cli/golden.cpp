@@ -109,7 +109,7 @@ int answer(const CommandLine& line, std::ostream& out, const std::string& text, 
 GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   GoldenOptions options = golden_options(quantity);
   if (line.option("points")) options.points = points_option(line);
-  options.digits = digits_option(line, options.digits);
+  options.digits = digits_option(line).value_or(options.digits);
   options.seed = seed_option(line);
   return options;
 }

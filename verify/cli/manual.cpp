@@ -40,7 +40,7 @@ std::string verb_of_page(const VerbText& verb) {
   std::string text = fmt::format(".SS {}\n{}\n", roff(verb.name), roff(verb.meaning));
   if (!verb.words.empty()) text += entry(verb.words + " ...", verb.meaning_of_words);
   for (const OptionText& option : verb.options)
-    text += entry(names_of(option) + " " + option.name, option.meaning);
+    text += entry(names_of(option) + " " + option.name, help_of(option));
   for (const OptionText& flag : verb.flags) text += entry("--" + flag.name, flag.meaning);
   text += ".PP\nExamples:\n.PP\n.EX\n";
   for (const std::string& example : verb.examples) text += roff(example) + "\n";

@@ -1,11 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
-#include <nipref/ref/number/enclosure.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/options.hpp>
 
@@ -20,23 +18,19 @@ fast::Accuracy accuracy_option(const CommandLine& line) {
 
 namespace {
 
-/// From 1 to `most`; `otherwise` if the option is not there.
-std::size_t count_option(const CommandLine& line, const std::string& name, long most, std::size_t otherwise) {
-  const auto text = line.option(name);
-  if (!text) return otherwise;
-  const double count = parse_real(name, *text);
-  if (count < 1 || count > static_cast<double>(most) || count != std::floor(count))
-    throw BadInput(name, *text, "must be a whole number from 1 to " + std::to_string(most));
-  return static_cast<std::size_t>(count);
+/// 0 if the option is neither given nor has a default.
+std::size_t count_option(const CommandLine& line, const std::string& name) {
+  const std::string text = line.option_or_usual(name);
+  return text.empty() ? 0 : static_cast<std::size_t>(parse_real(name, text));
 }
 
 /// A file, or the name of an example where there is no such file.
-std::filesystem::path scene_file_of(const CommandLine& line, std::string_view verb) {
+std::filesystem::path scene_file_of(const CommandLine& line) {
   if (line.words.empty())
     throw BadInput("scene", "(missing)", "must be the name of a TOML file or of an example");
   if (line.words.size() > 1)
     throw BadInput("argument", line.words[1],
-                   "unexpected: " + std::string(verb) + " takes one scene and key=value pairs");
+                   "unexpected: " + line.verb + " takes one scene and key=value pairs");
   const std::filesystem::path word = line.words.front();
   std::error_code none;  // as where a name is longer than a file's may be
   const bool is_file = std::filesystem::exists(word, none) || word.has_parent_path() || word.has_extension();
@@ -45,26 +39,18 @@ std::filesystem::path scene_file_of(const CommandLine& line, std::string_view ve
 
 }  // namespace
 
-SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits) {
-  const std::string path = line.option("path").value_or("fast");
-  if (path != "ref" && path != "fast") throw BadInput("path", path, "must be ref or fast");
-  if (path == "fast")
+SceneRequest scene_request(const CommandLine& line) {
+  const bool by_ref = line.option_or_usual("path") == "ref";
+  if (!by_ref)
     refuse_option(line, "digits", "has no effect with path=fast: must be left out, or path=ref given");
-  const int digits = digits_option(line, usual_digits);
-  return {data::read_scene(scene_file_of(line, verb)), path == "ref" ? std::optional(digits) : std::nullopt};
+  return {data::read_scene(scene_file_of(line)), by_ref ? digits_option(line) : std::nullopt};
 }
 
-std::size_t points_option(const CommandLine& line) {
-  // An audit keeps a block of them at a time.
-  return count_option(line, "points", line.verb == "audit" ? 1'000'000'000'000 : 100'000'000, 0);
-}
+std::size_t points_option(const CommandLine& line) { return count_option(line, "points"); }
 
-std::size_t scenes_option(const CommandLine& line) {
-  // A report has much else to do.
-  return count_option(line, "scenes", 1'000'000, line.verb == "report" ? 100 : 300);
-}
+std::size_t scenes_option(const CommandLine& line) { return count_option(line, "scenes"); }
 
-std::string seed_option(const CommandLine& line) { return line.option("seed").value_or("1"); }
+std::string seed_option(const CommandLine& line) { return line.option_or_usual("seed"); }
 
 std::optional<double> max_slowdown_option(const CommandLine& line) {
   const auto text = line.option("max-slowdown");
@@ -77,14 +63,12 @@ std::optional<double> max_slowdown_option(const CommandLine& line) {
   return slowdown;
 }
 
-int digits_option(const CommandLine& line, int otherwise) {
-  const auto text = line.option("digits");
-  const long digits = text ? parse_integer("digits", *text) : otherwise;
-  ref::check_digits(static_cast<int>(std::clamp(digits, -1L, 1'000'000'000L)));
-  return static_cast<int>(digits);
+std::optional<int> digits_option(const CommandLine& line) {
+  const std::size_t digits = count_option(line, "digits");
+  return digits == 0 ? std::nullopt : std::optional(static_cast<int>(digits));
 }
 
-std::size_t every_option(const CommandLine& line) { return count_option(line, "every", 1'000'000, 1); }
+std::size_t every_option(const CommandLine& line) { return count_option(line, "every"); }
 
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
   if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);

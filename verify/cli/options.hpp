@@ -12,16 +12,14 @@
 
 namespace nipref::verify {
 
-// Options that several verbs read. Each gives the default if the option is not there, and BadInput naming it
-// if it is wrong.
+// Options that several verbs read, or their defaults in the table of verbs.
 
 fast::Accuracy accuracy_option(const CommandLine& line);
-/// 0 if it is not there; "1e4" is a whole number too; to 1e8, of an audit to 1e12.
+/// 0 if it is not given and has no default; "1e4" is a whole number too.
 std::size_t points_option(const CommandLine& line);
-
-/// Random scenes that an audit of contacts draws, 300 if it is not said; "1e4" is a whole number too.
+/// The number of random scenes that an audit of contacts draws.
 std::size_t scenes_option(const CommandLine& line);
-/// The text that they are drawn from, "1" if it is not said.
+/// The text from which random arguments are drawn.
 std::string seed_option(const CommandLine& line);
 
 /// What is in the file that a verb's one word names, or, where there is no such file, in that of an example; and the
@@ -30,14 +28,14 @@ struct SceneRequest {
   data::SceneText scene;
   std::optional<int> digits;  ///< of ref; nothing: by fast
 };
-SceneRequest scene_request(const CommandLine& line, std::string_view verb, int usual_digits);
+SceneRequest scene_request(const CommandLine& line);
 
 /// By how much something may be slower than what --against names, 0.1 for "10%" or "0.1"; none if it is not said.
 std::optional<double> max_slowdown_option(const CommandLine& line);
 
-/// From 16 to 1000; `otherwise` if it is not there.
-int digits_option(const CommandLine& line, int otherwise);
-/// Every so many-th row, 1 if it is not said.
+/// Nothing if it is not given and has no default.
+std::optional<int> digits_option(const CommandLine& line);
+/// Every how many-th row is looked at.
 std::size_t every_option(const CommandLine& line);
 
 /// BadInput, saying `why`, if this option or flag is there.

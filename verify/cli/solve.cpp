@@ -24,7 +24,7 @@ int print(const SceneSolution<Number>& solution, const CommandLine& line, std::o
 }  // namespace
 
 int solve_verb(const CommandLine& line, std::ostream& out) {
-  const auto [text, digits] = scene_request(line, "solve", 30);
+  const auto [text, digits] = scene_request(line);
   const AxesProduct scenes = swept_scenes(text, line);
   if (scenes.size() > 1) return solve_sweep(text, scenes, digits, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");

@@ -17,8 +17,6 @@ namespace {
 
 using data::BadInput;
 
-constexpr std::size_t usual_points = 100;
-
 /// A row that was computed or refused; neither where the process was interrupted before.
 struct FinishedRow {
   std::optional<SweepRow> row;
@@ -96,10 +94,6 @@ Json sweep_json(const Sweep& sweep, const std::vector<FinishedRow>& rows) {
 }
 
 }  // namespace
-
-std::size_t sweep_points_option(const CommandLine& line) {
-  return line.option("points") ? points_option(line) : usual_points;
-}
 
 int write_sweep(const Sweep& sweep, const CommandLine& line, std::ostream& out) {
   const std::vector<FinishedRow> rows = finished_rows(sweep, line.has("quiet"));

@@ -33,9 +33,6 @@ struct Sweep {
   std::function<SweepRow(std::size_t)> row_at;
 };
 
-/// Values of each range, 100 if it is not said.
-std::size_t sweep_points_option(const CommandLine& line);
-
 /// Computes a row for each combination, on all cores, and writes them in the order of the combinations: as CSV, with a
 /// column for each axis before the others and what was refused behind them; or as JSON, the same by columns. The
 /// exit status: 1 if a row was refused or fell short. BadInput, the first row's, if all are refused.

@@ -5,6 +5,7 @@
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/interruption.hpp>
 #include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
 #include <nipref/verify/replay/render.hpp>
@@ -81,6 +82,15 @@ int tables_verb(const TablesRequest& request, std::ostream& out) {
     out << tables_text(replays, request.full) << interruption_text();
   }
   return fall_short(replays) ? 1 : 0;
+}
+
+int tables_verb(const CommandLine& line, std::ostream& out) {
+  return tables_verb({.ids = line.words,
+                      .list = line.has("list"),
+                      .full = line.has("full"),
+                      .json = line.json,
+                      .quiet = line.has("quiet")},
+                     out);
 }
 
 }  // namespace nipref::verify

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
@@ -14,15 +15,16 @@ namespace {
 
 using data::BadInput;
 
-const OptionText path_option{"path",
-                             "ref, fast or both (default both); digits are asked of ref, rtol of fast"};
-const OptionText digits_option{"digits", "decimal digits of ref's result, 16 to 1000 (default 50)"};
-const OptionText solve_path_option{"path", "ref or fast (default fast)"};
+const OptionText path_option{
+    "path", "digits are asked of ref, rtol of fast", "", "both", {}, {"ref", "fast", "both"}};
+const OptionText digits_option{"digits", "decimal digits of ref's result", "", "50",
+                               NumberRange{"16", "1000"}};
+const OptionText solve_path_option{"path", "which path computes", "", "fast", {}, {"ref", "fast"}};
 const OptionText solve_digits_option{
-    "digits",
-    "decimal digits of ref's results, 16 to 100, line loads to 300 (default 30); with path=ref only"};
-const OptionText balance_digits_option{
-    "digits", "decimal digits of ref's contact, 16 to 30 (default 16); with path=ref only"};
+    "digits", "with path=ref only: decimal digits of ref's results, line loads to 300, others to 100 or 30",
+    "", "30", NumberRange{"16", "300"}};
+const OptionText balance_digits_option{"digits", "with path=ref only: decimal digits of ref's contact", "",
+                                       "16", NumberRange{"16", "30"}};
 const OptionText report_output_option{
     "output",
     "folder, made if need be, for the report as index.html, one page with all plots, and as report.json",
@@ -35,18 +37,19 @@ const OptionText rtol_option{
 const OptionText form_option{
     "form", "corrected, or printed or table for the seed's own where they differ (default corrected)"};
 const OptionText points_text{
-    "points",
-    "points for each of the named quantities, 1 to 1e12 (default: each its own, 3 to 20000, see list)"};
-const OptionText density_option{
-    "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 1)"};
+    "points", "points for each of the named quantities (default: each its own, 3 to 20000, see list)", "", "",
+    NumberRange{"1", "1e12"}};
+const OptionText density_option{"density", "this many times each quantity's own number of points", "", "1",
+                                NumberRange{"1e-6", "1000", false}};
 
-const OptionText report_density_option{
-    "density", "this many times each quantity's own number of points, 1e-6 to 1000 (default 0.3)"};
-const OptionText report_scenes_option{"scenes", "random scenes to be audited, 1 to 1000000 (default 100)"};
-const OptionText scenes_option{"scenes",
-                               "random scenes to be audited with contacts, 1 to 1000000 (default 300)"};
-const OptionText seed_option{"seed", "any text, from which they are drawn (default 1)"};
-const OptionText audit_seed_option{"seed", "any text, from which points and scenes are drawn (default 1)"};
+const OptionText report_density_option{"density", "this many times each quantity's own number of points", "",
+                                       "0.3", NumberRange{"1e-6", "1000", false}};
+const OptionText report_scenes_option{"scenes", "random scenes to be audited", "", "100",
+                                      NumberRange{"1", "1000000"}};
+const OptionText scenes_option{"scenes", "random scenes to be audited with contacts", "", "300",
+                               NumberRange{"1", "1000000"}};
+const OptionText seed_option{"seed", "any text, from which they are drawn", "", "1"};
+const OptionText audit_seed_option{"seed", "any text, from which points and scenes are drawn", "", "1"};
 const OptionText out_option{
     "out",
     "folder, made if need be, to which each finished block of 4096 points, or 32 scenes, is "
@@ -56,11 +59,12 @@ const OptionText shard_option{
     "with --out: do this part of the blocks, i/N for the i-th of N processes, or env for what Open MPI, MPICH, Slurm "
     "or an indexed job of Kubernetes says (there JOB_COMPLETIONS is to be set); then merge"};
 
-const OptionText sweep_points_text{"points",
-                                   "values of each range, 1 to 1e8 (default 100); combinations up to 1e7"};
-const OptionText sample_points_option{
-    "points", "about so many points, 1 to 1e8 (default: the quantity's own, see list)"};
-const OptionText sample_seed_option{"seed", "any text: another one, other random points (default 1)"};
+const OptionText sweep_points_text{"points", "values of each range; combinations up to 1e7", "", "100",
+                                   NumberRange{"1", "1e8"}};
+const OptionText sample_points_option{"points",
+                                      "about so many points (default: the quantity's own, see list)", "", "",
+                                      NumberRange{"1", "1e8"}};
+const OptionText sample_seed_option{"seed", "any text: another one gives other random points", "", "1"};
 const OptionText promise_option{
     "promise",
     "largest error allowed, in units in the last place of the scale (default: what fast promises)"};
@@ -99,15 +103,17 @@ const OptionText changed_flag{
     "changed", "what the files that differ from git's last revision have a part in, new files too"};
 const OptionText isa_option{
     "isa", "baseline, v3 or v4: fast runs its code for that, as on another machine (default: the best)"};
-const OptionText golden_points_option{
-    "points", "values of each quantity, 1 to 1e8 (default 250, 200 where they take seconds)"};
-const OptionText golden_digits_option{"digits",
-                                      "decimal digits, 16 to 1000 (default 50, 30 where they take seconds)"};
+const OptionText golden_points_option{"points",
+                                      "values of each quantity (default 250, 200 where they take seconds)",
+                                      "", "", NumberRange{"1", "1e8"}};
+const OptionText golden_digits_option{"digits", "decimal digits (default 50, 30 where they take seconds)", "",
+                                      "", NumberRange{"16", "1000"}};
 const OptionText golden_output_option{
     "output",
     "make, update: the file to be written, or the folder, as it is for several quantities; made if need be",
     "o"};
-const OptionText every_option{"every", "check: look at every so many-th row only (default 1)"};
+const OptionText every_option{"every", "check: look at every so many-th row only", "", "1",
+                              NumberRange{"1", "1000000"}};
 const OptionText all_flag{"all",
                           "check: recompute every row by ref, slow ones too; update: change every row"};
 const OptionText in_place_flag{"in-place",
@@ -130,6 +136,7 @@ const OptionText no_times_flag{"no-times", "with --json: leave out what the cloc
 
 const std::array all_verbs{
     VerbText{"list",
+             list_verb,
              "The quantities that can be computed, or all about those that are named.",
              "quantity",
              "names of quantities (default: all, in brief)",
@@ -138,6 +145,7 @@ const std::array all_verbs{
              {"nipref list", "nipref list I1 vs"}},
     VerbText{
         "eval",
+        eval_verb,
         "One quantity at one argument, by both paths, with their errors, or a sweep over many. 'eval' may be left out.",
         "quantity",
         "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
@@ -152,6 +160,7 @@ const std::array all_verbs{
         true},
     VerbText{
         "solve",
+        solve_verb,
         "What a scene wants of its contact, or of many. A nip whose rollers would meet is refused; strains of its sheet "
         "and slopes of its rollers above 0.1, more than linear theory bears, are warned of.",
         "scene",
@@ -166,6 +175,7 @@ const std::array all_verbs{
         true},
     VerbText{
         "balance",
+        balance_verb,
         "The work of a nip's rolling resistance against what its sheet loses, by the losses at all frequencies "
         "of its pressure: status 1 if they differ by more than their errors.",
         "scene",
@@ -176,6 +186,7 @@ const std::array all_verbs{
         {"nipref balance viscoelastic-operators --path ref", "nipref balance scene.toml accuracy=1e-12"},
         true},
     VerbText{"tables",
+             tables_verb,
              "The seeds' tables, replayed cell by cell and corrected.",
              "table",
              "ids or, where it is clear, what is behind their hyphens: thesis-VII, VII (default: all)",
@@ -183,6 +194,7 @@ const std::array all_verbs{
              {list_flag, full_flag, quiet_flag, json_flag, no_times_flag},
              {"nipref tables --list", "nipref tables VII brock2013-1"}},
     VerbText{"limits",
+             limits_verb,
              "How the contacts' solvers approach limits that are known in closed form, and with which power.",
              "limit",
              "names of limits, limit.hertz.load and so on (default: all)",
@@ -190,6 +202,7 @@ const std::array all_verbs{
              {json_flag, no_times_flag},
              {"nipref limits", "nipref limits limit.hertz.load --json"}},
     VerbText{"claims",
+             claims_verb,
              "What the seeds say in words: whether it is so, with the numbers that decide.",
              "claim",
              "ids of claims (default: all)",
@@ -197,6 +210,7 @@ const std::array all_verbs{
              {json_flag, no_times_flag},
              {"nipref claims", "nipref claims thesis-one-reversal --json"}},
     VerbText{"errata",
+             errata_verb,
              "Formulas that the seeds print wrong: printed, right, and against what, each with numbers.",
              "erratum",
              "ids of errata (default: all)",
@@ -204,6 +218,7 @@ const std::array all_verbs{
              {json_flag, no_times_flag},
              {"nipref errata", "nipref errata thesis-4.8 --json"}},
     VerbText{"figures",
+             figures_verb,
              "The seeds' figures from our own solvers: the seed's method, what is printed, and what is true.",
              "figure",
              "the id of one, as --list shows them; without --csv and --svg its numbers are printed as CSV",
@@ -213,6 +228,7 @@ const std::array all_verbs{
               "nipref figures brock2013-3 --csv contours.csv"}},
     VerbText{
         "audit",
+        audit_verb,
         "Largest error of fast against ref, by a search for the worst argument.",
         "quantity",
         "names of quantities, and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their "
@@ -225,6 +241,7 @@ const std::array all_verbs{
          "mpirun -n 8 nipref audit I1 --points 1e9 --out run --shard env"},
         true},
     VerbText{"merge",
+             merge_verb,
              "What the shards of an audit have found, as one process would have told it.",
              "run",
              "folders that 'audit --out' has written, of one and the same program, command and inputs",
@@ -233,6 +250,7 @@ const std::array all_verbs{
              {"nipref merge run", "nipref merge run-of-one-machine run-of-another --json"}},
     VerbText{
         "points",
+        points_verb,
         "Arguments for somebody else's program, as CSV; it adds a column of values for grade.",
         "quantity",
         "its name, and name=value or name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from "
@@ -243,6 +261,7 @@ const std::array all_verbs{
         true},
     VerbText{
         "grade",
+        grade_verb,
         "How wrong somebody else's values are, or the kernels of a shared object, measured as fast's are.",
         "file",
         "a CSV as points writes it with a column of values more, - for standard input, and the quantity's name, "
@@ -259,6 +278,7 @@ const std::array all_verbs{
         true},
     VerbText{
         "golden",
+        golden_verb,
         "Values that are kept, each confirmed by a second method: make, check, update or list them.",
         "action",
         "make, check, update or list, and names of quantities (default: all); check takes files too. What make and "
@@ -269,6 +289,7 @@ const std::array all_verbs{
          "nipref golden make I1 --points 1000 -o I1.csv", "nipref golden update Un --in-place"}},
     VerbText{
         "bench",
+        bench_verb,
         "Speed against error, beside other libraries.",
         "quantity",
         "names of quantities, or elastic-nip, viscoelastic-nip, half-space for whole contacts (default: all of "
@@ -279,6 +300,7 @@ const std::array all_verbs{
          "nipref bench I1 --against ../old/build/verify/nipref --max-slowdown 10%"}},
     VerbText{
         "report",
+        report_verb,
         "Everything at once: one screen of text, and with -o a page with all plots and tables.",
         "",
         "",
@@ -287,6 +309,16 @@ const std::array all_verbs{
         {"nipref report -o report", "nipref report --quick",
          "nipref report --against old/report.json -o new"}},
 };
+
+/// "a whole number from 1 to 100", "ref, fast or both"; empty if the table has no domain for it.
+std::string domain_of(const OptionText& option) {
+  if (option.range)
+    return fmt::format("a {} from {} to {}", option.range->whole ? "whole number" : "number",
+                       option.range->least, option.range->most);
+  if (option.choices.empty()) return "";
+  const auto last = option.choices.end() - 1;
+  return fmt::format("{} or {}", fmt::join(option.choices.begin(), last, ", "), *last);
+}
 
 std::vector<std::string_view> names_of(std::span<const VerbText> verbs) {
   std::vector<std::string_view> names;
@@ -305,6 +337,28 @@ std::string_view exit_statuses() {
   return "Exit status: 0 all well, 1 a check fell short, 2 bad input, 3 incomplete, 4 output could not be written, 70 "
          "internal error, 130 interrupted.\n"
          "An error is one line on standard error; with --json it is an answer on standard output as well.";
+}
+
+std::string help_of(const OptionText& option) {
+  const std::string domain = domain_of(option);
+  return option.meaning + (domain.empty() ? "" : "; " + domain) +
+         (option.usual.empty() ? "" : " (default " + option.usual + ")");
+}
+
+void check_option(const OptionText& option, const std::string& value) {
+  bool allowed = option.choices.empty() || std::ranges::find(option.choices, value) != option.choices.end();
+  if (const auto& range = option.range) {
+    const double number = parse_real(option.name, value);
+    allowed = number >= parse_real(option.name, range->least) &&
+              number <= parse_real(option.name, range->most) &&
+              (!range->whole || number == std::floor(number));
+  }
+  if (!allowed) throw BadInput(option.name, value, "must be " + domain_of(option));
+}
+
+const OptionText* find_option(const VerbText& verb, std::string_view name) {
+  const auto found = std::ranges::find(verb.options, name, &OptionText::name);
+  return found == verb.options.end() ? nullptr : &*found;
 }
 
 std::string names_of(const OptionText& option) {

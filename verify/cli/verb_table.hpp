@@ -1,16 +1,34 @@
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <nipref/verify/cli/verbs.hpp>
+
 namespace nipref::verify {
+
+/// The numbers that an option may have, limits included.
+struct NumberRange {
+  std::string least, most;
+  bool whole = true;
+};
 
 struct OptionText {
   std::string name;
-  std::string meaning;      ///< with unit, domain and default
+  std::string meaning;  ///< with the unit; with the domain where neither a range nor choices can express it
   std::string letter = {};  ///< "o" where -o is short for it
+  std::string usual = {};   ///< the default; empty where `meaning` describes it
+  std::optional<NumberRange> range = {};
+  std::vector<std::string> choices = {};
 };
+
+/// The meaning with the domain and the default.
+std::string help_of(const OptionText& option);
+
+/// BadInput naming the option if `value` is outside its range or none of its choices.
+void check_option(const OptionText& option, const std::string& value);
 
 /// "-o,--output"
 std::string names_of(const OptionText& option);
@@ -18,6 +36,7 @@ std::string names_of(const OptionText& option);
 /// What a verb takes, and what its help says.
 struct VerbText {
   std::string name;
+  int (*run)(const CommandLine& line, std::ostream& out);  ///< returns the exit status
   std::string meaning;
   std::string words;  ///< what the words that are no name=value pairs are called; empty: there are none
   std::string meaning_of_words;     ///< and what they are
@@ -32,11 +51,13 @@ std::string_view program_meaning();
 /// What its exit statuses say.
 std::string_view exit_statuses();
 
-/// All of them.
 std::span<const VerbText> verbs();
 
 /// The one called `name`. BadInput, with the nearest names, if there is none.
 const VerbText& find_verb(const std::string& name);
+
+/// The option of this name. Null if the verb has none.
+const OptionText* find_option(const VerbText& verb, std::string_view name);
 
 /// BadInput, with the nearest name, for a "--name" that the verb does not take.
 void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value);

@@ -22,6 +22,7 @@ int claims_verb(const CommandLine& line, std::ostream& out);
 int errata_verb(const CommandLine& line, std::ostream& out);
 int figures_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
+int tables_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
 
 }  // namespace nipref::verify

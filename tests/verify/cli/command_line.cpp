@@ -1,11 +1,15 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/verb_table.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 
 #include "support/run_nipref.hpp"
@@ -302,4 +306,28 @@ TEST_CASE("audit as JSON says what was promised, and the worst argument exactly"
   CHECK(row.at("max_error_ulp").get<double>() <= row.at("promise_ulp").get<double>());
   CHECK(row.at("mean_error_ulp").get<double>() <= row.at("max_error_ulp").get<double>());
   CHECK(row.at("worst").at("alpha").get<std::string>().find("0x") != std::string::npos);
+}
+
+TEST_CASE(
+    "defaults are in the domains of the table of verbs, and what is beyond a domain is refused by every verb") {
+  std::size_t ranges = 0;
+  for (const verify::VerbText& verb : verify::verbs()) {
+    for (const verify::OptionText& option : verb.options) {
+      CAPTURE(verb.name);
+      CAPTURE(option.name);
+      if (!option.usual.empty()) CHECK_NOTHROW(verify::check_option(option, option.usual));
+      if (!option.range) continue;
+      ++ranges;
+      CHECK_NOTHROW(verify::check_option(option, option.range->least));
+      CHECK_NOTHROW(verify::check_option(option, option.range->most));
+      for (const std::string& beyond : {std::string("0"), option.range->most + "9", std::string("nan")}) {
+        const std::string assignment = option.name + "=" + beyond;
+        const std::array words{"nipref", verb.name.c_str(), assignment.c_str()};
+        CHECK_THROWS_AS(static_cast<void>(verify::parse_command_line(3, words.data())), data::BadInput);
+      }
+      CHECK(verify::help_of(option).find(option.range->least + " to " + option.range->most) !=
+            std::string::npos);
+    }
+  }
+  CHECK(ranges > 10);
 }
