@@ -75,7 +75,7 @@ std::size_t AuditRun::finished() const {
   return work;
 }
 
-void AuditRun::tell_shard(std::ostream& out) const {
+void AuditRun::write_shard(std::ostream& out) const {
   const std::string folder = line_.option("out").value();
   if (line_.json) {
     out << answer_text("audit",
@@ -96,7 +96,7 @@ void AuditRun::tell_shard(std::ostream& out) const {
 
 int AuditRun::answer(std::ostream& out) const {
   if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
-  tell_shard(out);
+  write_shard(out);
   return 0;
 }
 

@@ -38,7 +38,7 @@ class AuditRun {
 
  private:
   [[nodiscard]] std::size_t finished() const;  ///< works, the first ones
-  void tell_shard(std::ostream& out) const;
+  void write_shard(std::ostream& out) const;
 
   CommandLine line_;
   Shard shard_;

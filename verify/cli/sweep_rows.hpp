@@ -23,7 +23,7 @@ struct SweepColumn {
   bool is_text;  ///< for machines too: what may not fit a double
 };
 
-/// What a sweep computes, and how it is told.
+/// What a sweep computes, and how its rows are written.
 struct Sweep {
   std::string_view verb;  ///< of the JSON answer
   AxesProduct product;

@@ -15,7 +15,7 @@ struct TablesRequest {
   bool list;          ///< only say which tables there are and what they hold
   bool full = false;  ///< cells that match too
   bool json;
-  bool quiet = false;  ///< no progress is told
+  bool quiet = false;  ///< no progress is printed
 };
 
 /// The tables of these ids, replayed and corrected; those that are finished, if the process is interrupted.

@@ -15,8 +15,9 @@ namespace {
 
 using data::BadInput;
 
-const OptionText path_option{
-    "path", "digits are asked of ref, rtol of fast", "", "both", {}, {"ref", "fast", "both"}};
+const OptionText path_option{"path", "which path computes, --digits being for ref and --rtol for fast",
+                             "",     "both",
+                             {},     {"ref", "fast", "both"}};
 const OptionText digits_option{"digits", "decimal digits of ref's result", "", "50",
                                NumberRange{"16", "1000"}};
 const OptionText solve_path_option{"path", "which path computes", "", "fast", {}, {"ref", "fast"}};
@@ -39,11 +40,11 @@ const OptionText form_option{
 const OptionText points_text{
     "points", "points for each of the named quantities (default: each its own, 3 to 20000, see list)", "", "",
     NumberRange{"1", "1e12"}};
-const OptionText density_option{"density", "this many times each quantity's own number of points", "", "1",
+const OptionText density_option{"density", "factor on each quantity's own number of points", "", "1",
                                 NumberRange{"1e-6", "1000", false}};
 
-const OptionText report_density_option{"density", "this many times each quantity's own number of points", "",
-                                       "0.3", NumberRange{"1e-6", "1000", false}};
+const OptionText report_density_option{"density", "factor on each quantity's own number of points", "", "0.3",
+                                       NumberRange{"1e-6", "1000", false}};
 const OptionText report_scenes_option{"scenes", "random scenes to be audited", "", "100",
                                       NumberRange{"1", "1000000"}};
 const OptionText scenes_option{"scenes", "random scenes to be audited with contacts", "", "300",
@@ -89,7 +90,7 @@ const OptionText older_object_option{
 const OptionText max_slowdown_option{
     "max-slowdown",
     "with --against: slower by more than this gives status 1, 10% or 0.1 (default: for kernels 10%, for bench none)"};
-const OptionText ctest_flag{"ctest", "tell the largest errors as measurements that CTest collects"};
+const OptionText ctest_flag{"ctest", "print the largest errors as measurements that CTest collects"};
 const OptionText thread_safe_flag{"thread-safe",
                                   "the function of --symbol may be called from several threads, and is"};
 
@@ -127,7 +128,7 @@ const OptionText figure_list_flag{"list", "only list the figures"};
 const OptionText full_flag{"full", "all there is to say"};
 const OptionText quick_flag{"quick", "the same as --density 0.1"};
 const OptionText thorough_flag{"thorough", "the same as --density 10"};
-const OptionText quiet_flag{"quiet", "tell no progress"};
+const OptionText quiet_flag{"quiet", "print no progress"};
 const OptionText list_flag{"list", "only list the tables"};
 const OptionText strict_flag{"strict",
                              "a promised ratio of times that is missed gives status 1 (default: only said)"};
@@ -242,7 +243,7 @@ const std::array all_verbs{
         true},
     VerbText{"merge",
              merge_verb,
-             "What the shards of an audit have found, as one process would have told it.",
+             "What the shards of an audit have found, as one process would have printed it.",
              "run",
              "folders that 'audit --out' has written, of one and the same program, command and inputs",
              {},

@@ -68,7 +68,7 @@ class PluginKernel {
   /// fails.
   std::optional<double> seconds(std::span<const Point> points, std::size_t passes);
 
-  /// What it did until now. The same fault at the same point is told once.
+  /// The faults found until now. The same fault at the same point is listed once.
   [[nodiscard]] std::vector<Fault> faults() const;
 
  private:

@@ -25,7 +25,7 @@ class Descriptor {
   int number_;
 };
 
-/// What a host is told to load.
+/// The plugin that a host process loads, and how.
 struct HostOrders {
   std::filesystem::path file;
   std::string symbol;  ///< empty: what it lists
@@ -46,14 +46,14 @@ class Child {
  public:
   using Answer = std::variant<protocol::Message, Death>;
 
-  /// std::system_error if there is no making processes; BadInput as kernel_host has it.
+  /// std::system_error if no process can be made; BadInput as kernel_host has it.
   explicit Child(const HostOrders& orders);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   /// Ends the process.
   ~Child();
 
-  /// What it says first, of being loaded.
+  /// The first message of the process: the result of loading the plugin.
   Answer greeting();
   /// Its answer to a request, within the time limit.
   Answer ask(const protocol::Message& request);

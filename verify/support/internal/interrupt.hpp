@@ -9,7 +9,7 @@ struct Interrupted : std::exception {
 };
 
 /// From here on the first SIGINT (Ctrl-C) of this process is only noted, for the work to come to its end and
-/// for what was finished to be told; the second one kills. Nothing changes if SIGINT is ignored, as in a
+/// so that what was finished is printed; the second one kills. Nothing changes if SIGINT is ignored, as in a
 /// shell's background.
 void stop_gently_on_interrupt();
 

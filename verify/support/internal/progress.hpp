@@ -5,9 +5,9 @@
 
 namespace nipref::verify {
 
-/// Where progress is told, and how.
+/// Where progress is printed, and how.
 struct ProgressOutput {
-  std::function<void(const std::string&)> write;  ///< empty: nothing is told
+  std::function<void(const std::string&)> write;  ///< empty: nothing is printed
   std::function<double()> seconds;                ///< now
   /// Columns of a terminal on which a line can be overwritten; 0: whole lines are written, now and then.
   std::function<std::size_t()> columns;
