@@ -5,7 +5,7 @@
 
 namespace nipref::verify {
 
-/// All figures that can be drawn: the thesis's that hold curves, in the order of their numbers, and what is behind the
+/// All figures that can be drawn, the rows of data/statements/figures.csv: the thesis's that hold curves, in the order of their numbers, and what is behind the
 /// tables of the papers on half-spaces. The seeds' own drawings are lost: axes follow their captions and text.
 [[nodiscard]] std::vector<FigurePlan> figures();
 

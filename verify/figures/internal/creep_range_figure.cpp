@@ -31,8 +31,8 @@ Series allowed_ranges(const data::ElasticNip& nip, int elements, const std::vect
   return series;
 }
 
-std::vector<Panel> creep_range_panels() {
-  const Replay replay = replay_table("thesis-VI");
+std::vector<Panel> creep_range_panels(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const data::ElasticNip nip = nip_of_the_tables(replay.table);
   const std::vector<double> m_beta = evenly(0.25, 5, 39);
   std::vector<PlacedRow> rows;
@@ -55,12 +55,6 @@ std::vector<Panel> creep_range_panels() {
 
 }  // namespace
 
-std::vector<FigurePlan> creep_range_figure() {
-  return {
-      {"thesis-15", "Creep ratios that the thesis's conditions leave",
-       "no tension, one sign of the shear on each side, |Q|/P that does not fall outwards; B = 0.005 in, R = 6 in, "
-       "no slip, m = 10",
-       creep_range_panels}};
-}
+Drawings creep_range_drawing() { return {{"creep ranges", creep_range_panels}}; }
 
 }  // namespace nipref::verify

@@ -1,9 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
-#include <nipref/data/problem/seed_nips.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/figures/internal/groups.hpp>
 #include <nipref/verify/figures/internal/series.hpp>
@@ -15,15 +13,6 @@ namespace nipref::verify {
 namespace {
 
 constexpr double load_curve_accuracy = 1e-6;
-
-struct ElasticColumn {
-  std::string column;  ///< of the tables
-  std::string axis;
-};
-
-const ElasticColumn pressure_column{"p_max", "peak pressure p_max, psi"},
-    length_column{"L/B", "contact length over thickness, L/B"},
-    depth_column{"d0/B", "indentation over thickness, d0/B"}, creep_column{"creep", "creep ratio"};
 
 /// Up to 200 lbf/in, the tables' loads among them.
 std::vector<double> loads() {
@@ -61,58 +50,27 @@ void append_table(Panel& panel, const std::string& label, const Replay& replay, 
   panel.series.push_back(printed_series(label, by_load(replay), column));
 }
 
-const std::string load_axis = "load W, lbf/in";
-
-FigurePlan against_load(int number, const std::string& title, const std::vector<std::string>& tables,
-                        const ElasticColumn& what, const std::string& parameters) {
-  return {fmt::format("thesis-{}", number), title, parameters, [=] {
-            Panel panel{{load_axis}, {what.axis, what.column == "L/B" || what.column == "d0/B"}, {}};
-            for (const Replay& replay : replays_of(tables))
-              append_table(panel, fmt::format("B = {:g} in", replay.table.parameter("B").value), replay,
-                           what.column);
-            return std::vector<Panel>{panel};
-          }};
-}
-
-std::vector<Panel> friction_limits() {
-  const std::vector<Replay> replays = replays_of({"thesis-VI", "thesis-X"});
-  std::vector<Panel> panels{{{load_axis}, {"contact length L, in"}, {}},
-                            {{load_axis}, {"indentation d0, in"}, {}}};
-  for (const Replay& replay : replays) {
-    const std::string label =
-        line_load_table(replay.table.id).friction == data::Friction::full ? "no slip" : "complete slip";
-    append_table(panels[0], label, replay, "L");
-    append_table(panels[1], label, replay, "d0");
+std::vector<Panel> against_load(const FigureSubject& subject) {
+  const std::vector<Replay> replays = replays_of(subject.tables);
+  const bool by_thickness = differ_in(replays, "B");
+  std::vector<Panel> panels;
+  for (const std::string& column : subject.words) {
+    Panel panel{{"load W, lbf/in"}, {axis_label(column), column == "L/B" || column == "d0/B"}, {}};
+    for (const Replay& replay : replays) {
+      const bool gripped = line_load_table(replay.table.id).friction == data::Friction::full;
+      append_table(panel,
+                   by_thickness ? thickness_label(replay)
+                   : gripped    ? "no slip"
+                                : "complete slip",
+                   replay, column);
+    }
+    panels.push_back(std::move(panel));
   }
   return panels;
 }
 
 }  // namespace
 
-std::vector<FigurePlan> elastic_load_figures() {
-  struct Case {
-    int first;
-    std::string words;
-    std::vector<std::string> tables;
-  };
-  std::vector<FigurePlan> all;
-  for (const Case& one :
-       {Case{17, "without slip", {"thesis-III", "thesis-IV", "thesis-V", "thesis-VI"}},
-        Case{21, "with complete slip", {"thesis-VII", "thesis-VIII", "thesis-IX", "thesis-X"}}}) {
-    const std::string parameters =
-        fmt::format("elastic, {}, R = 6 in, E = 1.40536e5 psi, nu = 1/3", one.words);
-    const auto add = [&](int number, const std::string& what, const ElasticColumn& column) {
-      all.push_back(against_load(number, what + " against load, four thicknesses, " + one.words, one.tables,
-                                 column, parameters));
-    };
-    add(one.first, "Peak pressure", pressure_column);
-    add(one.first + 1, "Contact length", length_column);
-    add(one.first + 2, "Indentation", depth_column);
-    add(one.first + 3, "Creep", creep_column);
-  }
-  all.push_back({"thesis-25", "Contact length and indentation against load: no slip and complete slip",
-                 "elastic, B = 0.005 in, R = 6 in, E = 1.40536e5 psi, nu = 1/3", friction_limits});
-  return all;
-}
+Drawings elastic_load_drawing() { return {{"elastic against load", against_load}}; }
 
 }  // namespace nipref::verify

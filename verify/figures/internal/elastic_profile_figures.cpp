@@ -1,7 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
@@ -28,7 +27,7 @@ struct ElasticNipOfRow {
 };
 
 ElasticNipOfRow nip_of_row(const std::string& id, double load) {
-  const Replay replay = replay_table(id);
+  const Replay replay = std::move(replays_of({id}).front());
   std::size_t row = 0;
   while (key_of_row(replay.table, row) != load) ++row;
   const LineLoadTable& how = line_load_table(id);
@@ -42,7 +41,6 @@ ElasticNipOfRow nip_of_row(const std::string& id, double load) {
 }
 
 const FigureAxis along_elastic{"distance from the middle of the nip Y, in"};
-const std::string no_slip = "no slip", complete_slip = "complete slip";
 
 /// From -half to half, closer towards the ends.
 std::vector<double> across_contact(double half, int count) {
@@ -58,23 +56,47 @@ std::vector<double> element_places(const fast::LineLoadSolution& loads, bool end
   return evenly(-reach, reach, count + (ends ? 1 : 0));
 }
 
-std::vector<Panel> pressures() {
-  Panel panel{along_elastic, {"pressure p, psi"}, {}};
-  for (const auto& [label, table] : {std::pair{no_slip, "thesis-VI"}, {complete_slip, "thesis-X"}}) {
-    const ElasticNipOfRow one = nip_of_row(table, 100);
-    panel.series.push_back(sampled(label, of_continuum, Mark::line, across_contact(one.half_length(), 201),
-                                   [&](double y) { return one.contact.pressure(y).value; }));
-    panel.series.push_back(sampled(label, by_thesis, Mark::points, element_places(one.line_loads, false),
-                                   [&](double y) { return fast::element_pressure(one.line_loads, y); }));
+constexpr double profile_load = 100;
+
+/// One profile without and with slip; displacements reach half a contact length beyond the ends.
+Panel profile(const std::string& quantity, const std::vector<std::string>& tables) {
+  Panel panel{along_elastic, {axis_label(quantity)}, {}};
+  for (const std::string& table : tables) {
+    const ElasticNipOfRow one = nip_of_row(table, profile_load);
+    const std::string label =
+        line_load_table(table).friction == data::Friction::full ? "no slip" : "complete slip";
+    const double half = one.half_length();
+    const bool is_pressure = quantity == "pressure", is_normal = quantity == "normal_displacement";
+    const auto truth = [&](double y) {
+      if (is_pressure) return one.contact.pressure(y).value;
+      return (is_normal ? one.contact.normal_displacement(y) : one.contact.tangential_displacement(y)).value;
+    };
+    const auto thesis = [&](double y) {
+      if (is_pressure) return fast::element_pressure(one.line_loads, y);
+      return is_normal ? fast::normal_displacement(one.nip, one.line_loads, one.method, y)
+                       : fast::tangential_displacement(one.nip, one.line_loads, one.method, y);
+    };
+    panel.series.push_back(sampled(label, of_continuum, Mark::line,
+                                   is_pressure ? across_contact(half, 201) : evenly(-2 * half, 2 * half, 201),
+                                   truth));
+    panel.series.push_back(
+        sampled(label, by_thesis, Mark::points, element_places(one.line_loads, !is_pressure), thesis));
   }
-  return {panel};
+  return panel;
 }
 
-std::vector<Panel> shears() {
+std::vector<Panel> along_elastic_nips(const FigureSubject& subject) {
+  std::vector<Panel> panels;
+  for (const std::string& quantity : subject.words) panels.push_back(profile(quantity, subject.tables));
+  return panels;
+}
+
+std::vector<Panel> shears(const FigureSubject& subject) {
   Panel panel{along_elastic, {"shear on the sheet q, psi"}, {}};
-  for (const double load : {25.0, 50.0, 100.0, 200.0}) {
-    const ElasticNipOfRow one = nip_of_row("thesis-VI", load);
-    const std::string label = fmt::format("W = {:g} lbf/in", load);
+  for (std::size_t i = 0; i < subject.words.size(); ++i) {
+    const double load = subject.number(i);
+    const ElasticNipOfRow one = nip_of_row(subject.tables.front(), load);
+    const std::string label = load_label(load);
     Series curve = sampled(label, of_continuum, Mark::line, across_contact(one.half_length(), 401),
                            [&](double y) { return one.contact.shear(y).value; });
     const auto peak = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
@@ -87,39 +109,10 @@ std::vector<Panel> shears() {
   return {panel};
 }
 
-std::vector<Panel> displacements(const std::string& gripped, const std::string& smooth) {
-  Panel normal{along_elastic, {"normal displacement u, in"}, {}},
-      tangential{along_elastic, {"tangential displacement v, in"}, {}};
-  for (const auto& [label, table] : {std::pair{no_slip, gripped}, {complete_slip, smooth}}) {
-    const ElasticNipOfRow one = nip_of_row(table, 100);
-    const std::vector<double> y = evenly(-2 * one.half_length(), 2 * one.half_length(), 201);
-    const std::vector<double> ends = element_places(one.line_loads, true);
-    const auto append = [&](Panel& panel, const Curve& truth, const Curve& thesis) {
-      panel.series.push_back(sampled(label, of_continuum, Mark::line, y, truth));
-      panel.series.push_back(sampled(label, by_thesis, Mark::points, ends, thesis));
-    };
-    append(
-        normal, [&](double at) { return one.contact.normal_displacement(at).value; },
-        [&](double at) { return fast::normal_displacement(one.nip, one.line_loads, one.method, at); });
-    append(
-        tangential, [&](double at) { return one.contact.tangential_displacement(at).value; },
-        [&](double at) { return fast::tangential_displacement(one.nip, one.line_loads, one.method, at); });
-  }
-  return {normal, tangential};
-}
-
 }  // namespace
 
-std::vector<FigurePlan> elastic_profile_figures() {
-  const std::string shared = "elastic, R = 6 in, E = 1.40536e5 psi, nu = 1/3, B = ";
-  return {{"thesis-26", "Pressure along the nip: no slip and complete slip",
-           shared + "0.005 in, W = 100 lbf/in", pressures},
-          {"thesis-27", "Shear along the nip without slip, with its largest, for four loads",
-           shared + "0.005 in", shears},
-          {"thesis-28", "Displacements of a thick sheet's surface in and outside the nip",
-           shared + "1 in, W = 100 lbf/in", [] { return displacements("thesis-III", "thesis-VII"); }},
-          {"thesis-29", "Displacements of a thin sheet's surface in and outside the nip",
-           shared + "0.005 in, W = 100 lbf/in", [] { return displacements("thesis-VI", "thesis-X"); }}};
+Drawings elastic_profile_drawings() {
+  return {{"along elastic", along_elastic_nips}, {"shear for loads", shears}};
 }
 
 }  // namespace nipref::verify

@@ -175,8 +175,8 @@ std::vector<double> keys_of(const Replay& replay) {
   return keys;
 }
 
-std::vector<Panel> sliding_die() {
-  const Replay replay = replay_table("brock2012-1");
+std::vector<Panel> sliding_die(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const double poisson = replay.table.parameter("poisson").value;
   const SurfaceAtSpeed surface = [=](double speed) { return isotropic_surface(poisson, speed); };
   const double critical = fast::isotropic_rayleigh_speed(poisson);
@@ -186,8 +186,8 @@ std::vector<Panel> sliding_die() {
           compliance_by_speed(surface, critical, {0, 30, 60, 90}, "1/mu")};
 }
 
-std::vector<Panel> rolling_sphere() {
-  const Replay replay = replay_table("brock2012-2");
+std::vector<Panel> rolling_sphere(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const double poisson = replay.table.parameter("poisson").value;
   const auto rolling = [&](double speed) {
     return fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3);
@@ -219,8 +219,8 @@ double critical_speed_of(const SphereOnHalfSpace& bodies, data::SymmetryAxis axi
                   fast::isotropic_rayleigh_speed(bodies.sphere.poisson));
 }
 
-std::vector<Panel> sphere_on_normal_axis() {
-  const Replay replay = replay_table("brock2013-1");
+std::vector<Panel> sphere_on_normal_axis(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const SphereOnHalfSpace bodies(replay.table);
   const SurfaceAtSpeed surface = [&](double speed) {
     return bodies.in_contact(data::SymmetryAxis::normal, forward_motion, speed);
@@ -232,8 +232,8 @@ std::vector<Panel> sphere_on_normal_axis() {
           compliance_by_speed(surface, critical, {0, 30, 60, 90}, "1/GPa")};
 }
 
-std::vector<Panel> branch_speeds() {
-  const Replay replay = replay_table("brock2013-2");
+std::vector<Panel> branch_speeds(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const SphereOnHalfSpace bodies(replay.table);
   Panel panel{{"direction of sliding theta, degrees"}, {"speed over the sphere's shear wave speed"}, {}};
   const std::vector<double> angles = evenly(0, 90, 46);
@@ -260,8 +260,8 @@ std::vector<Panel> branch_speeds() {
   return {panel};
 }
 
-std::vector<Panel> sphere_on_axis_in_plane() {
-  const Replay replay = replay_table("brock2013-3");
+std::vector<Panel> sphere_on_axis_in_plane(const FigureSubject& subject) {
+  const Replay replay = replay_table(subject.tables.front());
   const SphereOnHalfSpace bodies(replay.table);
   const Direction sliding = Direction::of_degrees(replay.table.parameter("theta").value);
   const SurfaceAtSpeed surface = [&](double speed) {
@@ -294,22 +294,12 @@ std::vector<Panel> sphere_on_axis_in_plane() {
 
 }  // namespace
 
-std::vector<FigurePlan> half_space_figures() {
-  const std::string pair =
-      "steel sphere, patch moving in it as the paper has it, on graphite epoxy, symmetry axis ";
-  return {{"brock2012-1", "Rigid sphere sliding on an isotropic half-space: contours, spans and compliances",
-           "nu = 1/3, speeds over that of shear waves", sliding_die},
-          {"brock2012-2", "Rigid sphere rolling on an isotropic half-space: contours and spans",
-           "nu = 1/3, speeds over that of shear waves", rolling_sphere},
-          {"brock2013-1",
-           "Sphere sliding on a transversely isotropic half-space: contours, spans and compliances",
-           pair + "normal", sphere_on_normal_axis},
-          {"brock2013-2",
-           "Bulk waves along the motion and critical speeds of a transversely isotropic half-space",
-           "graphite epoxy, symmetry axis in the surface along 90 degrees", branch_speeds},
-          {"brock2013-3",
-           "Sphere sliding obliquely on a transversely isotropic half-space: contours, spans and compliances",
-           pair + "in the surface, 45 degrees from the motion, no friction", sphere_on_axis_in_plane}};
+Drawings half_space_drawings() {
+  return {{"sliding die", sliding_die},
+          {"rolling sphere", rolling_sphere},
+          {"sphere across layers", sphere_on_normal_axis},
+          {"bulk waves", branch_speeds},
+          {"sphere along layers", sphere_on_axis_in_plane}};
 }
 
 }  // namespace nipref::verify

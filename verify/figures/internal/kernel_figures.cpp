@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/sheet/displacements.hpp>
@@ -51,19 +53,27 @@ double plain_vs_part(double alpha) {
 
 const FigureAxis distance_axis{"distance from the load alpha = y/b"};
 
-/// Of one function of alpha, and the thesis's sums for alpha > 0.
-FigurePlan alone(int number, const std::string& title, const std::string& quantity, double first,
-                 const Curve& exact, const Curve& plain) {
-  return {fmt::format("thesis-{}", number), title, "E = 1.45e5 psi, nu = 1/3", [=] {
-            return std::vector<Panel>{
-                {distance_axis,
-                 {quantity + ", 1/psi"},
-                 {sampled(quantity, true_kernel, Mark::line, evenly(first, 5, 250), exact),
-                  sampled(quantity, by_residues, Mark::points, evenly(0.2, 5, 25), plain)}}};
-          }};
+/// A displacement as a function of alpha alone, and the thesis's sums for it.
+struct KernelCurves {
+  double first;  ///< the least alpha of the exact curve
+  double (*exact)(double);
+  double (*plain)(double);
+};
+
+std::vector<Panel> kernel(const FigureSubject& subject) {
+  static const std::map<std::string, KernelCurves> known{{"un", {0.02, un, plain_un}},
+                                                         {"us", {0.001, us, plain_us}},
+                                                         {"vn at eta = 0", {0.001, vn_part, plain_vn_part}},
+                                                         {"vs - N F2(eta)", {0.02, vs_part, plain_vs_part}}};
+  const std::string& quantity = subject.text;
+  const KernelCurves& curves = known.at(quantity);
+  return {{distance_axis,
+           {quantity + ", 1/psi"},
+           {sampled(quantity, true_kernel, Mark::line, evenly(curves.first, 5, 250), curves.exact),
+            sampled(quantity, by_residues, Mark::points, evenly(0.2, 5, 25), curves.plain)}}};
 }
 
-std::vector<Panel> functions_of_eta() {
+std::vector<Panel> functions_of_eta(const FigureSubject&) {
   const std::vector<double> eta = evenly(-5, 5, 251);
   return {
       {{"distance of the pinned point eta = l/b"},
@@ -73,38 +83,23 @@ std::vector<Panel> functions_of_eta() {
                 [](double at) { return fast::F2(at, stated_poisson); })}}};
 }
 
-/// A displacement against alpha for some places of the pinned point.
-FigurePlan for_places(int number, const std::string& title, const std::string& quantity,
-                      const std::vector<double>& alpha, double (*displacement)(double, double)) {
-  return {fmt::format("thesis-{}", number), title, "E = 1.45e5 psi, nu = 1/3, pinned point at eta = l/b",
-          [=] {
-            Panel panel{distance_axis, {quantity + ", 1/psi"}, {}};
-            for (const double eta : {0.0, 0.5, 1.0, 2.0, 4.0})
-              panel.series.push_back(sampled(fmt::format("eta = {:g}", eta), true_kernel, Mark::line, alpha,
-                                             [&](double at) { return displacement(at, eta); }));
-            return std::vector<Panel>{panel};
-          }};
+/// A displacement against alpha for some places of the pinned point; vs is infinite at the load.
+std::vector<Panel> for_places(const FigureSubject& subject) {
+  const bool is_shear = subject.text == "vs";
+  std::vector<double> alpha = evenly(-5, 5, 401);
+  if (is_shear) alpha = without(std::move(alpha), {0});
+  Panel panel{distance_axis, {subject.text + ", 1/psi"}, {}};
+  for (const double eta : {0.0, 0.5, 1.0, 2.0, 4.0})
+    panel.series.push_back(
+        sampled(fmt::format("eta = {:g}", eta), true_kernel, Mark::line, alpha,
+                [&](double at) { return is_shear ? fast::vs(at, eta, stated) : fast::vn(at, eta, stated); }));
+  return {panel};
 }
 
 }  // namespace
 
-std::vector<FigurePlan> kernel_figures() {
-  return {
-      alone(7, "Normal displacement of an elastic sheet's surface under a normal line load", "un", 0.02, un,
-            plain_un),
-      alone(8, "Normal displacement of an elastic sheet's surface under a shear line load", "us", 0.001, us,
-            plain_us),
-      {"thesis-9", "What the pinned point adds to tangential displacements: F1 and F2", "nu = 1/3",
-       functions_of_eta},
-      alone(10, "The part of the tangential displacement under a normal load that depends on alpha",
-            "vn at eta = 0", 0.001, vn_part, plain_vn_part),
-      alone(11, "The part of the tangential displacement under a shear load that depends on alpha",
-            "vs - N F2(eta)", 0.02, vs_part, plain_vs_part),
-      for_places(12, "Tangential displacement of an elastic sheet's surface under a normal line load", "vn",
-                 evenly(-5, 5, 401), [](double at, double eta) { return fast::vn(at, eta, stated); }),
-      for_places(13, "Tangential displacement of an elastic sheet's surface under a shear line load", "vs",
-                 without(evenly(-5, 5, 401), {0}),
-                 [](double at, double eta) { return fast::vs(at, eta, stated); })};
+Drawings kernel_drawings() {
+  return {{"kernel", kernel}, {"pinned point", functions_of_eta}, {"kernel for pinned points", for_places}};
 }
 
 }  // namespace nipref::verify

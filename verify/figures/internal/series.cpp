@@ -1,5 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include <nipref/verify/figures/internal/series.hpp>
@@ -62,6 +65,33 @@ Series replayed_series(std::string label, const std::vector<PlacedRow>& rows, co
 
 double key_of_row(const data::Table& table, std::size_t row) {
   return table.cell(row, table.columns.front().name).number->value;
+}
+
+std::string axis_label(const std::string& quantity) {
+  static const std::map<std::string, std::string> labels{
+      {"p_max", "peak pressure p_max, psi"},
+      {"L", "contact length L, in"},
+      {"L/B", "contact length over thickness, L/B"},
+      {"d0", "indentation d0, in"},
+      {"d0/B", "indentation over thickness, d0/B"},
+      {"creep", "creep ratio"},
+      {"muR", "coefficient of rolling resistance mu_R"},
+      {"pressure", "pressure p, psi"},
+      {"normal_displacement", "normal displacement u, in"},
+      {"tangential_displacement", "tangential displacement v, in"}};
+  return labels.at(quantity);
+}
+
+bool differ_in(const std::vector<Replay>& replays, const std::string& parameter) {
+  const double first = replays.front().table.parameter(parameter).value;
+  return std::ranges::any_of(
+      replays, [&](const Replay& replay) { return replay.table.parameter(parameter).value != first; });
+}
+
+std::string load_label(double load) { return fmt::format("W = {:g} lbf/in", load); }
+
+std::string thickness_label(const Replay& replay) {
+  return fmt::format("B = {:g} in", replay.table.parameter("B").value);
 }
 
 std::vector<Replay> replays_of(const std::vector<std::string>& ids) {

@@ -44,6 +44,16 @@ Series replayed_series(std::string label, const std::vector<PlacedRow>& rows, co
 /// The value of a row's key, in base units.
 double key_of_row(const data::Table& table, std::size_t row);
 
+/// What tables call a column and scenes a profile, as the label of an axis.
+std::string axis_label(const std::string& quantity);
+
+/// Whether the tables have different values of this parameter.
+bool differ_in(const std::vector<Replay>& replays, const std::string& parameter);
+
+/// "W = 100 lbf/in", "B = 1 in"
+std::string load_label(double load);
+std::string thickness_label(const Replay& replay);
+
 /// The tables of these ids, replayed.
 std::vector<Replay> replays_of(const std::vector<std::string>& ids);
 

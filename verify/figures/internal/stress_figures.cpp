@@ -66,16 +66,17 @@ struct StressGrid {
   }
 };
 
-std::vector<Panel> elastic_stresses(double thickness) {
-  const auto contact =
-      fast::converged_for_load({data::seed::roller_radius, thickness, data::seed::sheet_of_the_tables},
-                               data::Friction::full, field_load, field_accuracy);
-  return StressGrid(contact, thickness).panels();
-}
-
-std::vector<Panel> rolling_stresses(double thickness, double memory) {
+/// The subject's numbers are the thickness and, of a rolling sheet, F0 tau.
+std::vector<Panel> inner_stresses(const FigureSubject& subject) {
   const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
-  const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, memory);
+  const double thickness = subject.number(0);
+  if (subject.words.size() == 1) {
+    const auto contact = fast::converged_for_load({data::seed::roller_radius, thickness, at_once},
+                                                  data::Friction::full, field_load, field_accuracy);
+    return StressGrid(contact, thickness).panels();
+  }
+  const auto solid =
+      data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, subject.number(1));
   const auto contact =
       fast::converged_for_load({data::seed::roller_radius, thickness, solid, 1}, field_load, field_accuracy);
   return StressGrid(contact, thickness).panels();
@@ -83,16 +84,6 @@ std::vector<Panel> rolling_stresses(double thickness, double memory) {
 
 }  // namespace
 
-std::vector<FigurePlan> stress_figures() {
-  const std::string shared = "R = 6 in, W = 100 lbf/in, E (at once) 1.40536e5 psi, nu = 1/3; ";
-  return {
-      {"thesis-III-thick", "Stresses inside a thick sheet without slip", shared + "B = 1 in",
-       [] { return elastic_stresses(1); }},
-      {"thesis-III-thin", "Stresses inside a thin sheet without slip", shared + "B = 0.0625 in",
-       [] { return elastic_stresses(0.0625); }},
-      {"thesis-III-rolling", "Stresses inside a viscoelastic sheet that rolls to the right without friction",
-       shared + "B = 0.25 in, F0 tau = 0.1 in, theta2 as it is defined",
-       [] { return rolling_stresses(0.25, 0.1); }}};
-}
+Drawings stress_drawing() { return {{"stresses", inner_stresses}}; }
 
 }  // namespace nipref::verify
