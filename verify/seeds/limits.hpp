@@ -1,7 +1,6 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
@@ -20,10 +19,10 @@ struct LimitSample {
 
 /// How the solver's contact approaches one of the known limits.
 struct LimitRow {
-  std::string_view name;       ///< "limit.hertz.load"
-  std::string_view statement;  ///< the closed form
-  std::string_view source;     ///< where it comes from
-  std::string_view size;       ///< what goes to 0, dimensionless
+  std::string name;       ///< "limit.hertz.load"
+  std::string statement;  ///< the closed form
+  std::string source;     ///< where it comes from
+  std::string size;       ///< what goes to 0, dimensionless
   /// The exponent with which the distance must fall, by the first term that the limit leaves out; 0: faster than any
   /// power.
   double order;
@@ -36,7 +35,7 @@ struct LimitRow {
   [[nodiscard]] bool approached() const;
 };
 
-/// All limits, computed now: of the elastic nip thick and thin with and without friction, and of the rolling one with
+/// All of data/statements/limits.csv, computed now: of the elastic nip thick and thin with and without friction, and of the rolling one with
 /// short memory, with long memory and thin.
 [[nodiscard]] std::vector<LimitRow> limits();
 

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <boost/math/quadrature/exp_sinh.hpp>
-#include <iterator>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/seeds/internal/limit_rows.hpp>
@@ -14,10 +12,7 @@ using data::Friction;
 constexpr double sheet_poisson = 1.0 / 3, elastic_accuracy = 1e-13;
 const Propagated exact_poisson = Propagated::exact(sheet_poisson);
 
-// Of a sheet of half-thickness 1 on a contact of half-length A = L/B, with N = 2 (1 - nu^2)/E and rollers of radius R:
-// pressure P = 2 N R p, load W likewise, indentation D = 2 R d0, creep X = 2 R chi.
-
-/// The solver's contact in these numbers.
+/// The solver's contact in the units of data/statements/limits.csv.
 class UnitNip {
  public:
   UnitNip(double half_length, Friction friction, double nu)
@@ -79,102 +74,41 @@ Propagated edge_constant() {
   return half_line_integral(integrand) / Propagated::pi();
 }
 
-/// Orders: without friction what the half-space leaves out is even, I1(a) + ln a + c = O(a^2). Without slip I3 and the
-/// like join, whose remainder is odd, O(a).
-std::vector<LimitRow> thick_limits() {
-  const Propagated c = logarithm_constant();
-  const Propagated pi = Propagated::pi(), epsilon = log(3 - 4 * exact_poisson) / (2 * pi);
-  constexpr auto size = "L/B";
-  constexpr double first = 0.04;
-  return {
-      {"limit.hertz.load", "W = pi A^2", "Hertz's cylinder on a half-space", size, 2,
-       halved(first,
-              [pi](double a) {
-                return LimitSample{a, thick(a).load(), pi * square(Propagated::exact(a))};
-              })},
-      {"limit.hertz.peak_pressure", "P(0) = 2 A", "Hertz's cylinder on a half-space", size, 2,
-       halved(first,
-              [](double a) {
-                return LimitSample{a, thick(a).peak_pressure(), Propagated::exact(2 * a)};
-              })},
-      {"limit.hertz.indentation", "D = A^2 (ln(2/A) + 1/2 - c), I1(a) = -ln a - c + O(a^2)",
-       "Hertz's cylinder, the sheet's logarithm by a double exponential rule", size, 2,
-       halved(first,
-              [c](double a) {
-                const Propagated half = Propagated::exact(a);
-                return LimitSample{a, thick(a).indentation(), square(half) * (log(2 / half) + 0.5 - c)};
-              })},
-      {"limit.no_slip.creep", "X = -4 eps A, eps = ln(3 - 4 nu)/(2 pi)",
-       "the half-space without slip: solvability of its coupled equation", size, 1,
-       halved(first / 16,
-              [epsilon](double a) {
-                return LimitSample{a, thick(a, Friction::full).creep(), -4 * epsilon * Propagated::exact(a)};
-              })},
-  };
-}
-
-std::vector<LimitRow> spring_limits() {
-  const Propagated kappa = edge_constant(), modulus = 2 * square(1 - exact_poisson) / (1 - 2 * exact_poisson);
-  constexpr auto size = "B/L";
-  constexpr double first = 0.01;
-  return {
-      {"limit.springs.load", "W = 8 A^3/3 + 8 kappa A^2", "springs P = 2 u, ends by Wiener and Hopf", size, 2,
-       halved(first,
-              [kappa](double b) {
-                const Propagated a = 1 / Propagated::exact(b);
-                return LimitSample{b, thin(b, Friction::none).load(), 8 * a * a * (a / 3 + kappa)};
-              })},
-      {"limit.springs.edge_displacement", "u(A) = 2 A kappa", "ends of springs by Wiener and Hopf", size, 1,
-       halved(first,
-              [kappa](double b) {
-                return LimitSample{b, thin(b, Friction::none).edge_displacement(),
-                                   2 * kappa / Propagated::exact(b)};
-              })},
-      {"limit.confined.load", "W = (4/3) M A^3, M = 2 (1 - nu)^2/(1 - 2 nu)", "confined springs P = M u",
-       size, 1,
-       halved(first,
-              [modulus](double b) {
-                const Propagated thin_one = Propagated::exact(b);
-                return LimitSample{b, thin(b, Friction::full).load(),
-                                   4 * modulus / (3 * thin_one * square(thin_one))};
-              })},
-      {"limit.confined.shear", "Q(A/2) = nu/(1 - nu) P'(A/2), P' = -2 M y", "equilibrium of confined springs",
-       size, 0,
-       halved(0.0625,
-              [modulus](double b) {
-                const Propagated slope = -modulus / Propagated::exact(b);
-                return LimitSample{b, thin(b, Friction::full).shear(0.5 / b),
-                                   exact_poisson / (1 - exact_poisson) * slope};
-              })},
-  };
-}
-
-std::vector<LimitRow> film_limits() {
-  const auto film = [](double size) { return thin(size, Friction::full, 0.5); };
-  constexpr auto source = "a squeezed film: (2/3) P'' = X - D + y^2, P = P' = 0 at the ends";
-  constexpr auto size = "B/L";
-  constexpr double first = 0.005;
-  return {
-      {"limit.film.load", "W = 2 A^5/15", source, size, 1,
-       halved(first,
-              [&](double b) {
-                return LimitSample{b, film(b).load(), 2 / (15 * pow(Propagated::exact(b), 5))};
-              })},
-      {"limit.film.peak_pressure", "P(0) = A^4/8", source, size, 1,
-       halved(
-           first,
-           [&](double b) {
-             return LimitSample{b, film(b).peak_pressure(), 1 / (8 * square(square(Propagated::exact(b))))};
-           })},
-  };
-}
-
 }  // namespace
 
-std::vector<LimitRow> elastic_limits() {
-  std::vector<LimitRow> rows = thick_limits();
-  for (auto* const more : {&spring_limits, &film_limits}) std::ranges::move(more(), std::back_inserter(rows));
-  return rows;
+LimitSamples elastic_limits() {
+  const Propagated c = logarithm_constant(), kappa = edge_constant();
+  const Propagated pi = Propagated::pi(), epsilon = log(3 - 4 * exact_poisson) / (2 * pi);
+  const Propagated modulus = 2 * square(1 - exact_poisson) / (1 - 2 * exact_poisson);
+  const auto film = [](double b) { return thin(b, Friction::full, 0.5); };
+  return {
+      {"limit.hertz.load",
+       limit([](double a) { return thick(a).load(); }, [=](const Propagated& a) { return pi * square(a); })},
+      {"limit.hertz.peak_pressure",
+       limit([](double a) { return thick(a).peak_pressure(); }, [](const Propagated& a) { return 2 * a; })},
+      {"limit.hertz.indentation",
+       limit([](double a) { return thick(a).indentation(); },
+             [=](const Propagated& a) { return square(a) * (log(2 / a) + 0.5 - c); })},
+      {"limit.no_slip.creep", limit([](double a) { return thick(a, Friction::full).creep(); },
+                                    [=](const Propagated& a) { return -4 * epsilon * a; })},
+      {"limit.springs.load", limit([](double b) { return thin(b, Friction::none).load(); },
+                                   [=](const Propagated& b) {
+                                     const Propagated a = 1 / b;
+                                     return 8 * a * a * (a / 3 + kappa);
+                                   })},
+      {"limit.springs.edge_displacement",
+       limit([](double b) { return thin(b, Friction::none).edge_displacement(); },
+             [=](const Propagated& b) { return 2 * kappa / b; })},
+      {"limit.confined.load", limit([](double b) { return thin(b, Friction::full).load(); },
+                                    [=](const Propagated& b) { return 4 * modulus / (3 * b * square(b)); })},
+      {"limit.confined.shear",
+       limit([](double b) { return thin(b, Friction::full).shear(0.5 / b); },
+             [=](const Propagated& b) { return exact_poisson / (1 - exact_poisson) * (-modulus / b); })},
+      {"limit.film.load", limit([=](double b) { return film(b).load(); },
+                                [](const Propagated& b) { return 2 / (15 * pow(b, 5)); })},
+      {"limit.film.peak_pressure", limit([=](double b) { return film(b).peak_pressure(); },
+                                         [](const Propagated& b) { return 1 / (8 * square(square(b))); })},
+  };
 }
 
 }  // namespace nipref::verify

@@ -1,20 +1,21 @@
 #pragma once
-#include <cmath>
 #include <functional>
+#include <map>
+#include <string>
 
 #include <nipref/verify/seeds/limits.hpp>
 
 namespace nipref::verify {
 
-std::vector<LimitRow> elastic_limits();
-std::vector<LimitRow> rolling_limits();
+/// The contact and the closed form at one size, by the name of the limit in data/statements/limits.csv.
+using LimitSamples = std::map<std::string, std::function<LimitSample(double size)>>;
 
-/// Samples of sizes that fall by halves from `first` on.
-inline std::vector<LimitSample> halved(double first, const std::function<LimitSample(double)>& sample_at) {
-  constexpr int samples = 3;
-  std::vector<LimitSample> all;
-  for (int i = 0; i < samples; ++i) all.push_back(sample_at(std::ldexp(first, -i)));
-  return all;
+/// A limit by the solver's number at a size and the closed form there.
+auto limit(const auto& found, const auto& closed_form) {
+  return [=](double size) { return LimitSample{size, found(size), closed_form(Propagated::exact(size))}; };
 }
+
+LimitSamples elastic_limits();
+LimitSamples rolling_limits();
 
 }  // namespace nipref::verify

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
@@ -64,72 +62,42 @@ Propagated long_memory_resistance(const data::ViscoelasticMaterial& material, do
 
 constexpr double memory_length = 2;  // L/B = 1
 
-/// Orders: of the resistance the term that the limit leaves out would be of order 3 in the memory, since reversing the
-/// motion reverses its sign; but over a length of memory at each end, where the pressure is like a root, it is another
-/// pressure. There p^2 is of order 1, which makes order 2 in the resistance, 1 in its distance. A long memory leaves out
-/// what it forgets within the nip, a part of order 1.
-std::vector<LimitRow> memory_limits() {
-  return {
-      {"limit.short_memory.resistance", "mu_R = F0 tau/(2 R), the solid with one relaxation time",
-       "the moment of the first time derivative", "F0 tau/L", 1,
-       halved(0.01,
-              [](double size) {
-                return LimitSample{
-                    size, rolling(one_time(size * memory_length), memory_length).rolling_resistance(),
-                    Propagated::exact(size) * memory_length / (2 * rolling_radius)};
-              })},
-      {"limit.short_memory.prony_resistance",
-       "mu_R = F0 sum(gamma/lambda^2)/(R N(infinity)), two relaxation times",
-       "the moment of the first time derivative", "F0 tau/L", 1,
-       halved(0.01,
-              [](double size) {
-                const auto material = two_times(size * memory_length);
-                return LimitSample{size, rolling(material, memory_length).rolling_resistance(),
-                                   short_memory_resistance(material)};
-              })},
-      {"limit.long_memory.resistance", "mu_R = sum(gamma) (d0 - int p Y^2/(2 R W))/(F0 N(0))",
-       "the elastic contact's energy, spent once", "L/(F0 tau)", 1,
-       halved(0.01,
-              [](double size) {
-                const auto material = one_time(memory_length / size);
-                return LimitSample{size, rolling(material, memory_length).rolling_resistance(),
-                                   long_memory_resistance(material, memory_length)};
-              })},
-  };
-}
-
-std::vector<LimitRow> thin_limits() {
-  constexpr double memory = 0.45;
-  const ThinStandardSolid limit = thin_standard_solid(memory);
-  const auto nip = [](double size) {
-    const double long_one = 2 / size;
-    return rolling(one_time(memory * long_one), long_one);
-  };
-  constexpr auto source = "springs with memory, in closed form; F0 tau/L = 0.45";
-  constexpr double first = 0.02;
-  return {
-      {"limit.thin_memory.resistance", "mu_R R/L", source, "B/L", 1,
-       halved(first,
-              [&](double size) {
-                return LimitSample{
-                    size, Propagated::exact(rolling_radius * size / 2) * nip(size).rolling_resistance(),
-                    limit.resistance};
-              })},
-      {"limit.thin_memory.leading_share", "L1/L", source, "B/L", 1,
-       halved(first,
-              [&](double size) {
-                return LimitSample{size, Propagated::exact(size / 2) * nip(size).leading_length(),
-                                   limit.leading_share};
-              })},
-  };
-}
-
 }  // namespace
 
-std::vector<LimitRow> rolling_limits() {
-  std::vector<LimitRow> rows = memory_limits();
-  std::ranges::move(thin_limits(), std::back_inserter(rows));
-  return rows;
+LimitSamples rolling_limits() {
+  constexpr double memory = 0.45;
+  const ThinStandardSolid thin_limit = thin_standard_solid(memory);
+  const auto thin_nip = [](double size) {
+    const double length = 2 / size;
+    return rolling(one_time(memory * length), length);
+  };
+  const auto resistance = [](const data::ViscoelasticMaterial& material) {
+    return rolling(material, memory_length).rolling_resistance();
+  };
+  return {
+      {"limit.short_memory.resistance",
+       limit([=](double size) { return resistance(one_time(size * memory_length)); },
+             [](const Propagated& size) { return size * memory_length / (2 * rolling_radius); })},
+      {"limit.short_memory.prony_resistance",
+       limit([=](double size) { return resistance(two_times(size * memory_length)); },
+             [](const Propagated& size) {
+               return short_memory_resistance(two_times(size.value() * memory_length));
+             })},
+      {"limit.long_memory.resistance",
+       limit([=](double size) { return resistance(one_time(memory_length / size)); },
+             [](const Propagated& size) {
+               return long_memory_resistance(one_time(memory_length / size.value()), memory_length);
+             })},
+      {"limit.thin_memory.resistance", limit(
+                                           [=](double size) {
+                                             return Propagated::exact(rolling_radius * size / 2) *
+                                                    thin_nip(size).rolling_resistance();
+                                           },
+                                           [=](const Propagated&) { return thin_limit.resistance; })},
+      {"limit.thin_memory.leading_share",
+       limit([=](double size) { return Propagated::exact(size / 2) * thin_nip(size).leading_length(); },
+             [=](const Propagated&) { return thin_limit.leading_share; })},
+  };
 }
 
 }  // namespace nipref::verify
