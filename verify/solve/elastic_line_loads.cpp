@@ -29,7 +29,7 @@ const std::map<ResultId, double fast::LineLoadSolution::*> elastic_line_load_num
     {ResultId::peak_shear, &fast::LineLoadSolution::peak_shear},
 };
 
-/// The load that is given, or the length, without friction.
+/// Line loads without friction for the given load or length.
 struct SolveFrictionless {
   const data::ElasticNip& nip;
   const LineLoadMethod& method;
@@ -58,7 +58,7 @@ struct SolveAtCreep {
   }
 };
 
-/// The same with the creep that the thesis would choose, if there is one.
+/// The same with the creep that meets the thesis's conditions, if there is one.
 struct SolveAtThesisCreep {
   const data::ElasticNip& nip;
   const LineLoadMethod& method;

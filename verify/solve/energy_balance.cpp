@@ -14,7 +14,7 @@ namespace nipref::verify {
 namespace {
 
 fast::Estimate in_double(const fast::Estimate& number) { return number; }
-/// With what rounding to double changes.
+/// The error includes rounding to double.
 fast::Estimate in_double(const ref::Estimate& number) {
   const double value = number.to_double();
   return {value, static_cast<double>(error_of(number)) + 0x1p-53 * std::fabs(value)};

@@ -9,11 +9,12 @@
 
 namespace nipref::verify {
 
-/// What drives a rolling nip against what its sheet loses, both in a unit of length rolled: force per unit width.
+/// The work that drives a rolling nip and the energy that its sheet loses, both for a unit of length rolled: force per
+/// unit width.
 struct EnergyBalance {
   std::string title;
   fast::Estimate work;  ///< W mu_R, the rolling resistance
-  fast::Estimate loss;  ///< by the frequencies that the pressure holds: internal/loss_integral.hpp
+  fast::Estimate loss;  ///< from the Fourier transform of the pressure, see internal/loss_integral.hpp
   std::vector<BeyondTheory> warnings;
   double seconds = 0;  ///< wall clock, for all of it
 
@@ -23,9 +24,9 @@ struct EnergyBalance {
   [[nodiscard]] bool meets() const;
 };
 
-/// Of the converged contact of a rolling nip, solved in double or, where `digits` are given, by the reference.
-/// What the scene wants does not matter. BadInput, naming the scene's key, for every other scene and for what the
-/// solver refuses, faces that meet among it.
+/// The energy balance of the converged contact of a rolling nip, solved in double or, if `digits` are given, by the
+/// reference. The list of wanted results is not used. BadInput, naming the scene's key, for every other scene and if
+/// the solver refuses the scene, for example because the rollers' faces would meet.
 [[nodiscard]] EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits = {});
 
 }  // namespace nipref::verify

@@ -16,8 +16,8 @@ namespace nipref::verify {
 namespace {
 
 constexpr double long_time = 10;       ///< seconds
-constexpr double of_load = 2;          ///< times what a given length takes
-constexpr double rough_enough = 1e-3;  ///< of a length
+constexpr double of_load = 2;          ///< time for a given load over the time for a given length
+constexpr double rough_enough = 1e-3;  ///< relative accuracy of the length
 
 double length_of(const data::ElasticNipProblem& problem, const data::GivenLoad& load) {
   return fast::converged_for_load(problem.nip, problem.friction, load.per_length, rough_enough)
@@ -51,8 +51,8 @@ double grip_factor(const data::ElasticNipProblem& problem) {
 }
 double grip_factor(const data::ViscoelasticNipProblem&) { return 1; }
 
-/// Profiles that are integrals over the contact, and stresses inside the sheet; all of those of a place come together. The
-/// greatest shear is looked for at as many places as `searched`.
+/// The time for profiles that are integrals over the contact, and for stresses inside the sheet, which are computed
+/// together at each place. The search for the greatest shear evaluates about `searched` places.
 template <class Problem>
 double seconds_for_places(const data::Scene& scene, const Problem& problem, double length) {
   const double ratio = length / problem.nip.sheet_thickness;

@@ -5,12 +5,12 @@
 
 namespace nipref::verify {
 
-/// Seconds that solve_by_ref() will take, by what the reference says that it has to solve for and by the places that
-/// are wanted, as measured on one core of a server of 2022, within a factor of three or so; a length that a load needs
-/// is found in double. 0 where that is refused, for line loads and for bodies on half-spaces.
+/// An estimate of the seconds that solve_by_ref() takes on one core of a server of 2022, good to a factor of about
+/// three. It follows from the number of unknowns and the number of wanted places; the length for a given load is
+/// computed in double. It is 0 for scenes that double refuses, for line loads and for bodies on half-spaces.
 [[nodiscard]] double likely_seconds_by_ref(const data::Scene& scene, int digits);
 
-/// A line that says so if they are more than ten; otherwise nothing.
+/// A warning of one line if the seconds are more than ten; otherwise empty.
 [[nodiscard]] std::string warning_of_time(double seconds);
 
 }  // namespace nipref::verify

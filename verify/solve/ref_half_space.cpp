@@ -27,7 +27,7 @@ struct RefIndenterOf {
 
 constexpr int least_digits = 16;
 
-/// A double of the scene, or the product of two.
+/// The exact product of two doubles.
 ref::Estimate exactly(double value, double factor, int digits) {
   ref::Real exact(2 * std::numeric_limits<double>::digits);
   mpfr_set_d(exact.get(), value, MPFR_RNDN);
@@ -35,7 +35,7 @@ ref::Estimate exactly(double value, double factor, int digits) {
   return ref::Enclosure{exact, ref::Real(exact.precision()), digits};
 }
 
-/// What all methods have in common; Contact has spans and forces by the names of the results.
+/// The part that all methods share; the functions of Contact have the names of the results.
 template <class Contact>
 class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
  public:
@@ -105,7 +105,7 @@ class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
   [[nodiscard]] ref::Estimate pressure(double x) const {
     return contact().pressure(ref::Exact(*problem_.line), ref::Exact(x));
   }
-  /// Friction times the pressure, or that of rolling.
+  /// Friction times the pressure of a sliding body, or the shear under a rolling sphere.
   [[nodiscard]] ref::Estimate shear(double x) const {
     if constexpr (requires { contact().shear(ref::Exact(x), ref::Exact(x)); })
       return contact().shear(ref::Exact(*problem_.line), ref::Exact(x));
@@ -115,7 +115,7 @@ class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
     mpfr_mul_d(result.error.get(), result.error.get(), problem_.friction * (1 + 0x1p-40), MPFR_RNDU);
     return result;
   }
-  /// x+ of the line run through in this direction; half of the span where the centre is the point of first touch.
+  /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
   [[nodiscard]] ref::Estimate leading_end(const ref::Exact& degrees) const {
     if constexpr (requires { contact().leading_end(degrees); }) return contact().leading_end(degrees);
     ref::Estimate half = contact().span(degrees);
@@ -135,14 +135,14 @@ class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
     }
     return exactly(0, 1, digits_);
   }
-  /// Scene::check lets these be wanted of a rolling sphere only.
+  /// Scene::check allows these results for a rolling sphere only.
   [[nodiscard]] ref::Estimate of_rolling(ResultId id, const ref::Exact& degrees) const {
     if constexpr (requires { contact().creep(degrees); }) {
       return id == ResultId::creep ? contact().creep(degrees) : contact().compressed_radius(degrees);
     }
     throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
-  /// Scene::check lets these be wanted of the exact method only.
+  /// Scene::check allows these results for the exact method only.
   [[nodiscard]] ref::Estimate of_ellipse(ResultId id) const {
     if constexpr (requires { contact().axis_ratio(); }) {
       if (id == ResultId::axis_ratio) return contact().axis_ratio();
@@ -151,7 +151,7 @@ class RefOnHalfSpace : public SolvedContact<ref::Estimate> {
     }
     throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
-  /// From x1, -90 to 90: an axis has no sense.
+  /// The angle from x1, from -90 to 90 degrees, as the two senses of an axis are equivalent.
   [[nodiscard]] ref::Estimate orientation() const {
     ref::Estimate from_motion = contact().orientation();
     mpfr_prec_round(from_motion.value.get(), from_motion.value.precision() + 64, MPFR_RNDN);

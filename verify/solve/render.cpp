@@ -16,7 +16,7 @@ namespace {
 
 bool is_proven(const fast::Estimate&) { return false; }
 bool is_proven(const ref::Estimate& number) { return number.proven; }
-/// What is proven is called a bound, and an error what is not.
+/// A proven error is called a bound, and an estimated one an error.
 std::string_view error_word(const auto& number) { return is_proven(number) ? "bound" : "error"; }
 
 // In JSON a number of the reference is text: it may have more digits than a double, and an error below all doubles.
@@ -33,7 +33,7 @@ Json values_json(const data::SceneResult& what, const std::vector<Number>& numbe
 
 Json counted(auto count) { return count > 0 ? Json(count) : Json(); }
 
-/// Counts that were not kept are null.
+/// Counts that are not known are null.
 Json work_json(const fast::Work& work) {
   Json kernels = Json::object();
   for (std::size_t k = 0; k < work.kernel_evaluations.size(); ++k)
@@ -107,7 +107,7 @@ void append_field(const typename SceneSolution<Number>::Result& result, const da
   }
 }
 
-/// What the errors are the distance to.
+/// The contact to which the errors are the distance.
 template <class Number>
 std::string_view truth_of(const SceneSolution<Number>& solution) {
   const bool is_of_ref = std::is_same_v<Number, ref::Estimate>;
@@ -120,7 +120,7 @@ Json field_json(const data::FieldPlaces& field) {
           {"depths", json_list(field.depths, std::identity())}};
 }
 
-/// Whether the accuracy is met, and what the errors of line loads are the distance to.
+/// Whether the accuracy is met, and to which contact the errors of line loads are the distance.
 template <class Number>
 std::string accuracy_text(const SceneSolution<Number>& solution) {
   const std::optional<bool> met = solution.met();

@@ -56,7 +56,7 @@ struct SolveSystem {
   }
 };
 
-/// Over what is allowed, the largest of the result's errors.
+/// The largest ratio of an error of the result to its allowed error.
 long double excess(const SceneSolution<fast::Estimate>::Result& result) {
   long double largest = 0;
   for (std::size_t i = 0; i < result.numbers.size(); ++i)
@@ -64,7 +64,7 @@ long double excess(const SceneSolution<fast::Estimate>::Result& result) {
   return largest;
 }
 
-/// With more terms rounding may be more: a result is replaced by a better one only.
+/// More terms may increase rounding errors, so that a result is replaced only by a better one.
 void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate>& contact,
                     SceneSolution<fast::Estimate>& solution) {
   for (std::size_t wanted = 0; wanted < solution.results.size(); ++wanted) {

@@ -15,7 +15,8 @@
 
 namespace nipref::verify {
 
-/// A measure of a nip that is beyond what linear theory bears: its solution stands, but says little of a sheet.
+/// A measure of a nip that is too large for linear theory: the solution is correct for the theory's equations, but it
+/// describes a real sheet badly.
 struct BeyondTheory {
   std::string_view
       quantity;  ///< compressive_strain: indentation/half-thickness; roller_slope: at an end of the contact
@@ -23,8 +24,8 @@ struct BeyondTheory {
   double limit;  ///< linear_theory_limit
 };
 
-/// Strains of the sheet and slopes of the roller's face up to which the theory's small ones are taken for small: what
-/// it leaves out is as large a part of the results as they are of 1, to their order.
+/// The largest strain of the sheet and slope of the roller's face for which linear theory is used without a warning.
+/// The relative error of linear theory is of the order of these two.
 inline constexpr double linear_theory_limit = 0.1;
 
 /// What a scene wanted, each result with an estimate of its error. Number is fast::Estimate or ref::Estimate.
@@ -32,28 +33,30 @@ template <class Number>
 struct SceneSolution {
   struct Result {
     const data::SceneResult* what;
-    /// Of a profile one for each of `positions`, of a field one for each of its places, depth after depth, of a list as
-    /// many as there are; else one.
+    /// A profile has one number for each of `positions`, a field one for each place, depth after depth, a list any
+    /// number of them, every other result one.
     std::vector<Number> numbers;
-    /// What the scene's accuracy allows the error of each to be, see data::Scale; empty where the error
-    /// is of another kind: that of line loads is their distance to the continuous contact. The reference's
-    /// digits are of the result, of a profile the largest of its numbers, but of no less than that size either.
+    /// The largest error of each number that meets the accuracy, see data::Scale. It is empty for line loads in
+    /// double, whose error is their distance to the continuous contact. The reference's digits are relative to the
+    /// largest number of the result, or to the size of data::Scale if that is larger.
     std::vector<long double> allowed = {};
-    /// Whether each error is as small as was asked, where that was asked. What misses it is the best there is.
+    /// Whether each error is at most `allowed`; nothing if that is empty. A result that misses the accuracy is the best
+    /// that the solver can give.
     [[nodiscard]] std::optional<bool> met() const;
   };
 
   std::string title;
-  long double accuracy = 0;  ///< that was asked for, by the scene or in digits
-  /// By line loads: fast's errors are the distance to the continuous contact, ref's are those of the discrete system.
+  long double accuracy = 0;  ///< requested by the scene, or by a number of digits
+  /// Solved by line loads: fast's errors are the distance to the continuous contact, ref's those of the discrete
+  /// system.
   bool is_discrete = false;
   std::vector<Result> results;         ///< in the order of the scene's `wanted`
   std::vector<double> positions;       ///< of the profiles, unit of length; empty if none is wanted
   data::FieldPlaces field;             ///< of the fields; empty if none is wanted
-  std::vector<BeyondTheory> warnings;  ///< what is beyond linear theory; empty for half-spaces
-  fast::Work work;                     ///< that the results have cost
-  fast::Work error_work;  ///< that the error estimates of line loads have cost, nothing otherwise
-  double seconds = 0;     ///< wall clock, for all of it
+  std::vector<BeyondTheory> warnings;  ///< always empty for half-spaces
+  fast::Work work;                     ///< spent on the results
+  fast::Work error_work;               ///< spent on the error estimates of line loads
+  double seconds = 0;                  ///< wall clock, for all of it
 
   /// Names of the results that are not as accurate as was asked.
   [[nodiscard]] std::vector<std::string_view> missed() const {
@@ -98,18 +101,17 @@ std::optional<bool> SceneSolution<Number>::Result::met() const {
                             [](const Number& number, long double most) { return error_of(number) <= most; });
 }
 
-/// Solves the scene in double; only what it wants is computed. Converged results come with the solver's own
-/// error estimate. The results of line loads, whose own error is their distance to the continuous contact,
-/// are set against that contact solved to 1e-5: the estimate is the difference; of a rolling nip against the
-/// steady motion, so that it holds what is left of the start as well. BadInput, naming the scene's
-/// key and its place, for what Scene::check refuses, and for a contact whose length is not allowed
-/// (fast/elastic_nip/converged.hpp) or whose faces meet, as the indentation is half of the sheet or more, which shows
-/// only when it is solved.
+/// Solves the scene in double; only the wanted results are computed. Converged results have the solver's own error
+/// estimate. The error estimate of line loads is their difference from the continuous contact solved to 1e-5; for a
+/// rolling nip this contact is the steady motion, so that the estimate includes the transient of the start. BadInput,
+/// naming the scene's key and its place, if Scene::check refuses the scene, if the length of the contact is not allowed
+/// (fast/elastic_nip/converged.hpp), or if the solution's indentation is half of the sheet or more, so that the
+/// rollers' faces meet.
 [[nodiscard]] SceneSolution<fast::Estimate> solve(const data::Scene& scene);
 
 /// Solves the scene by the reference, which takes the scene's doubles exactly, to `digits` digits; the
 /// scene's accuracy is not used, and the errors of line loads are those of the discrete system, not its distance to
-/// the continuous contact. It has, and refuses with BadInput whatever else the scene says or wants:
+/// the continuous contact. It throws BadInput for every scene and every result that is not in this list:
 /// - the continuous contact of an elastic nip, without friction with proven bounds, with it estimated; digits from 16
 ///   to 100 (ref/elastic_nip/converged.hpp, gripped.hpp);
 /// - its line loads, proven; digits from 16 to 300 (ref/elastic_nip/line_loads.hpp);

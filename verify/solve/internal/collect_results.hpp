@@ -13,24 +13,24 @@
 
 namespace nipref::verify {
 
-/// Where the scene's profiles are wanted, evenly spaced ones over `extent`; nothing if none is wanted.
+/// The positions of the scene's profiles, evenly spaced ones over `extent`; empty if the scene wants no profile.
 std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const ProfileExtent& extent);
 
-/// Value and error are numbers: with the scene's own numbers at the ends of their range they may not be.
+/// A value or an error overflows only if the scene's own numbers are at the ends of the range of double.
 inline bool is_finite(const fast::Estimate& number) {
   return std::isfinite(number.value) && std::isfinite(number.error);
 }
-/// These have a range that no scene leaves.
+/// No scene leaves the range of these numbers.
 inline bool is_finite(const ref::Estimate&) { return true; }
 
 /// Whether the scene is solved by line loads.
 bool is_by_line_loads(const data::Scene& scene);
 
-/// Throws BadInput that names the wanted result.
+/// Throws BadInput, which names the wanted result.
 [[noreturn]] void refuse_result(const data::Scene& scene, std::size_t wanted);
 
-/// Where the scene's fields are wanted; empty if none is.
+/// The places of the scene's fields; the scene must want one.
 const data::FieldPlaces& field_places(const data::Scene& scene);
 
 template <class Number>
@@ -47,19 +47,18 @@ std::vector<Number> profile_of(const SolvedContact<Number>& contact, ResultId id
   return numbers;
 }
 
-/// What the scene's accuracy allows each number's error to be; empty where that is not what the error is about.
+/// The largest error of each number that meets the accuracy; empty if the error does not depend on the accuracy.
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<fast::Estimate>& contact,
                                         const SceneSolution<fast::Estimate>::Result& result,
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
-/// The reference's digits likewise, of a profile those of its largest number.
+/// The same for the reference, whose digits are relative to the largest number of the result.
 std::vector<long double> allowed_errors(long double accuracy, const SolvedContact<ref::Estimate>& contact,
                                         const SceneSolution<ref::Estimate>::Result& result,
                                         const std::vector<double>& positions,
                                         const std::vector<double>& along_field);
 
-/// Asks the contact for what the scene wants at this place of its list, at the solution's positions. `accuracy`: what was
-/// asked for.
+/// Computes the result at this place of the scene's list of wanted results.
 template <class Number>
 typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
                                                       const SolvedContact<Number>& contact,
@@ -86,8 +85,8 @@ typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, 
   return result;
 }
 
-/// Asks the contact for everything that the scene wants, and a nip for its indentation: see linear_theory.hpp. `accuracy`:
-/// what was asked for.
+/// Computes all results that the scene wants, and the indentation of a nip, see linear_theory.hpp. `accuracy` is the
+/// requested one.
 template <class Number>
 SceneSolution<Number> collect_results(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const SolvedContact<Number>& contact, long double accuracy) {

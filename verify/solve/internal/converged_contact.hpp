@@ -12,15 +12,16 @@
 
 namespace nipref::verify {
 
-/// A converged nip of either path, elastic or rolling: a result is the function of its class that is called like it.
-/// What such a class has no function for follows from the symmetry of an elastic nip, or from there being no friction.
+/// A converged nip of either path, elastic or rolling: a result is computed by the function of the contact's class that
+/// has its name. If the class has no such function, the result follows from the symmetry of an elastic nip, or it is 0
+/// because there is no friction.
 template <class Path, class Contact>
 class ConvergedContact : public SolvedContact<typename Path::Number> {
  public:
   using Number = typename Path::Number;
   using WorkOf = fast::Work (*)(const Contact&);
 
-  /// accuracy: that was asked for, of the reference 10^-digits.
+  /// accuracy: the requested relative accuracy, for the reference 10^-digits.
   ConvergedContact(Contact contact, double roller_radius, double accuracy, WorkOf work_of)
       : contact_(std::move(contact)), roller_radius_(roller_radius), accuracy_(accuracy), work_of_(work_of) {}
 
@@ -132,7 +133,7 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
     else
       return edge_displacement();
   }
-  /// What some classes have a function for, and of others is 0.
+  /// Results for which only some classes have a function; they are 0 for the other classes.
   [[nodiscard]] Number special_number(ResultId id) const {
     if constexpr (is_rolling) {
       if (id == ResultId::rolling_resistance) return Path::number(contact_.rolling_resistance());
@@ -156,7 +157,7 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
     const double half = Path::in_double(contact_.contact_length()) / 2;
     return {-half, half};
   }
-  /// Asked for with every number of a field.
+  /// It is cached, as every number of a field needs it.
   [[nodiscard]] double pressure_in_the_middle() const {
     if (!middle_) middle_ = Path::in_double(contact_.pressure(0));
     return *middle_;

@@ -7,8 +7,8 @@
 
 namespace nipref::verify {
 
-/// What body and half-space of a scene answer together, by the angle from the motion, and how often it was
-/// asked.
+/// The joint response of a scene's body and half-space on the line at an angle from the motion; it counts its own
+/// evaluations.
 class CountedResponse {
  public:
   /// BadInput naming the scene's speed unless it is subcritical on every line.

@@ -14,7 +14,7 @@ namespace {
 
 using fast::Estimate;
 
-/// Times mu_R.
+/// The product of mu_R with the factors named here.
 struct Product {
   ResultId id;
   bool has_radius, has_load, has_speed;
@@ -28,7 +28,7 @@ const Product* product_of(ResultId id) {
   return found == products.end() ? nullptr : &*found;
 }
 
-/// What a product has of the scene; an elastic sheet loses nothing, whatever its speed.
+/// The factors that the scene gives. The speed of an elastic sheet does not matter, as the sheet loses no energy.
 struct FactorOf {
   const Product& product;
 
@@ -43,7 +43,7 @@ struct FactorOf {
 
 Estimate multiplied(const Estimate& a, const Estimate& b) { return a * b; }
 
-/// With the error `error`, and what the value's own rounding adds, as many digits as the better of the two.
+/// The value with `error` plus the rounding error of the value, and with the larger number of digits of the two.
 ref::Estimate estimated_of(ref::Real value, ref::Real error, const ref::Estimate& a, const ref::Estimate& b) {
   ref::Real rounding(64);
   mpfr_abs(rounding.get(), value.get(), MPFR_RNDU);
@@ -84,7 +84,7 @@ ref::Estimate exact_number(double value, const ref::Estimate& like) {
   return ref::Enclosure{std::move(real), ref::Real(64), like.digits};
 }
 
-/// int p Y dY from a to b, of which either may be an end of the contact, where p falls like a root.
+/// int p Y dY from a to b, each of which may be an end of the contact, next to which p is like a square root.
 template <unsigned points>
 Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, double b) {
   using Rule = boost::math::quadrature::gauss<double, points>;
@@ -116,7 +116,7 @@ Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, ResultId id)
   const Estimate leading = contact.number(ResultId::leading_length),
                  trailing = contact.number(ResultId::trailing_length);
   const bool is_leading = id == ResultId::leading_moment;
-  // All of the contact may be ahead.
+  // The whole contact may be ahead of the line through the centres.
   const double a = is_leading ? std::max(0.0, -trailing.value) : -trailing.value;
   const double b = is_leading ? leading.value : 0;
   if (!(b > a)) return {0, 0};
@@ -150,7 +150,7 @@ template <>
 ref::Estimate WithDerivedResults<ref::Estimate>::slip(double y) const {
   if (!creep_) creep_ = contact_.number(ResultId::creep_ratio);
   const ref::Estimate& stretched = strain(y);
-  // What sticks has the creep ratio itself for its strain.
+  // Where the surface sticks, its strain is the creep ratio.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
   if (!grips || !same(stretched, *creep_)) return less(stretched, *creep_);

@@ -12,20 +12,21 @@ namespace nipref::verify {
 
 /// Whether a result of a nip is a product of others: eccentricity, resistance_force, power_loss.
 bool is_product(ResultId id);
-/// leading_moment, trailing_moment.
+/// Whether it is leading_moment or trailing_moment.
 bool is_moment(ResultId id);
 
-/// leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (thesis 7.13): by
-/// Gauss's rule over the pressure of a contact; the error is that of the pressure and what half as many nodes leave.
+/// leading_moment = int p Y dY ahead of the line through the rollers' centres, trailing_moment behind it (thesis
+/// 7.13), by Gauss's rule. The error is the integrated error of the pressure and twice the difference from half as
+/// many nodes.
 fast::Estimate moment_of_pressure(const SolvedContact<fast::Estimate>& contact, ResultId id);
 
-/// A solved contact, and what follows from its results whatever the method:
+/// A solved contact with the results that follow from its other results for every method:
 ///   eccentricity = R mu_R, resistance_force = W mu_R, power_loss = speed W mu_R     (thesis 7.12, 7.14, 7.15)
-///   slip = v' - creep ratio, v' the surface's strain: as (2.5) has it the surface moves by F_0 (1 + v') where the
-///     rollers move by F = F_0 (1 + creep ratio), so that this is the rate at which it slides on them, over F_0. It is 0 in
-///     a contact with full friction; without friction, where the creep ratio is the mean strain, its mean there is 0.
-///     Outside the contact it says how it would slide if it touched.
-/// Errors are those of what they follow from.
+///   slip = v' - creep ratio, v' the strain of the surface: by (2.5) the surface moves at F_0 (1 + v') and the rollers
+///     at F_0 (1 + creep ratio), so that the slip is the velocity of sliding over F_0. It is 0 in a contact with full
+///     friction. Without friction the creep ratio is the mean strain, so that the mean slip in the contact is 0.
+///     Outside the contact it is the slip that there would be if the surfaces touched.
+/// Their errors follow from those of the other results.
 template <class Number>
 class WithDerivedResults : public SolvedContact<Number> {
  public:
@@ -45,13 +46,13 @@ class WithDerivedResults : public SolvedContact<Number> {
   [[nodiscard]] fast::Work error_work() const override { return contact_.error_work(); }
 
  private:
-  [[nodiscard]] Number slip(double y) const;  ///< fast's contacts know their own
-  /// Asked for by itself and with the slip there.
+  [[nodiscard]] Number slip(double y) const;  ///< used by the reference only
+  /// It is cached, as it is a result by itself and a term of the slip.
   [[nodiscard]] const Number& strain(double y) const;
 
   const data::Scene& scene_;
   const SolvedContact<Number>& contact_;
-  mutable std::optional<Number> creep_;  ///< asked for with every slip
+  mutable std::optional<Number> creep_;  ///< a term of every slip
   mutable std::map<double, Number> strains_;
 };
 

@@ -7,7 +7,8 @@
 
 namespace nipref::verify {
 
-/// Of the continuous contact that line loads are compared with: they come no closer to it than about 1e-3.
+/// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about
+/// 1e-3.
 inline constexpr double truth_accuracy = 1e-5;
 
 // The elastic nip solved in double by each method. `accuracy` is the scene's. BadInput naming "load" or
@@ -23,7 +24,7 @@ std::unique_ptr<SolvedContact<fast::Estimate>> solve_line_loads(const data::Elas
 
 std::unique_ptr<SolvedContact<fast::Estimate>> solve_viscoelastic(const data::ViscoelasticNipProblem& problem,
                                                                   double accuracy);
-/// Without accuracy: their kernels are as good as double allows, or the series that the scene asks for.
+/// This needs no accuracy: the kernels are exact to rounding, or they are the truncated series that the scene asks for.
 std::unique_ptr<SolvedContact<fast::Estimate>> solve_viscoelastic_line_loads(
     const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads);
 

@@ -22,12 +22,12 @@ using fast::Estimate;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Of compliances, couplings and critical speeds.
+/// The rounding error of compliances, couplings and critical speeds.
 Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
 
 constexpr Direction along{1, 0}, across{0, 1};
 
-/// What all methods have in common: everything about lines through the point of first touch.
+/// The part that all methods share.
 class OnHalfSpace : public SolvedContact<Estimate> {
  public:
   OnHalfSpace(CountedResponse response, const data::HalfSpaceProblem& problem, double accuracy)
@@ -59,7 +59,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
     if (id == ResultId::creep || id == ResultId::compressed_radius) return of_rolling(id, psi);
     const fast::LineResponse line = response_(psi);
     if (id == ResultId::compliance) return to_rounding(line.compliance);
-    // Between two bodies couplings subtract, and some vanish where compliances do not.
+    // The couplings of two bodies subtract, and their difference may be far smaller than they are.
     return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
   }
   [[nodiscard]] ProfileExtent profile_extent() const final {
@@ -78,23 +78,24 @@ class OnHalfSpace : public SolvedContact<Estimate> {
   }
 
  protected:
-  [[nodiscard]] virtual Estimate span_ratio(Direction psi) const = 0;  ///< over the span along the motion
+  [[nodiscard]] virtual Estimate span_ratio(
+      Direction psi) const = 0;  ///< span over the span along the motion
   [[nodiscard]] virtual Estimate span(Direction psi) const = 0;
   [[nodiscard]] virtual Estimate force() const = 0;
   [[nodiscard]] virtual Estimate peak_pressure() const = 0;
   [[nodiscard]] virtual Estimate pressure(Direction psi, double x) const = 0;
-  /// x+ on the line; half of the span where the point of first touch is the centre.
+  /// x+ on the line; it is half of the span where the centre is the point of first touch.
   [[nodiscard]] virtual Estimate leading_end(Direction psi) const { return 0.5 * span(psi); }
   [[nodiscard]] virtual Estimate centre_along() const { return {0, 0}; }
   [[nodiscard]] virtual Estimate centre_across() const { return {0, 0}; }
   [[nodiscard]] virtual Estimate shear(Direction psi, double x) const {
     return Estimate{friction_, 0} * pressure(psi, x);
   }
-  /// Scene::check lets this be wanted of a rolling sphere only.
+  /// Scene::check allows this result for a rolling sphere only.
   [[nodiscard]] virtual Estimate of_rolling(ResultId id, Direction) const {
     throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
-  /// axis_ratio, orientation, approach: Scene::check lets them be wanted of the exact method only.
+  /// Scene::check allows axis_ratio, orientation and approach for the exact method only.
   [[nodiscard]] virtual Estimate of_ellipse(ResultId id) const {
     throw data::BadInput("wanted", data::scene_result(id).name, "must be out of what this method has");
   }
@@ -107,7 +108,7 @@ class OnHalfSpace : public SolvedContact<Estimate> {
   CountedResponse response_;
   double friction_;
   std::optional<double> line_;
-  double accuracy_;  ///< that the scene asks for
+  double accuracy_;  ///< requested by the scene
 };
 
 struct IndenterOf {
@@ -120,7 +121,7 @@ struct IndenterOf {
   }
 };
 
-/// The scene's load on an ellipse.
+/// The ellipse under the scene's load or of its span.
 struct LoadEllipse {
   const fast::EllipticContact& contact;
 
@@ -154,7 +155,7 @@ class Exact : public OnHalfSpace {
     if (id == ResultId::axis_ratio) return contact_.axis_ratio();
     if (id == ResultId::approach) return load_.approach;
     const auto [angle, error] = contact_.orientation();
-    // An axis has no sense: -90 to 90 degrees.
+    // The two senses of an axis are equivalent, so that its angle is from -90 to 90 degrees.
     return {std::remainder(angle / degree + motion_, 180),
             error / degree + 0x1p-52 * (std::fabs(angle / degree) + std::fabs(motion_))};
   }

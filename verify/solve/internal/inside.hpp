@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// What a nip's numbers are in either path.
+/// The types of a nip's numbers in each path.
 struct FastPath {
   static constexpr bool is_fast = true;
   using Number = fast::Estimate;
@@ -37,8 +37,8 @@ struct RefPath {
   static double in_double(const auto& x) { return x.to_double(); }
 };
 
-/// The results inside the sheet of a converged contact by their names; the stresses are computed once for all. A scene
-/// has one field.
+/// The results inside the sheet of a converged contact. The stresses are computed once and cached, as a scene has one
+/// field.
 template <class Contact, class Path>
 class Inside {
  public:

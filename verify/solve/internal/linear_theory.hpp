@@ -10,9 +10,9 @@
 
 namespace nipref::verify {
 
-/// What of a solved nip is beyond linear theory: the mean strain across the sheet in the middle of the nip,
-/// indentation/half-thickness, and the slope of the roller's parabola at the farther end of the contact, Y/R. Throws
-/// BadInput, naming what was given, where that strain is 1 or more: the rollers' faces meet, and there is no such contact.
+/// The measures of a solved nip that are too large for linear theory: the mean strain across the sheet in the middle of
+/// the nip, indentation/half-thickness, and the slope of the roller's parabola at the farther end of the contact, Y/R.
+/// Throws BadInput, naming the given load or length, if that strain is 1 or more: the rollers' faces would meet.
 template <class Number>
 std::vector<BeyondTheory> beyond_theory(const data::Scene& scene, const SolvedContact<Number>& contact) {
   const auto of_nip = [&](const auto& problem) {

@@ -8,7 +8,7 @@
 namespace nipref::verify {
 namespace {
 
-/// What was given: its key, its value, and what the solvers call it.
+/// The load or the length of the scene: its key, its value, and the name of the solvers' argument.
 struct Given {
   const char* key;
   double value;

@@ -4,14 +4,14 @@
 
 namespace nipref::verify {
 
-/// Throws what a solver refused again, naming the scene's key. The scene itself being in order, it is where
-/// the load or the length leads.
+/// Throws the solver's error again and names the key of the scene's load or length: Scene::check has accepted the
+/// scene, so that the solver can refuse it only because of their values.
 [[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
                                const data::BadInput& error);
-/// The same of a rolling nip, whose material and digits can be refused too.
+/// The same for a rolling nip, where the error may also be about the material or the digits.
 [[noreturn]] void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
                                  const data::BadInput& error);
-/// Refuses what was given since the rollers' faces would meet.
+/// Refuses the scene's load or length because the rollers' faces would meet.
 [[noreturn]] void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
                                        double half_thickness);
 
