@@ -8,9 +8,8 @@ struct Interrupted : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From here on the first SIGINT (Ctrl-C) of this process is only noted, for the work to come to its end and
-/// so that what was finished is printed; the second one kills. Nothing changes if SIGINT is ignored, as in a
-/// shell's background.
+/// From this call on, the first SIGINT (Ctrl-C) is only noted, so that the work ends early and prints what is finished;
+/// the second one kills the process. Nothing changes where SIGINT is ignored, as for a shell's background jobs.
 void stop_gently_on_interrupt();
 
 /// True once a SIGINT was noted. Loops ask between their items.
