@@ -344,7 +344,7 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
         // What is left out swings as the first polynomial that is: by its slope where it is 0 and by itself where its slope
         // is 0.
         const double swing =
-            ladder.left_out([&](const ViscoelasticPressure& contact) { return at(contact, y); });
+            ladder.truncation_error([&](const ViscoelasticPressure& contact) { return at(contact, y); });
         solved.error = std::hypot(solved.error, last.layout().terms() * swing / slope_reach(last, y));
         solved.error += largest * sheet.neglected_near_end(half_length, from_end(y)) / from_end(y);
         return solved;
@@ -371,8 +371,8 @@ Estimate ConvergedViscoelasticNip::rolling_resistance() const {
   const double lever = units.length / radius, half_length = implementation_->half_length();
   if (sheet.is_shifted_only()) return times(lever, {sheet.shift, sheet.neglected_of_shift(half_length)});
   const Estimate solved = ladder.estimate_down_to_rounding(fast::eccentricity);
-  return times(lever, {solved.value,
-                       eccentricity_error_margin * solved.error + sheet.neglected(half_length) * half_length});
+  return times(lever, {solved.value, eccentricity_error_margin * solved.error +
+                                         sheet.neglected(half_length) * half_length});
 }
 
 Estimate ConvergedViscoelasticNip::creep_ratio() const {
@@ -382,9 +382,10 @@ Estimate ConvergedViscoelasticNip::creep_ratio() const {
       [&](const ViscoelasticPressure& contact) { return solved.creep(contact, kernels); },
       std::max(solved.half_length(), solved.creep_size(kernels)));
   // Levels that agree on the mean by chance do not on one half's.
-  creep.error = std::max(creep.error, solved.ladder.left_out([&](const ViscoelasticPressure& contact) {
-    return solved.half_strains(contact, kernels).leading;
-  }));
+  creep.error =
+      std::max(creep.error, solved.ladder.truncation_error([&](const ViscoelasticPressure& contact) {
+        return solved.half_strains(contact, kernels).leading;
+      }));
   creep.error += solved.creep_rounding(kernels);
   return times(solved.units.creep, creep);
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include <nipref/ref/nip/inner_stresses.hpp>
 #include <nipref/ref/number/internal/float.hpp>
@@ -7,33 +6,31 @@
 namespace nipref::ref {
 namespace {
 
-struct Judged {
-  Float value, error;
+using Number = data::WithError<Float>;
 
-  Judged(Float the_value, Float the_error) : value(std::move(the_value)), error(std::move(the_error)) {}
-  explicit Judged(const Estimate& x) : value(to_float(x.value)), error(to_float(x.error)) {}
-  /// With what half a unit in the last place makes of it.
-  [[nodiscard]] Estimate estimated(int digits) const {
-    const Float rounding = ldexp(abs(value), 2 - mpfr_get_prec(value.get()));
-    return {to_real(value), to_real(error + rounding), digits};
-  }
-};
+Number number_of(const Estimate& x) { return {to_float(x.value), to_float(x.error)}; }
 
-/// Enough not to round what is known.
+/// With half a unit in the last place added to the error.
+Estimate estimate_of(const Number& x, int digits) {
+  const Float rounding = ldexp(abs(x.value), 2 - mpfr_get_prec(x.value.get()));
+  return {to_real(x.value), to_real(x.error + rounding), digits};
+}
+
+/// So many that the stresses are not rounded.
 int digits_beyond(const InnerStresses& s) {
   const auto bits =
       std::max({s.across.value.precision(), s.along.value.precision(), s.shear.value.precision()});
   return static_cast<int>(bits * 3 / 10) + 3;
 }
 
-Judged mean_of(const InnerStresses& s) {
-  const Judged across(s.across), along(s.along);
+Number mean_of(const InnerStresses& s) {
+  const Number across = number_of(s.across), along = number_of(s.along);
   return {(across.value + along.value) / 2, (across.error + along.error) / 2};
 }
 
 /// The distance of two points changes by no more than both points move.
-Judged radius_of(const InnerStresses& s) {
-  const Judged across(s.across), along(s.along), shear(s.shear);
+Number radius_of(const InnerStresses& s) {
+  const Number across = number_of(s.across), along = number_of(s.along), shear = number_of(s.shear);
   return {hypot((across.value - along.value) / 2, shear.value),
           hypot((across.error + along.error) / 2, shear.error)};
 }
@@ -42,19 +39,19 @@ Judged radius_of(const InnerStresses& s) {
 
 Estimate InnerStresses::maximum_shear() const {
   const WorkingDigits working(digits_beyond(*this));
-  return radius_of(*this).estimated(across.digits);
+  return estimate_of(radius_of(*this), across.digits);
 }
 
 Estimate InnerStresses::highest() const {
   const WorkingDigits working(digits_beyond(*this));
-  const Judged mean = mean_of(*this), radius = radius_of(*this);
-  return Judged(mean.value + radius.value, mean.error + radius.error).estimated(across.digits);
+  const Number mean = mean_of(*this), radius = radius_of(*this);
+  return estimate_of({mean.value + radius.value, mean.error + radius.error}, across.digits);
 }
 
 Estimate InnerStresses::lowest() const {
   const WorkingDigits working(digits_beyond(*this));
-  const Judged mean = mean_of(*this), radius = radius_of(*this);
-  return Judged(mean.value - radius.value, mean.error + radius.error).estimated(across.digits);
+  const Number mean = mean_of(*this), radius = radius_of(*this);
+  return estimate_of({mean.value - radius.value, mean.error + radius.error}, across.digits);
 }
 
 }  // namespace nipref::ref

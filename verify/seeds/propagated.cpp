@@ -25,15 +25,16 @@ Propagated of_library(double value, double change) {
 
 }  // namespace
 
-Propagated::Propagated(double constant) : value_(constant), error_(half_unit * std::fabs(constant)) {
+Propagated::Propagated(double constant) : number_{constant, half_unit * std::fabs(constant)} {
   int exponent = 0;
   const double scaled = std::ldexp(std::frexp(constant, &exponent), 40);
-  if (scaled == std::trunc(scaled)) error_ = 0;
+  if (scaled == std::trunc(scaled)) number_.error = 0;
 }
 
 Propagated Propagated::between(const Propagated& lower, const Propagated& upper) {
-  const double middle = std::midpoint(lower.value_, upper.value_);
-  const double reach = std::max(middle - lower.value_ + lower.error_, upper.value_ - middle + upper.error_);
+  const double middle = std::midpoint(lower.number_.value, upper.number_.value);
+  const double reach = std::max(middle - lower.number_.value + lower.number_.error,
+                                upper.number_.value - middle + upper.number_.error);
   return inflated(middle, reach);
 }
 

@@ -5,30 +5,29 @@
 
 namespace nipref::verify {
 
-/// A number of a statement: a double, and by how much the truth may differ from it. It cannot be made without its error,
-/// and arithmetic carries the error on: what the errors of the operands make of the result at most, and rounding, of
+/// A number of a statement with its error. It cannot be made without its error, and arithmetic propagates the error: what the errors of the operands make of the result at most, and rounding, of
 /// elementary functions of the library two units in the last place. Where an error leaves the domain of an operation the
 /// result's is infinite.
 class Propagated {
  public:
   /// A constant of a formula: exact where 40 bits hold it, otherwise the double nearest to a decimal.
   Propagated(double constant);
-  Propagated(const fast::Estimate& number) : Propagated(number.value, number.error) {}
-  Propagated(double the_value, double the_error) : value_(the_value), error_(the_error) {}
+  Propagated(const fast::Estimate& number) : number_(number) {}
+  Propagated(double value, double error) : number_{value, error} {}
   static Propagated exact(double value) { return {value, 0}; }
   static Propagated between(const Propagated& lower, const Propagated& upper);
   static Propagated pi();
 
-  [[nodiscard]] double value() const { return value_; }
-  [[nodiscard]] double error() const { return error_; }
+  [[nodiscard]] double value() const { return number_.value; }
+  [[nodiscard]] double error() const { return number_.error; }
   /// Larger than 0, or smaller, beyond the error.
-  [[nodiscard]] bool is_positive() const { return value_ > error_; }
-  [[nodiscard]] bool is_negative() const { return -value_ > error_; }
+  [[nodiscard]] bool is_positive() const { return number_.value > number_.error; }
+  [[nodiscard]] bool is_negative() const { return -number_.value > number_.error; }
 
-  Propagated operator-() const { return {-value_, error_}; }
+  Propagated operator-() const { return {-number_.value, number_.error}; }
 
  private:
-  double value_, error_;
+  fast::Estimate number_;
 };
 
 Propagated operator+(const Propagated& a, const Propagated& b);

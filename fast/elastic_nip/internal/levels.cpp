@@ -41,9 +41,10 @@ std::unique_ptr<HalfContact> ElasticNipLevels::solve(double half_length, const R
                        kernels);
 }
 
-std::vector<Judged<HalfContact>> ElasticNipLevels::judged(const HalfContact& last, double) const {
+std::vector<AccuracyTarget<HalfContact>> ElasticNipLevels::accuracy_targets(const HalfContact& last,
+                                                                            double) const {
   const double half_length = last.half_length, peak = last.traction(half_length).pressure;
-  std::vector<Judged<HalfContact>> all{
+  std::vector<AccuracyTarget<HalfContact>> all{
       {[](const HalfContact& contact) { return contact.load; }},
       {[](const HalfContact& contact) { return contact.half_length; }},
       {[](const HalfContact& contact) { return contact.edge_displacement; }, half_length * half_length},

@@ -29,7 +29,8 @@ class ElasticNipLevels {
   [[nodiscard]] static bool is_affordable(const Resolution&) { return true; }
   [[nodiscard]] std::unique_ptr<HalfContact> solve(double half_length, const Resolution& resolution,
                                                    double tolerance, CountedKernels& kernels) const;
-  [[nodiscard]] std::vector<Judged<HalfContact>> judged(const HalfContact& last, double accuracy) const;
+  [[nodiscard]] std::vector<AccuracyTarget<HalfContact>> accuracy_targets(const HalfContact& last,
+                                                                          double accuracy) const;
   [[nodiscard]] double half_length_guess(double load) const { return fast::half_length_guess(load); }
 
  private:

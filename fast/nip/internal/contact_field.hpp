@@ -47,7 +47,7 @@ class ContactField {
   /// rounding make.
   [[nodiscard]] std::vector<InnerStresses> at(const std::vector<InnerPlace>& places) {
     std::vector<InnerStresses> result(places.size());
-    const bool many = places.size() > most_judged;
+    const bool many = places.size() > most_assessed;
     const std::vector<double> errors = many ? errors_by_kind(places) : errors_of(places);
     std::vector<InnerPlace> moved;
     const FieldOfContact& field = of(ladder_.last());
@@ -106,8 +106,8 @@ class ContactField {
   }
 
  private:
-  /// Places each judged for itself.
-  static constexpr std::size_t most_judged = 48;
+  /// So many places are assessed each for itself.
+  static constexpr std::size_t most_assessed = 48;
 
   [[nodiscard]] const FieldOfContact& of(const Contact& contact) {
     const auto found = fields_.find(&contact);

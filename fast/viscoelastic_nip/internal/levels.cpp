@@ -73,8 +73,8 @@ std::unique_ptr<ViscoelasticPressure> ViscoelasticNipLevels::solve(double half_l
       ViscoelasticLayout(half_length, resolution.pieces, resolution.terms), material_, tolerance, kernels);
 }
 
-std::vector<Judged<ViscoelasticPressure>> ViscoelasticNipLevels::judged(const ViscoelasticPressure& last,
-                                                                        double accuracy) const {
+std::vector<AccuracyTarget<ViscoelasticPressure>> ViscoelasticNipLevels::accuracy_targets(
+    const ViscoelasticPressure& last, double accuracy) const {
   const double half_length = last.half_length(), peak = last.pressure({Half::leading, half_length});
   const auto pressure = [](Half half, double part) {
     return [=](const ViscoelasticPressure& contact) {

@@ -34,8 +34,8 @@ class ViscoelasticNipLevels {
   }
   [[nodiscard]] std::unique_ptr<ViscoelasticPressure> solve(double half_length, const Resolution& resolution,
                                                             double tolerance, CountedKernels& kernels) const;
-  [[nodiscard]] std::vector<Judged<ViscoelasticPressure>> judged(const ViscoelasticPressure& last,
-                                                                 double accuracy) const;
+  [[nodiscard]] std::vector<AccuracyTarget<ViscoelasticPressure>> accuracy_targets(
+      const ViscoelasticPressure& last, double accuracy) const;
   [[nodiscard]] double half_length_guess(double load) const;
   /// The compliance with which a contact acts over its whole length, over what acts at once.
   [[nodiscard]] double softening_over(double half_length) const;

@@ -63,7 +63,7 @@ struct ToyLevels {
     for (const double sign : {-1.0, 1.0}) contact->twins.push_back(with(wrong + sign * rounding));
     return contact;
   }
-  [[nodiscard]] static std::vector<Judged<ToyContact>> judged(const ToyContact&, double) {
+  [[nodiscard]] static std::vector<AccuracyTarget<ToyContact>> accuracy_targets(const ToyContact&, double) {
     return {{&ToyContact::load}, {&ToyContact::half_length}};
   }
   [[nodiscard]] bool is_affordable(const Resolution& resolution) const {
