@@ -12,7 +12,7 @@ Estimate mean_of(const InnerStresses& s) {
 }  // namespace
 
 Estimate InnerStresses::maximum_shear() const {
-  // The distance of two points changes by no more than both points move.
+  // The radius is the distance of two points: it changes by no more than the points move.
   return {std::hypot((across.value - along.value) / 2, shear.value),
           std::hypot((across.error + along.error) / 2, shear.error)};
 }

@@ -9,10 +9,9 @@ struct InnerPoint {
   double depth;  ///< across it over its half thickness, from -1 to 1; 0 is the middle plane
 };
 
-/// Stresses in plane strain there, tension positive, unit of stress. They follow from the tractions on the faces alone
-/// and do not depend on the material: compatibility of what is strained by an isotropic material, elastic or
-/// viscoelastic, says that sigma_x + sigma_y is harmonic at all times, whatever its moduli or memories, and the faces'
-/// tractions and equilibrium say the rest.
+/// Stresses in plane strain, tension positive, unit of stress. They follow from the tractions on the faces alone and do
+/// not depend on the material: compatibility of the strains of an isotropic material, elastic or viscoelastic, makes
+/// sigma_x + sigma_y harmonic at all times, and equilibrium and the tractions determine the rest.
 struct InnerStresses {
   Estimate across;  ///< sigma_x
   Estimate along;   ///< sigma_y
@@ -24,7 +23,8 @@ struct InnerStresses {
   [[nodiscard]] Estimate maximum_shear() const;
 };
 
-/// The largest maximum_shear in the sheet and where it is; of places that are equal by symmetry one at y, depth >= 0.
+/// The largest maximum_shear in the sheet and its place; of places that are equal by symmetry the one with y, depth >=
+/// 0.
 struct GreatestShear {
   Estimate value;
   Estimate y, depth;

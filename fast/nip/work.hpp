@@ -6,11 +6,11 @@ namespace nipref::fast {
 
 /// What solving a contact has cost so far: counts, not times.
 struct Work {
-  /// Values taken of the kernels I1 .. I7, in this order. I2, a sign, is not counted.
+  /// Evaluations of the kernels I1 .. I7, in this order. I2, a sign, is not counted.
   std::array<std::uint64_t, 7> kernel_evaluations{};
   std::uint64_t terms = 0;           ///< series terms behind those values
   std::uint64_t systems = 0;         ///< linear systems solved
-  int unknowns = 0;                  ///< of the largest of them
+  int unknowns = 0;                  ///< of the largest system
   std::uint64_t line_responses = 0;  ///< compliances and couplings of lines on half-spaces
 
   Work& operator+=(const Work& other);

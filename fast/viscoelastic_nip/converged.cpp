@@ -341,8 +341,8 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
         Estimate solved = estimated(y);
         for (const double beside : {-0.5, 0.5})
           solved.error = std::max(solved.error, estimated(y + beside * slope_reach(last, y)).error);
-        // What is left out swings as the first polynomial that is: by its slope where it is 0 and by itself where its slope
-        // is 0.
+        // What is left out swings as the first polynomial that is: by its slope where it is 0 and by itself where its
+        // slope is 0.
         const double swing =
             ladder.truncation_error([&](const ViscoelasticPressure& contact) { return at(contact, y); });
         solved.error = std::hypot(solved.error, last.layout().terms() * swing / slope_reach(last, y));

@@ -24,8 +24,8 @@ double normal_displacement(const HalfContact& contact, double y, const SurfaceDi
 double tangential_displacement(const HalfContact& contact, double y, const SurfaceDisplacements& how,
                                CountedKernels& kernels);
 
-/// What of the surface's strain comes of the sheet as a whole, without friction: int I3'(y - s) p(s) ds/pi. The pressure
-/// at y itself adds -beta p(y).
+/// The nonlocal part of the surface's strain without friction, int I3'(y - s) p(s) ds/pi. The pressure at y adds
+/// -beta p(y).
 double smooth_strain(const HalfContact& contact, double y, const SurfaceDisplacements& how,
                      CountedKernels& kernels);
 

@@ -19,9 +19,9 @@ struct HalfContact {
   double edge_displacement = 0;  ///< at e = 0
   double creep = 0;              ///< 0 without friction, where it is no part of the solution
   double load = 0;               ///< of the whole contact: twice the integral of the pressure over the half
-  double tail = 0;               ///< of its expansions, see expansion_tail.hpp
+  double tail = 0;               ///< largest tail of the expansions, see expansion_tail.hpp
   std::vector<double> breaks;    ///< 0 = e_0 < ... < A: between them the tractions are analytic
-  /// Of the same half length, as rounding could have made it: see SolutionAndTwins.
+  /// Solutions of the same half length with other roundings: see SolutionAndTwins.
   std::vector<std::unique_ptr<HalfContact>> twins;
 
   HalfContact() = default;
@@ -30,8 +30,8 @@ struct HalfContact {
   virtual ~HalfContact() = default;
   /// At 0 <= e <= A.
   [[nodiscard]] virtual Traction traction(double e) const = 0;
-  /// What the expansion there is about to leave out, of several of which some converge more slowly; 0 where it is the
-  /// only one.
+  /// The tail of the expansion at e. It is 0 if there is only one expansion: it matters where some converge more slowly
+  /// than others.
   [[nodiscard]] virtual Traction tail_at(double) const { return {0, 0}; }
 };
 

@@ -9,7 +9,7 @@
 namespace nipref::fast {
 namespace {
 
-/// Where the global expansion would need more terms than the panels have.
+/// Longer contacts would need more terms in one expansion than in panels.
 constexpr double longest_spectral = 12;
 
 int grown(double first_terms, int level) {
@@ -21,14 +21,14 @@ int grown(double first_terms, int level) {
 ElasticNipLevels::Resolution ElasticNipLevels::resolution(double near, int level) const {
   if (friction_ == data::Friction::none && near <= longest_spectral) {
     const int terms = grown(2 + near / 2, level);
-    // Half width of the strip round the contact in which kernel and pressure are analytic, to what matters: it is
-    // 2 at the kernel's own singularities, but they weigh less the longer the contact (measured: 1.9 at A = 0.3, 2.3
-    // at 1, 3.3 at 4, 4.3 at 9).
+    // The half width of the strip around the contact in which kernel and pressure are effectively analytic. The
+    // kernel's singularities are at 2, but they matter less the longer the contact is (measured: 1.9 at A = 0.3, 2.3 at
+    // 1, 3.3 at 4, 4.3 at 9).
     const double strip = 2 + std::min(near / 4, 2.0);
     return {true, 1, terms, std::pow(std::hypot(1, strip / near) + strip / near, -2 * terms)};
   }
-  // The end panel takes at most about the distance at which the kernels change; on each, the nearest
-  // singularity is one panel length away.
+  // The end panel is at most about as wide as the length scale of the kernels; on each panel the nearest singularity is
+  // one panel width away.
   const int panels = 1 + std::max(0, static_cast<int>(std::ceil(std::log2(near / widest_felt))));
   const int terms = grown(3, level);
   return {false, panels, terms, std::pow(fastest_on_panels(near), -terms)};
@@ -48,7 +48,7 @@ std::vector<AccuracyTarget<HalfContact>> ElasticNipLevels::accuracy_targets(cons
       {[](const HalfContact& contact) { return contact.load; }},
       {[](const HalfContact& contact) { return contact.half_length; }},
       {[](const HalfContact& contact) { return contact.edge_displacement; }, half_length * half_length},
-      // Of a long contact it is determined by the ends alone, far less well than the rest.
+      // The creep of a long contact is determined by the ends alone, far less well than the other numbers.
       {[](const HalfContact& contact) { return contact.creep; }, 0.1 * half_length,
        std::pow(half_length, 3)}};
   for (const double part : {0.25, 1.0}) {

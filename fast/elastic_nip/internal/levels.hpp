@@ -25,7 +25,7 @@ class ElasticNipLevels {
   ElasticNipLevels(data::Friction friction, double poisson) : friction_(friction), poisson_(poisson) {}
 
   [[nodiscard]] Resolution resolution(double near, int level) const;
-  /// All are: some hundred unknowns.
+  /// All resolutions are: they have some hundred unknowns.
   [[nodiscard]] static bool is_affordable(const Resolution&) { return true; }
   [[nodiscard]] std::unique_ptr<HalfContact> solve(double half_length, const Resolution& resolution,
                                                    double tolerance, CountedKernels& kernels) const;

@@ -26,15 +26,15 @@ std::vector<UnitNode> gauss_rule(const int& count) {
   return nodes;
 }
 
-/// Of a polynomial times a kernel whose singularity is at least the piece's width away (in x - 1/2 at 3/2, an ellipse
-/// of 3 + sqrt 8), and which decays within 16 half-thicknesses.
+/// The number of Gauss nodes for a polynomial times a kernel whose singularity is at least the piece's width away: on
+/// the piece [-1, 1] at 3, hence on a Bernstein ellipse of 3 + sqrt 8. The kernel decays within 16 half-thicknesses.
 int gauss_nodes(int degree, double width, double tolerance) {
   return static_cast<int>(degree / 2.0 + 2 - std::log(tolerance) / 3.5 + std::min(width, 16.0));
 }
 
 }  // namespace
 
-/// So far that the kernels are as smooth on the piece as a polynomial.
+/// Whether the kernels are as smooth on the piece as a polynomial.
 bool ElasticNipOperator::is_far(double point, double left, double right) const {
   const double gap = std::max(left - point, point - right), image = 2 * half_length_ - point;
   return std::min(gap, image - right) >= right - left;
@@ -57,8 +57,8 @@ void ElasticNipOperator::append_nodes(const std::vector<UnitNode>& rule, double 
   }
 }
 
-/// Ends of the pieces of [left, right] between which the kernels, as functions of a distance that may be
-/// thousands, change on one scale only: the point itself, and where they and those of the mirror image have
+/// The ends of the pieces of [left, right], which may be thousands long, such that on each piece the kernels change on
+/// one scale only. The cuts are at the point itself and where the kernels of the point and of its mirror image have
 /// decayed.
 std::vector<double> ElasticNipOperator::cuts(double point, double left, double right) const {
   const double image = 2 * half_length_ - point;

@@ -19,7 +19,7 @@ struct Influence {
   double tangential_by_shear;     ///< [I6(y - s) - I6(y + s)]/pi
 };
 
-/// Which influences are wanted: only their kernels are evaluated, the others stay 0.
+/// The influences that are wanted: only their kernels are evaluated, the others stay 0.
 struct Couplings {
   bool normal_by_pressure;
   bool normal_by_shear;
@@ -40,7 +40,7 @@ class ElasticNipOperator {
 
   [[nodiscard]] double beta() const { return beta_; }
   /// Nodes for the piece `left` <= e <= `right` as seen from the point at distance `point` <= A from the end
-  /// (negative outside the contact). `degree`: of the polynomial that the traction is there, if it is one.
+  /// (negative outside the contact). `degree`: of the traction on the piece if that is a polynomial.
   [[nodiscard]] std::vector<Influence> influences(double point, double left, double right, Couplings wanted,
                                                   std::optional<int> degree = {}) const;
 

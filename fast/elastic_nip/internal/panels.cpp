@@ -70,7 +70,7 @@ class PanelContact : public HalfContact {
     const std::size_t panels = breaks.size() - 1;
     for (std::size_t panel = 0; panel < panels; ++panel)
       tails_.push_back({all[panel], friction_ ? all[panels + panel] : 0});
-    // The end's factor turns one into the other.
+    // The complex factor at the end mixes the two components.
     tails_[0].pressure = tails_[0].shear = std::max(tails_[0].pressure, tails_[0].shear);
   }
   void take(const Eigen::VectorXd& unknowns, double tolerance) {
@@ -81,9 +81,9 @@ class PanelContact : public HalfContact {
   }
 
  private:
-  /// Of what the entries are computed from. Of their many roundings some cancel; along long contacts near and far
-  /// values do (measured), and in what couples pressure and shear those of both
-  /// sides of a point, of which the roundings of a hundred nodes are left.
+  /// The sizes of the numbers from which the entries are computed (measured). Some of their many roundings average out,
+  /// less so in long contacts, where near and far contributions cancel. In the coupling of pressure and shear the two
+  /// sides of a point cancel, and the roundings of a hundred nodes remain.
   [[nodiscard]] Eigen::MatrixXd sizes(const Eigen::MatrixXd& matrix, double beta) const {
     Eigen::MatrixXd size = std::min(1.0, 0.5 + half_length / 50) * matrix.cwiseAbs();
     if (!friction_) return size;
@@ -145,7 +145,7 @@ class PanelContact : public HalfContact {
                         panel > 0 ? std::optional(terms_ - 1) : std::nullopt);
     const auto count = static_cast<Eigen::Index>(nodes.size());
     Eigen::ArrayXd x(count);
-    // What each node does to the displacements, times the real and the imaginary part of its factor.
+    // The influences of each node, times the real and the imaginary part of its factor.
     Eigen::MatrixXd kernels = Eigen::MatrixXd::Zero(friction_ ? 8 : 1, count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const Influence& node = nodes[static_cast<std::size_t>(i)];

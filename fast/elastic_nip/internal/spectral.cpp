@@ -12,8 +12,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Positions are cos(angle), all angles multiples of half a step, step = pi/(4 (terms + 1)): matching points
-/// at odd steps, quadrature nodes at even ones, so that the two never meet. All sines come from one table.
+/// Positions are cos(angle), with matching points at odd multiples of step = pi/(4 (terms + 1)) and quadrature nodes at
+/// even ones, so that the two never coincide. Angles are counted in half steps, and all sines come from one table.
 class Grid {
  public:
   explicit Grid(int count) : terms(count), half_turn_(8 * (count + 1)) {
@@ -125,7 +125,7 @@ SolutionAndTwins solve(double half_length, const Grid& grid, CountedKernels& ker
     gap(i) = std::pow(half_length * grid.sine(angle), 2);  // A^2 - y^2
   }
   kernels.count_system(terms + 1);
-  // Rounded to nearest, an entry is off by half a unit at most; the other roundings of its sum average out (measured).
+  // Rounding to nearest changes an entry by half a unit at most; the other roundings of its sum average out (measured).
   return solution_and_twins(matrix, 0.5 * size, gap);
 }
 

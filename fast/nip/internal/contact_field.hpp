@@ -15,7 +15,7 @@
 
 namespace nipref::fast {
 
-/// The field of one of a ladder's solutions; `middle` of its contact, where y is counted from, half-thicknesses.
+/// The field of one of a ladder's solutions. `middle`: of its contact, from the origin of y, half-thicknesses.
 struct FieldOfContact {
   TractionField field;
   double middle, half_length;
@@ -24,15 +24,15 @@ struct FieldOfContact {
   [[nodiscard]] InnerPlace moved(InnerPlace place) const { return {place.alpha - middle, place.depth}; }
 };
 
-/// What besides a ladder's solutions lack makes the stresses inside the sheet uncertain.
+/// Errors of the stresses inside the sheet that the differences between a ladder's solutions do not show.
 struct FieldUncertainty {
-  double of_ends;  ///< of the contact, half-thicknesses
-  /// Of the tractions about so far from an end, relative to the largest.
+  double of_ends;  ///< of the places of the contact's ends, half-thicknesses
+  /// Of the tractions at a distance from an end, relative to the largest traction.
   std::function<double(double away)> of_tractions;
 };
 
-/// The field inside the sheet of a solved contact. `Ladder` is that of either nip, `field_of` makes a solution's field,
-/// all dimensionless.
+/// The field inside the sheet of a solved contact, dimensionless. `Ladder` is that of either nip; `field_of` makes the
+/// field of a solution.
 template <class Ladder>
 class ContactField {
  public:
@@ -43,8 +43,8 @@ class ContactField {
                FieldUncertainty uncertainty)
       : ladder_(ladder), field_of_(std::move(field_of)), peak_(peak), uncertainty_(std::move(uncertainty)) {}
 
-  /// All stresses at a place with one error: what the ladder gives for it, what the ends' places and the field's own
-  /// rounding make.
+  /// The stresses at each place, all with one error: that of the ladder and those of the ends' places and of the
+  /// field's rounding.
   [[nodiscard]] std::vector<InnerStresses> at(const std::vector<InnerPlace>& places) {
     std::vector<InnerStresses> result(places.size());
     const bool many = places.size() > most_assessed;
@@ -60,11 +60,11 @@ class ContactField {
     return result;
   }
 
-  /// sigma_y of a face.
+  /// sigma_y on a face.
   [[nodiscard]] Estimate along_face(double alpha) { return at({InnerPlace{alpha, 1}}).front().along; }
 
-  /// By a grid that is as fine as the contact is short, and finer at its ends, then by smaller and smaller steps around its best place; y is
-  /// counted as in the places, `symmetric` contacts are looked at for y >= 0 only.
+  /// The largest shear by a grid that scales with the contact and is finer at its ends, then by ever smaller steps
+  /// around the best place. `symmetric`: only y >= 0 is searched.
   [[nodiscard]] GreatestShear greatest(bool symmetric) {
     const FieldOfContact& field = of(ladder_.last());
     const auto shear_at = [&](const InnerPlace& place) {
@@ -81,7 +81,7 @@ class ContactField {
       best = place;
       return true;
     };
-    // Denser at the ends, beside which full friction may have its largest shear.
+    // The grid is denser at the ends, beside which full friction may cause the largest shear.
     constexpr int steps = 24;
     for (int i = symmetric ? 0 : -steps; i <= steps; ++i) {
       const double alpha = half_length * std::sin(std::numbers::pi / 2 * i / steps);
@@ -100,13 +100,13 @@ class ContactField {
     }
     const InnerPlace place{best.alpha + field.middle, best.depth};
     const Estimate value = at({place}).front().maximum_shear();
-    // Flat as a parabola about the maximum, over the contact's or the sheet's length.
+    // About its maximum the shear is a parabola on the scale of the contact or of the sheet.
     const double unsure = smooth_about(best) * (1e-7 + 4 * std::sqrt(value.error / value.value));
     return {value, {place.alpha, unsure}, {place.depth, unsure}};
   }
 
  private:
-  /// So many places are assessed each for itself.
+  /// Up to so many places each get their own error.
   static constexpr std::size_t most_assessed = 48;
 
   [[nodiscard]] const FieldOfContact& of(const Contact& contact) {
@@ -114,21 +114,21 @@ class ContactField {
     return found != fields_.end() ? found->second
                                   : fields_.emplace(&contact, field_of_(contact)).first->second;
   }
-  /// As far from the nearer end as the place is in the last solution.
+  /// The place that is as far from the nearer end of `other` as the given one is from that of the last solution.
   [[nodiscard]] InnerPlace seen_in(const FieldOfContact& other, const InnerPlace& place) {
     const FieldOfContact& last = of(ladder_.last());
     const double from_middle = place.alpha - last.middle;
     const double longer = other.half_length - last.half_length;
     return {from_middle + std::copysign(longer, from_middle), place.depth};
   }
-  /// A bound on the stresses' size about the place: that of the contact's load as far away.
+  /// A bound on the size of the stresses at the place: that of the contact's whole load at its distance.
   [[nodiscard]] double size_at(const InnerPlace& place) {
     const FieldOfContact& last = of(ladder_.last());
     const double outside = std::max(0.0, std::fabs(place.alpha - last.middle) - last.half_length);
     const double away = std::hypot(outside, 1 - std::fabs(place.depth));
     return peak_ * std::min(1.0, last.half_length / away);
   }
-  /// Besides what the ladder says: tractions end like roots.
+  /// The error beside the ladder's. An end that moves changes tractions like the slope of a square root.
   [[nodiscard]] double uncertainty_at(const InnerPlace& place, bool of_many) {
     const FieldOfContact& last = of(ladder_.last());
     const double beside = std::fabs(std::fabs(place.alpha - last.middle) - last.half_length);
@@ -138,7 +138,7 @@ class ContactField {
     return peak_ * unsure * of_end +
            (last.field.rounding(of_many) + uncertainty_.of_tractions(away)) * size_at(place);
   }
-  /// The place itself and, near a face, two beside it: there levels that agree by chance do not.
+  /// The place and, near a face, two beside it, because levels that agree at one place by chance differ beside it.
   [[nodiscard]] std::vector<InnerPlace> judged_at(const InnerPlace& place) {
     const FieldOfContact& last = of(ladder_.last());
     const double from_middle = place.alpha - last.middle,
@@ -148,7 +148,7 @@ class ContactField {
     const double step = std::copysign(0.2 * before_end, from_middle);
     return {place, {place.alpha + step, place.depth}, {place.alpha - step, place.depth}};
   }
-  /// The largest that the ladder gives for a stress there, `stresses` those of a field.
+  /// The largest error of a stress that the ladder gives there; `stresses`: of a field at a place.
   template <class Stresses>
   [[nodiscard]] double ladder_error(const InnerPlace& place, const Stresses& stresses) {
     std::map<const Contact*, SheetStresses> known;
@@ -179,8 +179,8 @@ class ContactField {
     }
     return errors;
   }
-  /// Of many places those that are alike share the larger of what the ladder gives for two of them, on either side of
-  /// the contact, as part of the stresses' size.
+  /// Of many places those of one kind share an error relative to the stresses' size: the larger that the ladder gives
+  /// for two of them, one on either side of the contact.
   [[nodiscard]] std::vector<double> errors_by_kind(const std::vector<InnerPlace>& places) {
     std::map<std::array<int, 2>, std::vector<const InnerPlace*>> kinds;
     for (const InnerPlace& place : places) kinds[kind_of(place)].push_back(&place);
@@ -198,7 +198,7 @@ class ContactField {
       errors.push_back(std::max(2 * largest[kind_of(place)] * size_at(place), uncertainty_at(place, true)));
     return errors;
   }
-  /// By how far away from a face and from the ends places are.
+  /// Places of one kind have about the same distances from a face and from an end.
   [[nodiscard]] std::array<int, 2> kind_of(const InnerPlace& place) {
     const FieldOfContact& last = of(ladder_.last());
     const double from_middle = place.alpha - last.middle, beyond = std::fabs(from_middle) - last.half_length;

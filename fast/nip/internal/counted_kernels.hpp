@@ -7,7 +7,7 @@
 
 namespace nipref::fast {
 
-/// The sheet kernels as a contact solver takes them: in batches, counted.
+/// The sheet kernels in batches, with their evaluations counted.
 class CountedKernels {
  public:
   /// Counts into `work`, which outlives this.

@@ -5,7 +5,7 @@
 
 namespace nipref::fast {
 
-/// The shape of a nip: all that the domain and the units of its contact depend on beside the material.
+/// The shape of a nip: with the material, what the domain and the units of its contact depend on.
 struct NipShape {
   double roller_radius;
   double sheet_thickness;
@@ -25,13 +25,13 @@ struct ContactUnits {
   double creep;
 };
 
-/// Of a tangential displacement, relative to what its parts are over the contact: they may cancel, and near the place
-/// that it is counted from it is a small difference of integrals of that size.
+/// Rounding of a tangential displacement, relative to the size of its parts over the contact. The parts may cancel, and
+/// near the reference place the displacement is a small difference of integrals of that size.
 inline constexpr double difference_rounding = 0x1p-48;
 
-/// What is left at a distance (half-thicknesses) of the normal displacement that acts up to there: I1 and I3 fade by
-/// 2.1 a half-thickness (the zero of sinh 2z + 2z next to 0), what a memory leaves behind by its rate if that is less.
-/// 1 at negative distances.
+/// The factor by which a normal displacement has decayed at a distance (half-thicknesses) from the contact; 1 at
+/// negative distances. I1 and I3 decay with the exponent 2.1 (the zero of sinh 2z + 2z next to 0), the trace of a
+/// memory with its rate if that is less.
 double faded(double distance, double rate = 2);
 
 /// `estimate` in a unit; never -0.

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Secants that need more have lost their way; a wrong exponent that is kept may need five lengths a digit.
+/// Secants that need more steps do not converge; a wrong fixed exponent may need five steps a digit.
 constexpr int most_by_secant = 40, most_by_one_exponent = 200;
-/// Creep that sets in over a decade of lengths takes one from the 2 of a half-space.
+/// A memory that softens the sheet over a decade of lengths takes one from the 2 of a half-space.
 constexpr double least_exponent = 1;
-/// Of ln(load): by less the load may be off because its contact was laid out for another length.
+/// Of ln(load): the load may be wrong by less because the contact was laid out for another length.
 constexpr double telling_excess = 0.1;
 
 }  // namespace
@@ -50,8 +50,8 @@ bool LengthSearch::settled(double found) {
   return false;
 }
 
-/// A secant that does not halve the excess is at rounding; steps of another exponent may be slower, but none
-/// goes back.
+/// Rounding is reached when a secant does not halve the excess. A step with another exponent may gain less, but it must
+/// not make the excess larger.
 bool LengthSearch::at_rounding(double excess) const {
   return tried_ > 4 && residual_ < 1e-6 &&
          std::fabs(excess) >= (by_secant_ ? 0.5 : 1) * std::fabs(last_excess_);
@@ -71,7 +71,7 @@ void LengthSearch::step(double excess) {
   move_to(log_length_ - excess / exponent_);
 }
 
-/// Not where the search has been and found too much or too little.
+/// A step out of the bracket is replaced by bisection.
 void LengthSearch::move_to(double log_length) {
   const bool outside = log_length <= log_too_short_ || log_length >= log_too_long_;
   const bool enclosed = std::isfinite(log_too_short_) && std::isfinite(log_too_long_);

@@ -7,41 +7,40 @@ namespace nipref::fast {
 /// (HalfContact): between half-space and independent springs.
 double half_length_guess(double load);
 
-/// Half lengths beyond it, in half-thicknesses, are not sought: nobody is given them, see
-/// check_length_of_load.
+/// The longest half length that is tried, in half-thicknesses: check_length_of_load refuses longer ones.
 inline constexpr double longest_sought = 2e4;
 
 /// Where a LengthSearch ends and how it steps.
 struct LengthSearchRule {
   double tolerance;                                          ///< of the load, relative
   double longest = std::numeric_limits<double>::infinity();  ///< nothing beyond is tried
-  /// Keeps to the exponent it starts with; otherwise the last two loads found say what it is.
+  /// Keeps the exponent it starts with; otherwise the last two loads found determine it.
   bool fixed_exponent = false;
 };
 
-/// Search for the contact length, in any unit, that carries a load: ln(load) as a function of ln(length) is
-/// nearly straight, so each step goes to where a straight line meets the load, the first by (thesis 2.13), the
-/// others by secants; one that leads back to where the load was too great or too small is halved in between.
+/// The search for the contact length, in any unit, that carries a load. ln(load) is nearly a linear function of
+/// ln(length), so each step goes to where a straight line meets the load: the first by (thesis 2.13), the others by
+/// secants. A step that leaves the bracket of lengths known to be too short and too long is replaced by bisection.
 class LengthSearch {
  public:
   /// The exponent of the load's growth with the length is 2 for a half-space, 3 for springs and 5 for an
   /// incompressible film without slip.
   static constexpr double usual_exponent = 3;
 
-  /// `near`, > 0: the first length tried. `exponent`: what is known of it.
+  /// `near`, > 0: the first length tried. `exponent`: a guess.
   LengthSearch(double load, double near, const LengthSearchRule& rule, double exponent = usual_exponent);
 
-  /// To be tried.
+  /// The length to be tried next.
   [[nodiscard]] double length() const;
-  /// Takes the load found at length(): true if the search ends there, otherwise length() has moved. What is
-  /// no load (0, tension, nan) is taken as lost in a contact that is too long.
+  /// Takes the load found at length(): true if the search ends there, otherwise length() has moved. A load that is not
+  /// positive (0, tension, nan) counts as that of a contact that is too long.
   bool settled(double found);
 
   /// At the last length: the load is found within the tolerance, or as well as rounding allows.
   [[nodiscard]] bool met() const { return met_; }
   /// |load found/load - 1| at the last length; infinite where none was found.
   [[nodiscard]] double residual() const { return residual_; }
-  /// The exponent as the last steps showed it.
+  /// The exponent that the last steps showed.
   [[nodiscard]] double exponent() const { return exponent_; }
 
  private:
@@ -53,8 +52,8 @@ class LengthSearch {
   LengthSearchRule rule_;
   double log_length_;
   double exponent_;
-  bool by_secant_ = false;  ///< the last step's exponent was the secant's own
-  /// The last found to carry too little, and too much or nothing any more.
+  bool by_secant_ = false;  ///< the last step's exponent was that of the secant
+  /// The bracket: the last lengths that carried too little, and too much or nothing.
   double log_too_short_ = -std::numeric_limits<double>::infinity();
   double log_too_long_ = std::numeric_limits<double>::infinity();
   double last_log_length_ = 0;
@@ -64,7 +63,7 @@ class LengthSearch {
   bool met_ = false;
 };
 
-/// The solution at the length where `search` ends; solve(length) gives solutions with a load.
+/// The solution at the length where `search` ends; solve(length) returns a solution with a load.
 template <class Solve>
 auto solution_at_end(LengthSearch& search, const Solve& solve) {
   while (true) {

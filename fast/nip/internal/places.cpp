@@ -12,7 +12,7 @@ namespace {
 
 bool is_sure(const Estimate& number) { return std::fabs(number.value) > number.error; }
 
-/// How far from `place` f is larger than `error` on both sides.
+/// The distance from `place` at which f exceeds `error` on both sides.
 double unsure_distance(const std::function<double(double)>& f, double place, double error, double most) {
   double distance = 0x1p-52 * std::max(std::fabs(place), most);
   while (distance < most &&
@@ -23,7 +23,8 @@ double unsure_distance(const std::function<double(double)>& f, double place, dou
 
 }  // namespace
 
-/// sum_k a_k T_k'(0), a_k = (2/n) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2); odd, so that pairs do.
+/// f'(0) = sum_k a_k T_k'(0) with a_k = (2/n) sum_j f_j cos(k theta_j) and T_k'(0) = k sin(k pi/2). The weights are odd
+/// in the place, so that one weight serves a pair of nodes.
 LocalSlope::LocalSlope(int points) {
   for (int j = 0; j < points / 2; ++j) {
     const double theta = (2.0 * j + 1) * std::numbers::pi / (2 * points);
@@ -68,7 +69,7 @@ Estimate place_of_maximum(const std::function<double(double)>& f, const PlaceFun
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
     if (values[i] < worth_refining || values[i] < values[i - 1] || values[i] <= values[i + 1]) continue;
     const double a = places[i - 1], b = places[i + 1];
-    // Where the slopes do not tell, the function is too rough for its place to be known.
+    // Where the slopes do not have these signs, the function is too rough for the place to be known.
     const bool is_clear = slope.value(a) > 0 && slope.value(b) < 0;
     maxima.push_back(is_clear ? place_of_zero(slope, a, b, most) : Estimate{places[i], most});
   }

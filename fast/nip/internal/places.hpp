@@ -6,10 +6,11 @@
 
 namespace nipref::fast {
 
-// Where a traction of a solved contact is largest or changes its sign. Places are dimensionless and of any origin.
+// The places where a traction of a solved contact is largest or changes its sign. Places are dimensionless; their
+// origin does not matter.
 
-/// f'(x) by the polynomial through `points` places, an even number, within `reach` around x: of polynomials of a lower
-/// degree, and by 16 points of what is analytic well beyond `reach`.
+/// f'(x) by the polynomial through an even number of `points` within `reach` of x. It is exact for polynomials of a
+/// lower degree; 16 points give double accuracy for functions that are analytic well beyond `reach`.
 class LocalSlope {
  public:
   explicit LocalSlope(int points = 16);
@@ -22,23 +23,23 @@ class LocalSlope {
   std::vector<Node> nodes_;  ///< ahead of x; those behind are their mirror images
 };
 
-/// A number at a place of the last solution, and the same with an estimate of its error.
+/// A function of the place on the last solution, without and with an estimate of its error.
 struct PlaceFunction {
   std::function<double(double)> value;
   std::function<Estimate(double)> estimate;
 };
 
-/// The zero of `f` between a < b, where it has different signs. What f may be off by at its zero moves it: the error is
-/// how far from it f is larger than that, on both sides, `most` at the utmost.
+/// The zero of `f` between a < b, where f has different signs. Its error is the distance beyond which f exceeds its own
+/// error at the zero on both sides, but at most `most`.
 Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most);
 
-/// A zero for every change of sign from one of `places` to the next, both rising, of those where f is larger than its
-/// error: no change that is not sure, and one for several between two places.
+/// A zero for each change of sign between successive ones of the rising `places`. Places where f does not exceed its
+/// error are left out, so that every zero is sure; several zeros between two places count as one.
 std::vector<Estimate> places_of_sure_zeros(const PlaceFunction& f, const std::vector<double>& places);
 
-/// Where f >= 0 has its largest value within `places`, rising, by the zero of `slope` of f next to the largest of them.
-/// Where another maximum may be the larger one, as `difference` of two places tells, the error reaches to that as well:
-/// then the place is not known.
+/// The place where f >= 0 is largest within the rising `places`: the zero of its `slope` next to the place with the
+/// largest value. If another maximum may be larger, judged by `difference` of f at two places, the error reaches to
+/// that one too.
 Estimate place_of_maximum(const std::function<double(double)>& f, const PlaceFunction& slope,
                           const std::function<Estimate(double, double)>& difference,
                           const std::vector<double>& places);

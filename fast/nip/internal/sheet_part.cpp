@@ -15,12 +15,13 @@ using internal::AlongWaves;
 using internal::FarLoads;
 using internal::FieldSeries;
 
-/// Where a load counts as far: its residues need near_load_end, a cell's series 3 from the centre.
+/// Distances from which on a load counts as far: sums over residues need near_load_end, the series of a cell needs 3
+/// from the centre.
 constexpr double nearest_far = 1.5, nearest_far_of_cell = 2.5;
 static_assert(nearest_far >= internal::near_load_end);
 
-/// Nodes of a block and their distances from that end of it that is nearer to the contact's, as shares of its length:
-/// e = w x^4 at the end, which takes the sting out of any exponent there.
+/// Nodes of a block, by their distance from that end of the block that is nearer to the contact's end, over the block's
+/// length. The substitution e = w x^4 at the contact's end smooths any exponent there.
 GaussRule rule_at_end() {
   GaussRule rule = gauss_legendre(24);
   for (std::size_t j = 0; j < rule.at.size(); ++j) {
@@ -42,7 +43,7 @@ FarLoads no_loads() {
   return none;
 }
 
-/// As seen from further away.
+/// The coefficients for places that are further away.
 FarLoads seen_from(const FarLoads& loads, const AlongWaves& further) {
   FarLoads seen = no_loads();
   seen.pressure.count = seen.shear.count = further.count;
@@ -54,7 +55,7 @@ FarLoads seen_from(const FarLoads& loads, const AlongWaves& further) {
   return seen;
 }
 
-/// Of a block's nodes to its ends.
+/// The residues' waves from a block's nodes to its ends.
 struct WavesToEnds {
   std::vector<AlongWaves> outer, inner;
   AlongWaves across;
@@ -117,7 +118,7 @@ void SheetPart::add_nodes(std::size_t block, const FaceTractions& traction) {
   }
 }
 
-/// Blocks from the left, the nodes of each in the order of its rule.
+/// The blocks are in order from the left, the nodes of each in the order of its rule.
 void SheetPart::mirror() {
   std::vector<Node> left;
   for (std::size_t block = blocks_.count(); block > blocks_.of_side(); --block) {
@@ -142,7 +143,7 @@ std::span<const SheetPart::Node> SheetPart::nodes_of(const ContactBlocks::Range&
 void SheetPart::sum_far() {
   const WavesToEnds at_end(rule_of(true), blocks_.graded()), inside(rule_of(false), blocks_.inner());
   const std::size_t count = blocks_.count();
-  // With a block more.
+  // The coefficients with one more block.
   const auto joined = [&](const FarLoads& before, std::size_t block, bool seen_from_right) {
     const bool is_end = block == 0 || block + 1 == count;
     const WavesToEnds& waves = is_end ? at_end : inside;
@@ -191,7 +192,8 @@ SheetStresses SheetPart::at(double alpha, double depth) const {
   return sum;
 }
 
-/// Blocks between the ends are alike, whatever cell they are seen from: a cell has as many as fit.
+/// A cell is as long as the largest number of inner blocks that fit into a half-thickness, so that the series of a
+/// block depends only on its distance from the cell.
 SheetPartInCells::SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks)
     : part_(part), blocks_(blocks) {
   if (blocks.inner() == 0) return;

@@ -18,12 +18,12 @@ struct FaceTraction {
   double pressure, shear;
 };
 
-/// The traction at the distance e >= 0 from the right or the left end of a contact; continuous, 0 at the ends, analytic
-/// between but for the ends.
+/// The traction at the distance e >= 0 from the right or the left end of a contact: continuous, 0 at the ends and
+/// analytic between them.
 using FaceTractions = std::function<FaceTraction(bool right, double e)>;
 
-/// What a place sees as near or as far, whole: a contact's two graded ends, a half-thickness long or half of the contact
-/// if that is less, and between them parts of one length, numbered along the sheet.
+/// The parts of a contact that count as a whole as near to a place or far from it, numbered along the sheet: two graded
+/// ends, one half-thickness long or half the contact if that is less, and between them blocks of equal length.
 class ContactBlocks {
  public:
   struct Range {
@@ -34,14 +34,14 @@ class ContactBlocks {
 
   [[nodiscard]] double half_length() const { return half_length_; }
   [[nodiscard]] double graded() const { return graded_; }  ///< length of the first and of the last
-  [[nodiscard]] double inner() const { return inner_; }    ///< of those between
+  [[nodiscard]] double inner() const { return inner_; }    ///< length of the others
   [[nodiscard]] std::size_t of_side() const { return of_side_; }
   [[nodiscard]] std::size_t count() const { return 2 * of_side_; }
   [[nodiscard]] double left_end(std::size_t block) const;
   [[nodiscard]] double length(std::size_t block) const {
     return block == 0 || block + 1 == count() ? graded_ : inner_;
   }
-  /// Those that are nearer than `reach` to what is between two alphas.
+  /// The blocks that are nearer than `reach` to the interval from left to right.
   [[nodiscard]] Range near(double left, double right, double reach) const;
 
  private:
@@ -49,9 +49,9 @@ class ContactBlocks {
   std::size_t of_side_;
 };
 
-/// What the sheet adds to the stresses of both half-planes that are loaded by the near blocks of tractions, and the whole
-/// of what the far ones make: analytic up to a distance of 2, from some ten nodes a half-thickness; what is far as one,
-/// by what it has of each residue. Dimensionless, in the tractions' unit.
+/// The stresses of the sheet less those of both half-planes under the near blocks of tractions, and the whole stresses
+/// under the far blocks; dimensionless, in the tractions' unit. The first are analytic within a distance of 2 and need
+/// some ten nodes a half-thickness; the second are sums over residues, whose coefficients add up over all far blocks.
 class SheetPart {
  public:
   /// `symmetric`: the pressure is even about the middle and the shear odd.
@@ -62,12 +62,11 @@ class SheetPart {
     double alpha, pressure, shear;
   };
 
-  /// What it sees as near at one alpha.
+  /// The blocks that are near to alpha.
   [[nodiscard]] ContactBlocks::Range near(double alpha) const;
-  /// There at one depth.
   [[nodiscard]] SheetStresses at(double alpha, double depth) const;
   [[nodiscard]] std::span<const Node> nodes_of(const ContactBlocks::Range& blocks) const;
-  /// What is beyond `near`, as seen from alpha.
+  /// The residues' coefficients of the loads beyond `near`, for places about alpha.
   [[nodiscard]] std::optional<internal::FarLoads> to_the_left(const ContactBlocks::Range& near,
                                                               double alpha) const;
   [[nodiscard]] std::optional<internal::FarLoads> to_the_right(const ContactBlocks::Range& near,
@@ -75,31 +74,33 @@ class SheetPart {
 
  private:
   void add_nodes(std::size_t block, const FaceTractions& traction);
-  void mirror();  ///< the right half's nodes to the left
+  void mirror();  ///< makes the left half's nodes from the right half's
   void sum_far();
 
   ContactBlocks blocks_;
   std::vector<Node> nodes_;
-  /// Of all blocks to the left or to the right of where a block begins, as seen from there.
+  /// Coefficients of all blocks to the left or to the right of the beginning of a block, for places about that
+  /// beginning.
   std::vector<internal::FarLoads> to_the_left_, to_the_right_;
 };
 
-/// The same at many places: cells along the sheet, laid out as the blocks are, in each of which it is a power series.
+/// The same at many places: a power series in each of the cells along the sheet, which are laid out like the blocks.
 class SheetPartInCells {
  public:
   /// `blocks` as for the part.
   SheetPartInCells(const SheetPart& part, const ContactBlocks& blocks);
 
-  /// None far beyond the contact.
+  /// Nothing for a place far beyond the contact.
   [[nodiscard]] std::optional<long> cell_of(double alpha) const;
   [[nodiscard]] double centre(long cell) const { return length_ * (static_cast<double>(cell) + 0.5); }
-  /// What counts as near, seen from there.
+  /// The blocks that are near to a cell.
   [[nodiscard]] ContactBlocks::Range near(long cell) const;
-  /// About its centre.
+  /// The power series about the centre of a cell.
   [[nodiscard]] internal::StressSeries series(long cell);
 
  private:
-  /// Which side's block, an end's or not, and how many blocks away: series of a load at each of its nodes.
+  /// Whether the block is at an end, its side, and its distance in blocks. The series are those of a unit load at each
+  /// of the block's nodes.
   using Key = std::tuple<bool, bool, long>;
   [[nodiscard]] const std::vector<internal::FieldSeries>& by_nodes(std::size_t block, long cell);
 

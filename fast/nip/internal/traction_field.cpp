@@ -14,7 +14,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr int halvings = 72, graded_panels = halvings + 1;
-/// Right ends of the panels of one side: doubling from the contact's end, then the blocks up to the middle.
+/// The right ends of the panels of one side: they double from the contact's end and then follow the blocks to the
+/// middle.
 std::vector<double> panel_ends(const ContactBlocks& blocks) {
   std::vector<double> ends;
   for (int k = halvings; k >= 0; --k) ends.push_back(std::ldexp(blocks.graded(), -k));
@@ -34,8 +35,8 @@ void legendre(double t, std::span<double> values) {
   }
 }
 
-/// Q_0 .. Q_(order-1) at z in the upper half-plane or on the axis as seen from there, off +-1: forwards where they do not
-/// fall much, otherwise backwards from where they have fallen.
+/// Q_0 .. Q_(order-1) at z in the upper half-plane or, as limits from there, on the axis but for +-1. The recurrence
+/// runs forwards where the values fall little with the order, otherwise backwards.
 template <std::size_t order>
 std::array<std::complex<double>, order> second_kind(std::complex<double> z, std::complex<double> z_plus_1,
                                                     std::complex<double> z_minus_1) {
@@ -67,7 +68,7 @@ std::array<std::complex<double>, order> second_kind(std::complex<double> z, std:
   return q;
 }
 
-/// From so many places on it pays to prepare for what cells have in common.
+/// From this number of places on the preparation of cells pays.
 constexpr std::size_t many_places = 600;
 
 }  // namespace
@@ -153,7 +154,7 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
   std::size_t first = begin;
   while (begin == 0 && first < end_panel && side.panels[first].right <= reach) ++first;
   if (first > begin) {
-    // Sum of moments over powers of the distance from the end.
+    // The multipole expansion about the end.
     const double end = side.panels[first - 1].right;
     const Moments& moments = side.moments[first - 1];
     const Complex inverse = 1.0 / from_end, ratio = turn * end * inverse;
@@ -169,7 +170,7 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
   for (std::size_t i = first; i < end_panel; ++i) {
     const Panel& panel = side.panels[i];
     const double half = panel.width / 2;
-    // From both of its ends, as its neighbours see them too.
+    // The distance from a panel's end, the same number for both panels that share it.
     const auto from_break = [&](double e) {
       return e == half_length ? Complex(alpha, distance) : from_end - turn * e;
     };
@@ -194,7 +195,7 @@ void TractionField::add_side(bool right, const ContactBlocks::Range& near, doubl
       sum.shear_slope += Complex(real[3], imag[3]) / half;
       continue;
     }
-    // At a panel's end its logarithm and its neighbour's cancel.
+    // At the common end of two panels their logarithms cancel.
     constexpr double beside_break = 1e-40;
     Complex from_left = from_break(right ? panel.right : panel.left);
     Complex from_right = from_break(right ? panel.left : panel.right);

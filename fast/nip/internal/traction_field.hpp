@@ -18,11 +18,12 @@ struct InnerPlace {
 /// The stresses inside the sheet under the same tractions on both faces between -half_length and half_length, in the
 /// tractions' unit.
 ///
-/// The half-planes' fields of both faces are Cauchy integrals of the tractions and their derivatives. For these the
-/// tractions are Legendre series on panels that halve towards both ends, down to 2^-72 of a half-thickness or of the
-/// contact, whatever their exponents there: panels beside a place by Legendre functions of the second kind, also on the
-/// faces, others by Gauss's rule, what crowds at the ends and is far by moments. What the sheet adds, and what is far as a
-/// whole, is SheetPart's; of many places, by cells.
+/// The fields of the half-planes behind both faces are Cauchy integrals of the tractions and the derivatives of these
+/// integrals. The tractions are Legendre series on panels that halve towards both ends, down to 2^-72 of a
+/// half-thickness or of the contact, which resolves any exponent at the ends. A panel beside the place is integrated by
+/// Legendre functions of the second kind, which hold on the faces too; other panels by Gauss's rule; distant panels at
+/// an end together, by moments. SheetPart adds what the sheet adds to the half-planes and the whole field of distant
+/// tractions; for many places it does so by cells.
 class TractionField {
  public:
   /// `symmetric`: the pressure is even about the middle and the shear odd.
@@ -31,8 +32,9 @@ class TractionField {
   [[nodiscard]] SheetStresses at(const InnerPlace& place) const;
   /// The same at many places.
   [[nodiscard]] std::vector<SheetStresses> at(std::span<const InnerPlace> places) const;
-  /// Of one place or of many, over the largest traction: an estimate, larger than what was found at random places of
-  /// contacts of all lengths. Sums of values of both signs round most, and what shears pull in sum along the contact.
+  /// An estimate of the rounding over the largest traction, for a single place or for one of many. It is larger than
+  /// what was found at random places of contacts of all lengths. Most rounding is that of sums of values of both signs
+  /// and of the sum of the shears along the contact.
   [[nodiscard]] double rounding(bool of_many) const {
     return 2e-15 + (of_many ? 1.2e-14 : 1e-15) * blocks_.graded() + 5e-16 * blocks_.half_length();
   }
@@ -41,13 +43,14 @@ class TractionField {
   static constexpr int order = 20, moment_count = 24;
   using Complex = std::complex<double>;
 
-  /// left <= e <= left + width on one side; t from -1 to 1 along the sheet.
+  /// left <= e <= left + width on one side; t runs from -1 to 1 along the sheet.
   struct Panel {
     double left, right, width;
     double t[order], pressure[order], shear[order];      ///< nodes, tractions times weights for t
     double pressure_series[order], shear_series[order];  ///< coefficients of Legendre polynomials
   };
-  /// Of all tractions up to the right of a panel, over powers of their distance from the end in units of that end.
+  /// Moments of all tractions from the contact's end to the right end of a panel, with powers of the distance from the
+  /// contact's end over that of the panel's right end.
   struct Moments {
     double pressure[moment_count], shear[moment_count];
   };
@@ -60,15 +63,16 @@ class TractionField {
     Complex pressure, pressure_slope, shear, shear_slope;
   };
   [[nodiscard]] Side make_side(bool right, const FaceTractions& traction) const;
-  void mirror();  ///< the right side to the left
+  void mirror();  ///< makes the left side from the right one
   void add_side(bool right, const ContactBlocks::Range& near, double alpha, double distance,
                 Cauchy& sum) const;
-  /// Of one side, counted from its end: begin and end.
+  /// The range of one side's panels, counted from its end, in the blocks.
   [[nodiscard]] std::pair<std::size_t, std::size_t> panels_of(bool right,
                                                               const ContactBlocks::Range& blocks) const;
   [[nodiscard]] SheetStresses half_planes(const ContactBlocks::Range& near, const InnerPlace& place) const;
 
-  /// The same stresses, at alpha >= 0 if the tractions are symmetric; whether shear changes its sign.
+  /// The place itself or, if the tractions are symmetric, its mirror image at alpha >= 0; and whether the shear stress
+  /// there has the opposite sign.
   [[nodiscard]] std::pair<InnerPlace, bool> folded(const InnerPlace& place) const {
     if (!symmetric_ || place.alpha >= 0) return {place, false};
     return {{-place.alpha, place.depth}, true};
