@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace nipref::data {
 /// Exponents of length, stress and time.
 struct Dimension {
   int length = 0, stress = 0, time = 0;
+
+  [[nodiscard]] std::string text() const;  ///< "length^2 stress"; "1" if all exponents are 0
 };
 
 /// The models and methods that have keys of their own.
@@ -30,6 +33,7 @@ enum class KeyOwner {
 /// A key of a scene's TOML file.
 struct SceneKey {
   std::string_view name;  ///< "TABLE.KEY", or "KEY" above all tables
+  std::string_view meaning;
   Dimension dimension = {};
   std::optional<SceneKind> kind = {};  ///< the scenes that have it; none: all
   std::vector<KeyOwner> owners = {};   ///< none: the key does not depend on models and methods

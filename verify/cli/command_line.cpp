@@ -15,9 +15,11 @@ namespace {
 
 using data::BadInput;
 
-/// `nipref help eval` and `nipref I1 alpha=0.73` mean `nipref eval --help` and `nipref eval I1 alpha=0.73`.
+/// `nipref help eval` means `nipref eval --help`, `nipref help scene` means `nipref list scene`, and `nipref I1 alpha=0.73`
+/// means `nipref eval I1 alpha=0.73`.
 std::vector<std::string> as_meant(std::vector<std::string> words) {
   if (words.empty()) return words;
+  if (words.size() == 2 && words.front() == "help" && words.back() == "scene") return {"list", "scene"};
   if (words.front() == "help") {
     words.erase(words.begin());
     words.insert(words.empty() ? words.end() : words.begin() + 1, "--help");

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <nipref/data/scene/keys.hpp>
+#include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
@@ -9,6 +11,8 @@
 
 namespace nipref::verify {
 namespace {
+
+constexpr std::string_view scene_group = "scene";
 
 Json argument_json(const Argument& argument) {
   return {{"name", argument.name}, {"domain", domain(argument)}, {"default", argument.default_text}};
@@ -57,22 +61,48 @@ std::string full_text(const Quantity& quantity) {
   return text;
 }
 
+/// What a scene may hold and what it can want.
+Json key_json(const data::SceneKey& key) {
+  return {{"name", key.name}, {"unit", key.dimension.text()}, {"meaning", key.meaning}};
+}
+Json result_json(const data::SceneResult& result) {
+  return {{"name", result.name}, {"unit", result.unit}, {"meaning", result.meaning}};
+}
+std::string scene_text() {
+  std::string text = "keys of a scene, in any consistent units\n";
+  for (const data::SceneKey& key : data::scene_keys())
+    text += fmt::format("  {} [{}]: {}\n", key.name, key.dimension.text(), key.meaning);
+  text += "results that a scene can want\n";
+  for (const data::SceneResult& result : data::scene_results())
+    text += fmt::format("  {} [{}]: {}\n", result.name, result.unit, result.meaning);
+  return text;
+}
+
 }  // namespace
 
 int list_verb(const CommandLine& line, std::ostream& out) {
-  const auto selected = selection(line, {}).quantities;
+  const Selection selected = selection(line, {scene_group});
+  const bool of_scenes = !line.words.empty() && selected.has(scene_group);
   if (line.json) {
-    const auto of_selected = json_list(selected, [](const Quantity* one) { return quantity_json(*one); });
-    out << answer_text("list", {{"quantities", of_selected}}, line.no_times);
+    Json answer{{"quantities",
+                 json_list(selected.quantities, [](const Quantity* one) { return quantity_json(*one); })}};
+    if (of_scenes) {
+      answer.set("keys", json_list(data::scene_keys(), key_json));
+      answer.set("results", json_list(data::scene_results(), result_json));
+    }
+    out << answer_text("list", answer, line.no_times);
     return 0;
   }
   const bool full = line.has("full") || !line.words.empty();
-  std::string text;
-  for (const Quantity* quantity : selected) text += full ? full_text(*quantity) : brief_text(*quantity);
-  out << folded(
-      text +
-      "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: "
-      "half thickness of the sheet\n");
+  std::string text = of_scenes ? scene_text() : "";
+  for (const Quantity* quantity : selected.quantities)
+    text += full ? full_text(*quantity) : brief_text(*quantity);
+  if (!selected.quantities.empty()) {
+    text +=
+        "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: "
+        "half thickness of the sheet\n";
+  }
+  out << folded(text);
   return 0;
 }
 

@@ -136,14 +136,15 @@ const OptionText json_flag{"json", "output for machines, errors too"};
 const OptionText no_times_flag{"no-times", "with --json: leave out what the clock decides"};
 
 const std::array all_verbs{
-    VerbText{"list",
-             list_verb,
-             "The quantities that can be computed, or all about those that are named.",
-             "quantity",
-             "names of quantities (default: all, in brief)",
-             {},
-             {full_flag, json_flag, no_times_flag},
-             {"nipref list", "nipref list I1 vs"}},
+    VerbText{
+        "list",
+        list_verb,
+        "The quantities that can be computed, or all about those that are named; the keys and results of scenes.",
+        "quantity",
+        "names of quantities (default: all, in brief), or 'scene' for the keys and results of scenes",
+        {},
+        {full_flag, json_flag, no_times_flag},
+        {"nipref list", "nipref list I1 vs", "nipref list scene"}},
     VerbText{
         "eval",
         eval_verb,

@@ -67,8 +67,8 @@ class Ladder {
     return Ladder(std::move(levels), near, load, accuracy);
   }
 
-  /// Solves the next level; false if that would not help or there is none. The constructor stops where the judged
-  /// numbers meet the accuracy; other numbers may need more levels.
+  /// Solves the next level; false if that would not help or there is none. The constructor stops where the accuracy
+  /// targets are met; other numbers may need more levels.
   bool refine() {
     const int level = static_cast<int>(solutions_.size());
     if (at_rounding_ || stagnant_levels_ == 2 || level == Levels::most) return false;

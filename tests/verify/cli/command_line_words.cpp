@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string>
 
+#include <nipref/data/scene/keys.hpp>
+#include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -67,6 +69,23 @@ TEST_CASE("an unknown quantity does not print all names") {
   CHECK(says(message, "nipref list"));
   CHECK_FALSE(says(message, "ti.span_ratio"));
   CHECK_FALSE(says(run("eval xyzzyxyzzy").err, "did you mean"));
+}
+
+TEST_CASE("command line: 'help scene' defines every key and every result of scenes") {
+  const Outcome text = run("help scene");
+  CHECK(text.status == 0);
+  const json answer = answer_to("list scene");
+  CHECK(answer.at("quantities").empty());
+  CHECK(answer.at("keys").size() == data::scene_keys().size());
+  CHECK(answer.at("results").size() == data::scene_results().size());
+  for (const auto* const list : {"keys", "results"}) {
+    for (const json& one : answer.at(list)) {
+      CAPTURE(one);
+      CHECK(says(text.out, "  " + one.at("name").get<std::string>() + " [" +
+                               one.at("unit").get<std::string>() + "]: "));
+      CHECK(!one.at("meaning").get<std::string>().empty());
+    }
+  }
 }
 
 TEST_CASE("list tells all about one quantity, and each quantity's own number of audit points") {
