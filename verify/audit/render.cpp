@@ -4,6 +4,7 @@
 #include <string>
 
 #include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/support/text.hpp>
 #include <nipref/verify/support/text_table.hpp>
 
@@ -33,23 +34,16 @@ std::string summary(const std::vector<AuditResult>& results) {
 
 std::string point_text(const Quantity& quantity, const Point& point) {
   std::string text;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    text += argument.kind == ArgumentKind::choice
-                ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
-                : fmt::format(" {}={:.6g} ({:a})", argument.name, point[i], point[i]);
-  }
+  const auto both = [](double x) { return fmt::format("{:.6g} ({:a})", x, x); };
+  for (const auto& [name, value] : written_point(quantity, point, both))
+    text += fmt::format(" {}={}", name, value);
   return text;
 }
 
 Json point_json(const Quantity& quantity, const Point& point) {
   Json arguments = Json::object();
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    arguments.set(argument.name, argument.kind == ArgumentKind::choice
-                                     ? std::string(argument.choice(point[i]))
-                                     : fmt::format("{:a}", point[i]));
-  }
+  const auto exact = [](double x) { return fmt::format("{:a}", x); };
+  for (const auto& [name, value] : written_point(quantity, point, exact)) arguments.set(name, value);
   return arguments;
 }
 

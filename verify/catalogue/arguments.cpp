@@ -36,6 +36,89 @@ ref::Exact parse(const Argument& argument, const std::string& text) {
   return ref::Exact(static_cast<double>(found - argument.choices.begin()));
 }
 
+const Argument* material_of(const Quantity& quantity) {
+  const auto found =
+      std::ranges::find_if(quantity.arguments, [](const Argument& one) { return !one.keys.empty(); });
+  return found == quantity.arguments.end() ? nullptr : &*found;
+}
+
+bool holds(const std::vector<ModelKey>& keys, const std::string& argument) {
+  return std::ranges::any_of(keys, [&](const ModelKey& key) {
+    return key.name == argument || std::ranges::find(key.arguments, argument) != key.arguments.end();
+  });
+}
+
+/// Whether it is written within the material, whatever the model.
+bool is_of_material(const Argument* material, const std::string& argument) {
+  return material != nullptr && std::ranges::any_of(material->keys, [&](const std::vector<ModelKey>& keys) {
+           return holds(keys, argument);
+         });
+}
+
+std::string without_blanks(std::string text) {
+  std::erase(text, ' ');
+  return text;
+}
+
+/// What stands between the commas of a text that are not within brackets.
+std::vector<std::string> items_of(const std::string& text) {
+  std::vector<std::string> items;
+  int depth = 0;
+  for (const char c : text) {
+    if (items.empty()) items.emplace_back();
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    if (c == ',' && depth == 0) {
+      items.emplace_back();
+    } else {
+      items.back() += c;
+    }
+  }
+  return items;
+}
+
+/// KEY=VALUE or KEY=[VALUE, ...] of a model, as pairs of the arguments that hold the values.
+void append_key(const std::vector<ModelKey>& keys, const std::string& item, const BadInput& not_so,
+                Assignments& all) {
+  const std::size_t equals = item.find('=');
+  const auto key = std::ranges::find(keys, item.substr(0, equals), &ModelKey::name);
+  if (equals == std::string::npos || key == keys.end()) throw not_so;
+  std::string value = item.substr(equals + 1);
+  const bool is_list = value.starts_with('[') && value.ends_with(']');
+  if (is_list != (key->arguments.size() > 1)) throw not_so;
+  if (is_list) value = value.substr(1, value.size() - 2);
+  const std::vector<std::string> values = is_list ? items_of(value) : std::vector{value};
+  if (values.empty() || values.size() > key->arguments.size())
+    throw BadInput(key->name, "[" + value + "]",
+                   fmt::format("must hold 1 to {} numbers", key->arguments.size()));
+  for (std::size_t i = 0; i < key->arguments.size(); ++i)
+    all.emplace_back(key->arguments[i], i < values.size() ? values[i] : "0");
+}
+
+void append_material(const Argument& material, const std::string& given, Assignments& all) {
+  const std::string text = without_blanks(given);
+  const std::size_t open = text.find('(');
+  const auto found = std::ranges::find(material.choices, text.substr(0, open));
+  if (found == material.choices.end()) throw BadInput(material.name, given, "must be " + domain(material));
+  all.emplace_back(material.name, *found);
+  if (open == std::string::npos) return;
+  const auto model = static_cast<std::size_t>(found - material.choices.begin());
+  const BadInput not_so(material.name, given,
+                        fmt::format("must be {}, each key at most once", written_model(material, model)));
+  if (!text.ends_with(')')) throw not_so;
+  for (const std::string& item : items_of(text.substr(open + 1, text.size() - open - 2)))
+    append_key(material.keys[model], item, not_so, all);
+}
+
+[[noreturn]] void refuse_outside_material(const Argument& material, const std::string& name,
+                                          const std::string& value) {
+  const auto model = std::ranges::find_if(
+      material.keys, [&](const std::vector<ModelKey>& keys) { return holds(keys, name); });
+  throw BadInput(
+      name, value,
+      fmt::format("is part of the material: {}={}", material.name,
+                  written_model(material, static_cast<std::size_t>(model - material.keys.begin()))));
+}
+
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
   const double value = std::strtod(text.c_str(), nullptr);
   if (!std::isfinite(value) || (value == 0 && exact.sign() != 0)) {
@@ -45,6 +128,73 @@ double nearest_double(const std::string& name, const std::string& text, const re
 }
 
 }  // namespace
+
+std::string written_model(const Argument& material, std::size_t model) {
+  std::vector<std::string> keys;
+  for (const ModelKey& key : material.keys[model])
+    keys.push_back(key.name + (key.arguments.size() > 1 ? "=[...]" : "=..."));
+  return fmt::format("{}({})", material.choices[model], fmt::join(keys, ", "));
+}
+
+std::vector<Argument> written_arguments(const Quantity& quantity) {
+  std::vector<Argument> written = quantity.arguments;
+  std::erase_if(written, [material = material_of(quantity)](const Argument& argument) {
+    return is_of_material(material, argument.name);
+  });
+  return written;
+}
+
+Assignments with_material_numbers(const Quantity& quantity, const Assignments& given) {
+  const Argument* const material = material_of(quantity);
+  Assignments all;
+  for (const auto& [name, value] : given) {
+    if (material != nullptr && name == material->name) {
+      append_material(*material, value, all);
+    } else if (is_of_material(material, name)) {
+      refuse_outside_material(*material, name, value);
+    } else {
+      all.emplace_back(name, value);
+    }
+  }
+  return all;
+}
+
+Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text) {
+  const Argument* const material = material_of(quantity);
+  const auto text_of_key = [&](const ModelKey& key) {
+    std::vector<std::string> values;
+    for (const std::string& name : key.arguments) {
+      const auto at = std::ranges::find(quantity.arguments, name, &Argument::name);
+      values.push_back(text[static_cast<std::size_t>(at - quantity.arguments.begin())]);
+    }
+    const std::string list = fmt::format("{}", fmt::join(values, ", "));
+    return key.name + (values.size() > 1 ? "=[" + list + "]" : "=" + list);
+  };
+  Assignments written;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    if (is_of_material(material, argument.name)) continue;
+    written.emplace_back(argument.name, text[i]);
+    if (&argument != material) continue;
+    const auto model = std::ranges::find(material->choices, text[i]) - material->choices.begin();
+    std::vector<std::string> keys;
+    for (const ModelKey& key : material->keys[static_cast<std::size_t>(model)])
+      keys.push_back(text_of_key(key));
+    written.back().second += fmt::format("({})", fmt::join(keys, ", "));
+  }
+  return written;
+}
+
+Assignments written_point(const Quantity& quantity, std::span<const double> point,
+                          const std::function<std::string(double)>& number) {
+  std::vector<std::string> text;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const Argument& argument = quantity.arguments[i];
+    text.push_back(argument.kind == ArgumentKind::choice ? std::string(argument.choice(point[i]))
+                                                         : number(point[i]));
+  }
+  return written_arguments(quantity, text);
+}
 
 void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments) {
   std::vector<std::string_view> known;

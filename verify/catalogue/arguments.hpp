@@ -1,5 +1,7 @@
 #pragma once
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,6 +12,24 @@ namespace nipref::verify {
 
 /// name=value pairs as they were given.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
+
+/// `given` as a user writes it, with material=MODEL(KEY=VALUE, KEY=[VALUE, ...]) replaced by the model and the arguments
+/// that hold its numbers; a list may be shorter than it can be, what it lacks is 0. BadInput for a text of another form,
+/// a key that the model does not have, and an argument of the material that stands outside of it.
+Assignments with_material_numbers(const Quantity& quantity, const Assignments& given);
+
+/// The text of each of the quantity's arguments as a user writes it: a material is one text with what its model has.
+Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text);
+
+/// The same of a point, whose numbers are written by `number`.
+Assignments written_point(const Quantity& quantity, std::span<const double> point,
+                          const std::function<std::string(double)>& number);
+
+/// The arguments that a user writes: without those that hold numbers of a material.
+std::vector<Argument> written_arguments(const Quantity& quantity);
+
+/// How the model of that number is written: MODEL(KEY=..., KEY=[...]).
+std::string written_model(const Argument& material, std::size_t model);
 
 /// A quantity's arguments, in its order: the text, the number that it is exactly, and the nearest double.
 struct ParsedArguments {

@@ -36,6 +36,12 @@ enum class ArgumentKind {
   choice             ///< one of a few: on the command line a name, in a Point its number
 };
 
+/// A key of a material's model, named as in a scene, and the arguments that hold its number or its list of numbers.
+struct ModelKey {
+  std::string name;
+  std::vector<std::string> arguments;
+};
+
 struct Argument {
   std::string name;
   ArgumentKind kind;
@@ -43,6 +49,8 @@ struct Argument {
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
   std::vector<std::string_view> choices = {};  ///< names of a choice, in the order of their numbers
+  /// Of a material, the keys of each choice: a user writes them with it, material=MODEL(KEY=VALUE, ...).
+  std::vector<std::vector<ModelKey>> keys = {};
 
   [[nodiscard]] std::string_view choice(double number) const {
     return choices[static_cast<std::size_t>(number)];

@@ -105,10 +105,11 @@ Range parse_range(const std::string& name, const std::string& text) {
 }
 
 Ranges parse_ranges(const Quantity& quantity, const Assignments& assignments) {
-  refuse_unknown_arguments(quantity, assignments);
+  const Assignments all = with_material_numbers(quantity, assignments);
+  refuse_unknown_arguments(quantity, all);
   Ranges ranges;
   for (const Argument& argument : quantity.arguments) {
-    const auto text = argument_text(argument, assignments);
+    const auto text = argument_text(argument, all);
     if (!text) {
       ranges.emplace_back();
     } else {

@@ -48,8 +48,7 @@ Json answer_json(const EvalAnswer& answer) {
 Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
              const std::vector<EvalAnswer>& answers) {
   Json given = Json::object();
-  for (std::size_t i = 0; i < arguments.text.size(); ++i)
-    given.set(request.quantity->arguments[i].name, arguments.text[i]);
+  for (const auto& [name, text] : written_arguments(*request.quantity, arguments.text)) given.set(name, text);
   const Scale scale = scale_of(request, arguments, answers.front());
   Json results = Json::object();
   for (const EvalAnswer& answer : answers) results.set(answer.path, answer_json(answer));
@@ -64,9 +63,8 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
 std::string answers_text(const EvalRequest& request, const ParsedArguments& arguments,
                          const std::vector<EvalAnswer>& answers) {
   std::string text = fmt::format("{} = {}\n", request.quantity->name, request.quantity->definition);
-  for (std::size_t i = 0; i < arguments.text.size(); ++i) {
-    text += fmt::format("  {} = {}\n", request.quantity->arguments[i].name, arguments.text[i]);
-  }
+  for (const auto& [name, given] : written_arguments(*request.quantity, arguments.text))
+    text += fmt::format("  {} = {}\n", name, given);
   for (const EvalAnswer& answer : answers) {
     text += fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
                         answer.seconds, answer.value);
@@ -87,10 +85,11 @@ std::string answers_text(const EvalRequest& request, const ParsedArguments& argu
 
 int eval_verb(const CommandLine& line, std::ostream& out) {
   const EvalRequest request = request_of(line);
-  if (std::ranges::any_of(line.assignments, [](const auto& given) { return is_swept(given.second); }))
+  const Assignments given = with_material_numbers(*request.quantity, line.assignments);
+  if (std::ranges::any_of(given, [](const auto& pair) { return is_swept(pair.second); }))
     return eval_sweep(request, line, out);
   refuse_option(line, "points", "has no effect without a range: must be left out");
-  const ParsedArguments arguments = parse_arguments(*request.quantity, line.assignments);
+  const ParsedArguments arguments = parse_arguments(*request.quantity, given);
   const std::vector<EvalAnswer> answers = answers_to(request, arguments);
   if (line.json) {
     out << answer_text("eval", to_json(request, arguments, answers), line.no_times);

@@ -4,14 +4,15 @@
 #include <utility>
 
 #include <nipref/verify/cli/eval_sweep.hpp>
+#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 
 namespace nipref::verify {
 namespace {
 
-std::vector<Axis> axes_of(const CommandLine& line) {
+std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
   std::vector<Axis> axes;
-  for (const auto& [name, text] : line.assignments) axes.push_back(axis_of(name, text, points_option(line)));
+  for (const auto& [name, text] : given) axes.push_back(axis_of(name, text, points_option(line)));
   return axes;
 }
 
@@ -50,8 +51,9 @@ SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
 
 int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream& out) {
   const Quantity& quantity = *request.quantity;
-  refuse_unknown_arguments(quantity, line.assignments);
-  const AxesProduct points(axes_of(line));
+  const Assignments all = with_material_numbers(quantity, line.assignments);
+  refuse_unknown_arguments(quantity, all);
+  const AxesProduct points(axes_of(line, all));
   const Sweep sweep{"eval_sweep",
                     points,
                     columns_of(request),

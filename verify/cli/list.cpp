@@ -2,6 +2,7 @@
 
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/options.hpp>
@@ -27,13 +28,13 @@ Json quantity_json(const Quantity& quantity) {
           {"scale", quantity.scale},
           {"promise_ulp", quantity.promise},
           {"audit_points", quantity.audit_points},
-          {"arguments", json_list(quantity.arguments, argument_json)},
+          {"arguments", json_list(written_arguments(quantity), argument_json)},
           {"seed_forms", json_list(quantity.seed_forms, form_json)}};
 }
 
 std::string arguments_text(const Quantity& quantity) {
   std::string text;
-  for (const Argument& argument : quantity.arguments) {
+  for (const Argument& argument : written_arguments(quantity)) {
     text += fmt::format(" {}={}", argument.name, argument.default_text.value_or(""));
   }
   return text.substr(1);
@@ -50,11 +51,13 @@ std::string full_text(const Quantity& quantity) {
       "that\n  audit: {} points unless told otherwise\n",
       quantity.name, quantity.definition, quantity.source, quantity.scale, quantity.promise,
       quantity.audit_points);
-  for (const Argument& argument : quantity.arguments) {
+  for (const Argument& argument : written_arguments(quantity)) {
     text +=
         fmt::format("  {} {}: {}\n", argument.name,
                     argument.default_text ? "= " + *argument.default_text + " if not given" : "must be given",
                     domain(argument));
+    for (std::size_t model = 0; model < argument.keys.size(); ++model)
+      text += fmt::format("    {}={}\n", argument.name, written_model(argument, model));
   }
   for (const SeedForm& form : quantity.seed_forms)
     text += fmt::format("  form={}: {}\n", form.name, form.differs);

@@ -153,7 +153,8 @@ const std::array all_verbs{
         "its name, and name=value for each of its arguments, as 'nipref list QUANTITY' says; decimal or "
         "hexadecimal numbers, taken exactly; lengths over the half-thickness, angles in degrees. name=a,b,c and "
         "name=lo..hi[:log|:linear|:bits] give all combinations, a row each, as CSV; whole numbers with a blank, "
-        "'1, 2', as 1,2 may be a decimal comma. The accuracy that was asked, 10^-digits of ref or rtol of fast, is "
+        "'1, 2', as 1,2 may be a decimal comma. A material is one argument with its numbers, "
+        "'material=prony(theta1_rates=[1, 0.1..10])'; what is left out has its default. The accuracy that was asked, 10^-digits of ref or rtol of fast, is "
         "met by an error of no more than that part of the scale; status 1 if it is missed",
         {path_option, digits_option, rtol_option, form_option, sweep_points_text},
         {quiet_flag, json_flag, no_times_flag},
@@ -234,7 +235,7 @@ const std::array all_verbs{
         "Largest error of fast against ref, by a search for the worst argument.",
         "quantity",
         "names of quantities, and name=lo..hi[:log|:linear|:bits] for arguments that are not to be drawn from their "
-        "whole domain; or contacts for hard cases of whole contacts and random scenes (default: all of it)",
+        "whole domain, also within a material, 'material=elastic(shear=1..2)'; or contacts for hard cases of whole contacts and random scenes (default: all of it)",
         {points_text, density_option, rtol_option, scenes_option, audit_seed_option, since_option, isa_option,
          out_option, shard_option},
         {changed_flag, quick_flag, thorough_flag, quiet_flag, json_flag, no_times_flag},

@@ -16,6 +16,7 @@ namespace {
 
 using data::BadInput;
 using data::CsvField;
+using data::TextPosition;
 
 constexpr std::string_view columns_of_a_row[] = {"value",  "bound",        "scale",
                                                  "status", "confirmed_by", "origin"};
@@ -30,7 +31,7 @@ std::vector<std::string> columns_of(const std::vector<Argument>& arguments) {
 /// The quantity's arguments that a file names: one that has a default may be younger than the file.
 std::vector<Argument> arguments_in(const Quantity& quantity, const std::vector<CsvField>& names) {
   std::vector<Argument> named;
-  for (const Argument& argument : quantity.arguments) {
+  for (const Argument& argument : written_arguments(quantity)) {
     if (!argument.default_text || std::ranges::find(names, argument.name, &CsvField::text) != names.end())
       named.push_back(argument);
   }
@@ -62,12 +63,16 @@ class Reader {
 
   [[nodiscard]] GoldenRow row(const std::vector<CsvField>& fields) const {
     GoldenRow row{};
-    std::size_t at = 0;
+    Assignments given;
+    for (std::size_t i = 0; i < named_.size(); ++i) given.emplace_back(named_[i].name, fields[i].text);
+    const Assignments all = numbers_of(given, fields);
     for (const Argument& argument : quantity_.arguments) {
-      const bool is_named = at < named_.size() && named_[at].name == argument.name;
+      const auto text = argument_text(argument, all);
+      const TextPosition position = fields[column_of(argument)].position;
       row.arguments.push_back(
-          argument_of(argument, is_named ? fields[at++] : CsvField{*argument.default_text, {}}));
+          argument_of(argument, {text.value_or(argument.default_text.value_or("")), position}));
     }
+    std::size_t at = named_.size();
     row.value = decimal(fields[at++]);
     row.bound = decimal(fields[at++]);
     if (row.bound.front() == '-') refuse(fields[at - 1], "a bound must not be negative");
@@ -86,6 +91,22 @@ class Reader {
   }
 
  private:
+  /// Of the argument itself, or of the material that holds it.
+  [[nodiscard]] std::size_t column_of(const Argument& argument) const {
+    auto column = std::ranges::find(named_, argument.name, &Argument::name);
+    if (column == named_.end()) column = std::ranges::find(named_, "material", &Argument::name);
+    return static_cast<std::size_t>(column - named_.begin());
+  }
+
+  [[nodiscard]] Assignments numbers_of(const Assignments& given, const std::vector<CsvField>& fields) const {
+    try {
+      return with_material_numbers(quantity_, given);
+    } catch (const BadInput& error) {
+      const auto column = std::ranges::find(named_, error.argument(), &Argument::name) - named_.begin();
+      refuse(fields[static_cast<std::size_t>(column)], error.allowed());
+    }
+  }
+
   [[nodiscard]] double argument_of(const Argument& argument, const CsvField& field) const {
     if (argument.kind != ArgumentKind::choice) return number(field);
     const auto found = std::ranges::find(argument.choices, field.text);
@@ -109,11 +130,6 @@ class Reader {
   const Quantity& quantity_;
   std::vector<Argument> named_;
 };
-
-std::string argument_text(const Argument& argument, double value) {
-  return argument.kind == ArgumentKind::choice ? std::string(argument.choice(value))
-                                               : fmt::format("{:a}", value);
-}
 
 /// Of a value that is 0 the text rounds nothing.
 std::string bound_text(const ref::Estimate& reference) {
@@ -167,12 +183,13 @@ GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Es
 std::string golden_text(const Quantity& quantity, const GoldenFile& file) {
   std::string text;
   for (const auto& [key, value] : file.header) text += fmt::format("# {}: {}\n", key, value);
-  const std::vector<std::string> columns = columns_of(quantity.arguments);
+  const std::vector<std::string> columns = columns_of(written_arguments(quantity));
   for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
   text += '\n';
+  const auto exact = [](double x) { return fmt::format("{:a}", x); };
   for (const GoldenRow& row : file.rows) {
-    for (std::size_t i = 0; i < row.arguments.size(); ++i)
-      text += argument_text(quantity.arguments[i], row.arguments[i]) + ",";
+    for (const auto& [name, value] : written_point(quantity, row.arguments, exact))
+      text += value.find(',') == std::string::npos ? value + "," : '"' + value + "\",";
     text += fmt::format("{},{},{},{},{},{}\n", row.value, row.bound, row.scale,
                         row.proven ? "proven" : "estimated", row.confirmed_by, row.origin);
   }

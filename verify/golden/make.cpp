@@ -10,6 +10,7 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/audit/internal/zeros.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
@@ -119,12 +120,9 @@ MadeRow made_row(const Quantity& quantity, const Candidate& candidate, int digit
 
 std::string decimal_example(const Quantity& quantity, const Point& point) {
   std::string text = "in the first row";
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    text += argument.kind == ArgumentKind::choice
-                ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
-                : fmt::format(" {}={}", argument.name, point[i]);
-  }
+  const auto decimal = [](double x) { return fmt::format("{}", x); };
+  for (const auto& [name, value] : written_point(quantity, point, decimal))
+    text += fmt::format(" {}={}", name, value);
   return text;
 }
 

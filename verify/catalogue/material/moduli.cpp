@@ -23,7 +23,7 @@ using MaterialArguments = std::span<const double>;
 constexpr double material_promise = 8, theta2_promise = 32;
 /// Springs and dashpots first, in the order of SpringModel's below.
 constexpr std::array<std::string_view, 7> models{
-    "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis"};
+    "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis-misprint"};
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
 constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
@@ -32,7 +32,7 @@ std::size_t model_number(double argument) { return static_cast<std::size_t>(argu
 SpringModel model_of(double argument) { return of_springs[model_number(argument)]; }
 bool is_of_springs(double argument) { return model_number(argument) < of_springs.size(); }
 
-// Arguments: t or omega, material, shear, shear_2, shear_viscosity, bulk, bulk_2, bulk_viscosity, tau, the series, the
+// Arguments: t or omega, material, shear, shear_2, shear_viscosity, bulk, bulk_2, bulk_viscosity, relaxation_time, the series, the
 // operators.
 constexpr std::size_t shear_at = 2, bulk_at = 5, tau_at = 8, prony_at = 9,
                       operators_at = prony_at + prony_arguments;
@@ -72,16 +72,20 @@ void append_modulus(std::vector<Argument>& arguments, const std::string& name, c
   arguments.push_back({name + "_viscosity", ArgumentKind::positive, spring, {}});
 }
 
-/// Whether the argument number `i` is read, of a spring or a dashpot only if the model has it.
-bool is_read(std::size_t model, std::size_t i) {
-  if (i < shear_at) return true;
-  if (i == tau_at) return model == thesis_model;
-  if (i >= operators_at) return model == operators_model;
-  if (i >= prony_at) return model == prony_model;
-  if (model == prony_model || model == operators_model) return false;
-  const std::size_t part = (i - shear_at) % 3;
-  if (part == 1) return model == 0;
-  return part == 0 || (model < of_springs.size() && of_springs[model] != SpringModel::elastic);
+/// What each of the models has, named as in a scene where scenes have the model.
+std::vector<std::vector<ModelKey>> keys_of_models() {
+  std::vector<ModelKey> standard =
+      keys_of_numbers({"shear", "shear_2", "shear_viscosity", "bulk", "bulk_2", "bulk_viscosity"});
+  standard[0].name = "shear_1";
+  standard[3].name = "bulk_1";
+  const auto damped = keys_of_numbers({"shear", "shear_viscosity", "bulk", "bulk_viscosity"});
+  return {std::move(standard),
+          damped,
+          damped,
+          keys_of_numbers({"shear", "bulk"}),
+          prony_keys(),
+          operator_keys(),
+          keys_of_numbers({"bulk", "shear", "relaxation_time"})};
 }
 
 /// Springs and times far apart or alike; `variable` is t, or 1/omega.
@@ -138,17 +142,21 @@ Quantity material_entry(std::string name, std::string definition, std::string so
   entry.scale = "the value";
   entry.promise = material_promise;
   const ArgumentKind kind = std::string_view(variable) == "t" ? ArgumentKind::time : ArgumentKind::rate;
-  entry.arguments = {
-      {variable, kind, {}, {}},
-      {"material", ArgumentKind::choice, "standard-linear-solid", {}, {models.begin(), models.end()}}};
+  entry.arguments = {{variable, kind, {}, {}},
+                     {"material",
+                      ArgumentKind::choice,
+                      "standard-linear-solid",
+                      {},
+                      {models.begin(), models.end()},
+                      keys_of_models()}};
   append_modulus(entry.arguments, "shear", "0.375");
   append_modulus(entry.arguments, "bulk", "1");
-  entry.arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
+  entry.arguments.push_back({"relaxation_time", ArgumentKind::positive, "1", {}});
   append_prony_arguments(entry.arguments);
   append_operator_arguments(entry.arguments);
   entry.draw = [arguments = entry.arguments](Random& random) {
     Point x = draw_material(random);
-    default_unread(x, arguments, [model = model_number(x[1])](std::size_t i) { return is_read(model, i); });
+    default_unread(x, arguments);
     return x;
   };
   if (kind == ArgumentKind::time) entry.keep_off = keep_remembered;

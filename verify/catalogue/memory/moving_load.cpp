@@ -31,7 +31,7 @@ constexpr auto remembered_size =
     "sum of the magnitudes of its kernels: at the point, and in the integrals of its memory, a rate that is rounded "
     "counting that rate times the time since";
 
-// The sheet's arguments: speed, half_thickness, material, bulk, tau, the series, the operators.
+// The sheet's arguments: speed, half_thickness, material, bulk, relaxation_time, the series, the operators.
 constexpr std::size_t bulk_in_sheet = 3, prony_in_sheet = 5,
                       operators_in_sheet = prony_in_sheet + prony_arguments,
                       sheet_arguments = operators_in_sheet + operator_arguments;
@@ -168,13 +168,15 @@ LoadPath steady(double alpha) { return {alpha, HUGE_VAL}; }
 void append_sheet(std::vector<Argument>& arguments) {
   arguments.push_back({"speed", ArgumentKind::positive, "1", {}});
   arguments.push_back({"half_thickness", ArgumentKind::positive, "1", {}});
+  const auto single = keys_of_numbers({"bulk", "relaxation_time"});
   arguments.push_back({"material",
                        ArgumentKind::choice,
                        "standard-linear-solid",
                        {},
-                       {"standard-linear-solid", "thesis", "prony", "operators"}});
+                       {"standard-linear-solid", "thesis-misprint", "prony", "operators"},
+                       {single, single, prony_keys(), operator_keys()}});
   arguments.push_back({"bulk", ArgumentKind::positive, "1", {}});
-  arguments.push_back({"tau", ArgumentKind::positive, "1", {}});
+  arguments.push_back({"relaxation_time", ArgumentKind::positive, "1", {}});
   append_prony_arguments(arguments);
   append_operator_arguments(arguments);
 }
@@ -186,13 +188,6 @@ const std::vector<Argument>& arguments_of_sheet() {
     return all;
   }();
   return arguments;
-}
-
-/// Whether the sheet's argument number `i` is read.
-bool sheet_reads(double material, std::size_t i) {
-  if (i < bulk_in_sheet) return true;
-  if (i < prony_in_sheet) return material == standard_linear_solid || material == thesis_solid;
-  return material == (i < operators_in_sheet ? prony_solid : solid_of_operators);
 }
 
 /// Makes theta2 a part of theta1 that creeps at least as much: what has such functions gains no energy. x: the series.
@@ -231,7 +226,7 @@ std::vector<double> draw_sheet(Random& random) {
     draw_prony(sheet, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
     keep_passive(&sheet[prony_in_sheet]);
     draw_operators(sheet, random.log_uniform(1e-3, 1e6), unit * random.log_uniform(1e-5, 1e5), random);
-    default_unread(sheet, arguments_of_sheet(), [&](std::size_t i) { return sheet_reads(sheet[2], i); });
+    default_unread(sheet, arguments_of_sheet());
     if (sheet[2] != solid_of_operators || is_soon_confirmed(sheet)) return sheet;
   }
 }
@@ -243,8 +238,8 @@ void keep_material(double* x, double farthest) {
   keep_passive(x + prony_in_sheet);
   if (x[2] != solid_of_operators || (farthest <= near && is_soon_confirmed({x, sheet_arguments}))) return;
   if (farthest > near) x[2] = standard_linear_solid;
-  default_unread({x, sheet_arguments}, arguments_of_sheet(),
-                 [](std::size_t i) { return i < operators_in_sheet; });
+  for (std::size_t i = operators_in_sheet; i < sheet_arguments; ++i)
+    x[i] = std::stod(*arguments_of_sheet()[i].default_text);
 }
 
 /// Of the load and of where it started, half-thicknesses, at most: t and passing times, or distances in units of `unit`.

@@ -141,12 +141,15 @@ std::vector<Quantity> viscoelastic_nip_entries() {
   for (std::size_t i = 0; i < rolling_numbers.size(); ++i) {
     Quantity entry = nip_entry(rolling_numbers[i], "thesis 2.1-2.6, 7.6, 7.15, 7.17, continuous form",
                                "rolling_nip", {rolling_by_fast, rolling_by_ref}, i);
-    entry.arguments = {
-        {"L_over_B", ArgumentKind::positive, {}, {}},
-        {"memory_over_L", ArgumentKind::positive, {}, {}},
-        {"poisson", ArgumentKind::poisson, "0.3333333333333333", {}},
-        {"softening", ArgumentKind::positive, "2", {}},
-        {"material", ArgumentKind::choice, "standard-linear-solid", {}, {"standard-linear-solid", "thesis"}}};
+    entry.arguments = {{"L_over_B", ArgumentKind::positive, {}, {}},
+                       {"memory_over_L", ArgumentKind::positive, {}, {}},
+                       {"poisson", ArgumentKind::poisson, "0.3333333333333333", {}},
+                       {"softening", ArgumentKind::positive, "2", {}},
+                       {"material",
+                        ArgumentKind::choice,
+                        "standard-linear-solid",
+                        {},
+                        {"standard-linear-solid", "thesis-misprint"}}};
     entry.audit_points = 3;
     entry.most_digits = 30;
     entry.draw = draw_rolling_nip_point;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/report/internal/sections.hpp>
 
@@ -57,24 +58,18 @@ Panel error_panel(const AuditResult& result) {
 /// The arguments in a few decimals, for people.
 std::string decimal_point(const Quantity& quantity, const Point& point) {
   std::string text;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    text += (i == 0 ? "" : " ") + argument.name + "=";
-    text += argument.kind == ArgumentKind::choice ? std::string(argument.choice(point[i]))
-                                                  : fmt::format("{:.6g}", point[i]);
-  }
+  const auto few = [](double x) { return fmt::format("{:.6g}", x); };
+  for (const auto& [name, value] : written_point(quantity, point, few))
+    text += (text.empty() ? "" : " ") + name + "=" + value;
   return text;
 }
 
-/// What computes it again, by both paths.
+/// What computes it again, by both paths, in words of the shell.
 std::string command_for(const Quantity& quantity, const Point& point) {
   std::string text = "nipref eval " + quantity.name;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    text += argument.kind == ArgumentKind::choice
-                ? fmt::format(" {}={}", argument.name, argument.choice(point[i]))
-                : fmt::format(" {}={:a}", argument.name, point[i]);
-  }
+  const auto exact = [](double x) { return fmt::format("{:a}", x); };
+  for (const auto& [name, value] : written_point(quantity, point, exact))
+    text += value.ends_with(')') ? fmt::format(" '{}={}'", name, value) : fmt::format(" {}={}", name, value);
   return text;
 }
 

@@ -177,7 +177,8 @@ Settlement passed_load() {
 /// The third of the four cases that are said to be drawn, against the first, which its caption repeats.
 Settlement case_of_figure() {
   const auto case_at = [](const char* t0) {
-    return SettledRow("Vn", {{"t", "5"}, {"T", "4"}, {"t0", t0}, {"tau", "2"}, {"half_thickness", "1"}});
+    return SettledRow(
+        "Vn", {{"t", "5"}, {"T", "4"}, {"t0", t0}, {"relaxation_time", "2"}, {"half_thickness", "1"}});
   };
   const SettledRow first = case_at("6"), third = case_at("-2");
   return {"Vn at t = 5, T = 4, F0 = b = 1, tau = 2, with t0 = 6 and t0 = -2", first.by_fast, third.by_fast,

@@ -40,18 +40,42 @@ TEST_CASE("materials: constants of a model are arguments by the names that a sce
   };
   const std::string springs = value("material.G t=0.7");
   CHECK(value("material.G t=0.7 material=operators") == springs);
-  CHECK(value("material.G t=0.7 material=operators P_0=1 P_1=0.5 Q_0=0.1875 Q_1=0.1875") == springs);
-  CHECK(
-      value("material.theta1 t=0.7 material=prony theta1_amplitude=3 theta1_rate_2=1 theta1_amplitude_2=1") ==
-      value("material.theta1 t=0.7 material=prony theta1_amplitude=4"));
+  CHECK(value("material.G t=0.7 'material=operators(P=[1, 0.5], Q=[0.1875, 0.1875])'") == springs);
+  CHECK(value("material.theta1 t=0.7 'material=prony(theta1_amplitudes=[3, 1], theta1_rates=[1, 1])'") ==
+        value("material.theta1 t=0.7 'material=prony(theta1_amplitudes=[4])'"));
+  const Outcome swept = run("eval material.G 'material=elastic(shear=0.5..2)' t=1 --points 3");
+  CHECK(swept.status == 0);
+  CHECK(swept.out.find("shear") != std::string::npos);
+}
+
+TEST_CASE("materials: only what the model has is written, and it is written in the material alone") {
+  const std::string list = run("list Un").out;
+  CHECK(list.find("material=operators(P=[...], Q=[...]") != std::string::npos);
+  CHECK(list.find("P_2") == std::string::npos);
+  CHECK(run("eval material.K t=1 'material=elastic(bulk=2, shear=1)' --path fast")
+            .out.find("material = elastic(shear=1, bulk=2)\n") != std::string::npos);
+  check_call_refused("eval Un t=1 T=2 P_2=0",
+                     "P_2 = 0: is part of the material: material=operators(P=[...], Q=[...]");
+  check_call_refused("eval Un t=1 T=2 theta1_amplitude_2=1",
+                     "theta1_amplitude_2 = 1: is part of the material: material=prony(");
+  check_call_refused("eval Un t=1 T=2 'material=prony(P=[1])'", "must be prony(theta1_instantaneous=...");
+  check_call_refused("eval Un t=1 T=2 'material=prony(theta1_rates=[1, 2, 3])'",
+                     "theta1_rates = [1,2,3]: must hold 1 to 2 numbers");
+  check_call_refused("audit material.G material=elastic bulk=1..2", "bulk = 1..2: is part of the material");
+  check_call_refused("eval Un t=1 T=2 'material=operators(P=[1, 2]'",
+                     "material = operators(P=[1, 2]: must be");
+  check_call_refused("eval material.G t=1 'material=elastic(shear=1, shear=2)'", "given twice");
 }
 
 TEST_CASE("materials: what is no solid is refused in one line") {
   check_call_refused("eval material.G t=1 material=rubber", "material = rubber");
-  check_call_refused("eval material.G t=1 material=prony theta1_rate=-1", "theta1_rate = -1");
-  check_call_refused("eval material.G t=1 material=operators Q_2=0 Q_1=0", "Q = of degree 0");
-  check_call_refused("eval material.K t=1 material=thesis tau=0", "tau = 0");
-  check_call_refused("eval material.creep_bulk t=1 material=prony theta2_instantaneous=3 theta2_amplitude=3",
-                     "theta2 = 3 theta1 at all times");
+  check_call_refused("eval material.G t=1 'material=prony(theta1_rates=[-1])'", "theta1_rate = -1");
+  check_call_refused("eval material.G t=1 'material=operators(Q=[0.375])'", "Q = of degree 0");
+  check_call_refused("eval material.K t=1 'material=thesis-misprint(relaxation_time=0)'",
+                     "relaxation_time = 0");
+  check_call_refused(
+      "eval material.creep_bulk t=1 "
+      "'material=prony(theta2_instantaneous=3, theta2_amplitudes=[3], theta2_rates=[1])'",
+      "theta2 = 3 theta1 at all times");
   check_call_refused("eval material.theta1 t=1e10 material=prony", "t = 1");
 }

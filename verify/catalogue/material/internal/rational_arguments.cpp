@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -77,6 +78,45 @@ void append_operator_arguments(std::vector<Argument>& arguments) {
                            ArgumentKind::nonnegative,
                            standard[i][k],
                            {}});
+  }
+}
+
+std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments) {
+  std::vector<ModelKey> keys;
+  for (const std::string& argument : arguments) keys.push_back({argument, {argument}});
+  return keys;
+}
+
+std::vector<ModelKey> prony_keys() {
+  std::vector<ModelKey> keys;
+  for (const std::string name : functions) {
+    keys.push_back({name + "_instantaneous", {name + "_instantaneous"}});
+    keys.push_back({name + "_amplitudes", {name + "_amplitude", name + "_amplitude_2"}});
+    keys.push_back({name + "_rates", {name + "_rate", name + "_rate_2"}});
+  }
+  return keys;
+}
+
+std::vector<ModelKey> operator_keys() {
+  std::vector<ModelKey> keys;
+  for (const std::string name : polynomials) keys.push_back({name, {name + "_0", name + "_1", name + "_2"}});
+  return keys;
+}
+
+void default_unread(std::span<double> x, const std::vector<Argument>& arguments) {
+  const auto has = [](const std::vector<ModelKey>& keys, const std::string& argument) {
+    return std::ranges::any_of(keys, [&](const ModelKey& key) {
+      return std::ranges::find(key.arguments, argument) != key.arguments.end();
+    });
+  };
+  const std::size_t at =
+      static_cast<std::size_t>(std::ranges::find(arguments, "material", &Argument::name) - arguments.begin());
+  const auto& keys = arguments[at].keys;
+  const auto model = static_cast<std::size_t>(x[at]);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto has_it = [&](const std::vector<ModelKey>& of_one) { return has(of_one, arguments[i].name); };
+    if (std::ranges::any_of(keys, has_it) && !has_it(keys[model]))
+      x[i] = std::stod(*arguments[i].default_text);
   }
 }
 

@@ -24,13 +24,14 @@ data::DifferentialOperators operators_of(std::span<const double> x);
 ref::ExactRationalSolid exact_prony_of(std::span<const ref::Exact> x);
 ref::ExactRationalSolid exact_operators_of(std::span<const ref::Exact> x);
 
-/// Sets to its default whatever has one and is not read, reads(i): what is drawn is what counts.
-template <class Reads>
-void default_unread(std::span<double> x, const std::vector<Argument>& arguments, Reads reads) {
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (arguments[i].default_text && !reads(i)) x[i] = std::stod(*arguments[i].default_text);
-  }
-}
+/// Keys of the models "prony" and "operators", as in a scene.
+std::vector<ModelKey> prony_keys();
+std::vector<ModelKey> operator_keys();
+/// Keys of the same name as the argument that holds their number.
+std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments);
+
+/// Sets to its default each number of `x` that belongs to a model of the material other than the chosen one.
+void default_unread(std::span<double> x, const std::vector<Argument>& arguments);
 
 /// What loses energy and has times about `time`: rates equal, nearly so and far apart, in operators complex too, now and
 /// then nothing at once or a fluid. `soft`: 1/modulus.
