@@ -20,7 +20,7 @@ struct Tier {
   bool coarse;       ///< one table of cubics for both the logarithm and the pieces
   int piece;         ///< local polynomial of a piece
   int log1p;         ///< ln(1 + r) inside one of 128 cells of the logarithm; 0: always by 16 cells
-  int short_log1p;    ///< ln(1 + r) inside one of 16 cells of the logarithm
+  int short_log1p;   ///< ln(1 + r) inside one of 16 cells of the logarithm
   int even;          ///< even remainder, as a polynomial in x^2
   int exponential;   ///< decay of the residue
   int sine;          ///< phase of the residue, odd part
