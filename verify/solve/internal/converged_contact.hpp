@@ -28,23 +28,23 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
   [[nodiscard]] Number number(ResultId id) const override {
     switch (id) {
       case ResultId::contact_length:
-        return Path::number(contact_.contact_length());
+        return contact_.contact_length();
       case ResultId::leading_length:
         return leading_length();
       case ResultId::trailing_length:
         return trailing_length();
       case ResultId::load:
-        return Path::number(contact_.load());
+        return contact_.load();
       case ResultId::indentation:
-        return Path::number(contact_.indentation());
+        return contact_.indentation();
       case ResultId::edge_displacement:
         return edge_displacement();
       case ResultId::trailing_displacement:
         return trailing_displacement();
       case ResultId::creep_ratio:
-        return Path::number(contact_.creep_ratio());
+        return contact_.creep_ratio();
       case ResultId::peak_pressure:
-        return Path::number(contact_.peak_pressure());
+        return contact_.peak_pressure();
       case ResultId::greatest_shear:
       case ResultId::greatest_shear_position:
       case ResultId::greatest_shear_depth:
@@ -56,19 +56,19 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
   [[nodiscard]] Number at(ResultId id, double y) const override {
     switch (id) {
       case ResultId::pressure:
-        return Path::number(contact_.pressure(y));
+        return contact_.pressure(y);
       case ResultId::shear:
-        if constexpr (has_shear) return Path::number(contact_.shear(y));
+        if constexpr (has_shear) return contact_.shear(y);
         return Path::zero();
       case ResultId::normal_displacement:
-        return Path::number(contact_.normal_displacement(y));
+        return contact_.normal_displacement(y);
       case ResultId::tangential_displacement:
-        return Path::number(contact_.tangential_displacement(y));
+        return contact_.tangential_displacement(y);
       case ResultId::surface_strain:
-        return Path::number(contact_.surface_strain(y));
+        return contact_.surface_strain(y);
       default:
         if constexpr (requires { contact_.slip(y); }) {
-          if (id == ResultId::slip) return Path::number(contact_.slip(y));
+          if (id == ResultId::slip) return contact_.slip(y);
         }
         throw std::logic_error("no profile of this contact");
     }
@@ -79,7 +79,7 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
   [[nodiscard]] std::vector<Number> list(ResultId) const override {
     std::vector<Number> zeros;
     if constexpr (requires { contact_.shear_zeros(); }) {
-      for (const auto& zero : contact_.shear_zeros()) zeros.push_back(Path::number(zero));
+      for (const auto& zero : contact_.shear_zeros()) zeros.push_back(zero);
     }
     return zeros;
   }
@@ -111,39 +111,39 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
 
   [[nodiscard]] Number leading_length() const {
     if constexpr (is_rolling)
-      return Path::number(contact_.leading_length());
+      return contact_.leading_length();
     else
       return Path::half_of(contact_.contact_length());
   }
   [[nodiscard]] Number trailing_length() const {
     if constexpr (is_rolling)
-      return Path::number(contact_.trailing_length());
+      return contact_.trailing_length();
     else
       return leading_length();
   }
   [[nodiscard]] Number edge_displacement() const {
     if constexpr (is_rolling)
-      return Path::number(contact_.leading_displacement());
+      return contact_.leading_displacement();
     else
-      return Path::number(contact_.edge_displacement());
+      return contact_.edge_displacement();
   }
   [[nodiscard]] Number trailing_displacement() const {
     if constexpr (is_rolling)
-      return Path::number(contact_.trailing_displacement());
+      return contact_.trailing_displacement();
     else
       return edge_displacement();
   }
   /// Results for which only some classes have a function; they are 0 for the other classes.
   [[nodiscard]] Number special_number(ResultId id) const {
     if constexpr (is_rolling) {
-      if (id == ResultId::rolling_resistance) return Path::number(contact_.rolling_resistance());
+      if (id == ResultId::rolling_resistance) return contact_.rolling_resistance();
     }
     if constexpr (requires { contact_.peak_pressure_position(); }) {
-      if (id == ResultId::peak_pressure_position) return Path::number(contact_.peak_pressure_position());
+      if (id == ResultId::peak_pressure_position) return contact_.peak_pressure_position();
     }
     if constexpr (has_shear) {
-      if (id == ResultId::peak_shear) return Path::number(contact_.peak_shear());
-      if (id == ResultId::peak_shear_position) return Path::number(contact_.peak_shear_position());
+      if (id == ResultId::peak_shear) return contact_.peak_shear();
+      if (id == ResultId::peak_shear_position) return contact_.peak_shear_position();
     }
     if constexpr (Path::is_fast) {
       if (is_moment(id)) return moment_of_pressure(*this, id);

@@ -16,7 +16,6 @@ struct FastPath {
   using Point = fast::InnerPoint;
   using Stresses = fast::InnerStresses;
   using Greatest = fast::GreatestShear;
-  static Number number(const Number& x) { return x; }
   static Number half_of(const Number& x) { return 0.5 * x; }
   static Number zero() { return {0, 0}; }
   static double in_double(const Number& x) { return x.value; }
@@ -27,7 +26,6 @@ struct RefPath {
   using Point = ref::InnerPoint;
   using Stresses = ref::InnerStresses;
   using Greatest = ref::GreatestShear;
-  static Number number(const auto& x) { return x; }
   static Number half_of(Number x) {
     mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
     mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
@@ -54,14 +52,14 @@ class Inside {
       stresses_ = contact.inner_stresses(points);
     }
     std::vector<Number> numbers;
-    for (const auto& here : *stresses_) numbers.push_back(Path::number(part_of(here, id)));
+    for (const auto& here : *stresses_) numbers.push_back(part_of(here, id));
     return numbers;
   }
   /// greatest_shear, its position or its depth.
   [[nodiscard]] Number number(const Contact& contact, ResultId id) const {
     if (!greatest_) greatest_ = contact.greatest_shear();
-    if (id == ResultId::greatest_shear_position) return Path::number(greatest_->y);
-    return Path::number(id == ResultId::greatest_shear_depth ? greatest_->depth : greatest_->value);
+    if (id == ResultId::greatest_shear_position) return greatest_->y;
+    return id == ResultId::greatest_shear_depth ? greatest_->depth : greatest_->value;
   }
 
  private:
