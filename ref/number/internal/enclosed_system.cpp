@@ -19,12 +19,6 @@ Float row_sum_norm(const Matrix& matrix) {
   return largest;
 }
 
-Float largest_of(const Matrix& matrix) {
-  Float largest = 0;
-  for (Matrix::Index i = 0; i < matrix.size(); ++i) largest = larger(largest, abs(matrix(i)));
-  return largest;
-}
-
 }  // namespace
 
 // Sums of n products are off by at most (n + 2) units of the sum of their sizes.
@@ -41,17 +35,17 @@ std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& sys
   for (Matrix::Index column = 0; column < system.right.columns(); ++column) {
     const Vector right = system.right.column(column), unknowns = inverse * right;
     const Vector residual = right - system.matrix * unknowns;
-    const Float of_residual = unit * (size * largest_of(unknowns) + 4 * largest_of(right)) +
-                              n * system.error * largest_of(unknowns) +
+    const Float of_residual = unit * (size * largest_entry(unknowns) + 4 * largest_entry(right)) +
+                              n * system.error * largest_entry(unknowns) +
                               (system.right_error.size() > 0 ? system.right_error(column) : Float(0));
     const Float error =
-        inverse_size * (largest_of(residual) + of_residual) / (1 - defect) * (1 + Float(1e-3));
+        inverse_size * (largest_entry(residual) + of_residual) / (1 - defect) * (1 + Float(1e-3));
     std::vector<Interval> enclosed;
     for (Matrix::Index i = 0; i < n; ++i)
       enclosed.push_back(interval_of(unknowns(i)).widened(interval_of(error)));
     result.unknowns.push_back(std::move(enclosed));
     result.error = larger(result.error, error);
-    result.largest = larger(result.largest, largest_of(unknowns));
+    result.largest = larger(result.largest, largest_entry(unknowns));
   }
   return result;
 }

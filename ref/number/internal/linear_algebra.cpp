@@ -185,7 +185,11 @@ Float norm(const Matrix& x) { return sqrt(squared_norm(x)); }
 
 Float largest_entry(const Matrix& x) {
   Float largest = 0;
-  for (Index i = 0; i < x.size(); ++i) largest = std::max(largest, abs(x(i)));
+  for (Index i = 0; i < x.size(); ++i) {
+    const Float size = abs(x(i));
+    if (!(size == size)) return size;
+    largest = std::max(largest, size);
+  }
   return largest;
 }
 

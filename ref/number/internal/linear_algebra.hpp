@@ -59,7 +59,7 @@ Scalar dot(const DenseMatrix<Scalar>& x, const DenseMatrix<Scalar>& y);
 template <class Scalar>
 Scalar squared_norm(const DenseMatrix<Scalar>& x);
 Float norm(const Matrix& x);
-/// In size.
+/// The largest size of an entry, or NaN if an entry is NaN: what is no number must not pass for a small one.
 Float largest_entry(const Matrix& x);
 DenseMatrix<double> in_double(const Matrix& x);
 

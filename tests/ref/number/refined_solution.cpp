@@ -41,3 +41,17 @@ TEST_CASE(
   const Vector nothing(n);
   CHECK(squared_norm(refined_solution(well, nothing)) == 0);
 }
+
+TEST_CASE("a solution whose residual is not a number is refused") {
+  const WorkingDigits working(50);
+  DenseMatrix<double> identity(1, 1);
+  identity(0, 0) = 1;
+  Vector right(1);
+  right(0) = 1;
+  const Float zero = 0;
+  CHECK_FALSE(refined_solution(identity, right, [&](const Vector&) {
+                Vector none(1);
+                none(0) = zero / zero;
+                return none;
+              }).has_value());
+}
