@@ -30,13 +30,13 @@ struct Symmetric {
   [[nodiscard]] double norm() const { return std::sqrt(e11 * e11 + 2 * e12 * e12 + e22 * e22); }
 };
 
-/// In the frame of the ellipse scaled to a circle, where L^T n = w m with a unit vector m.
+/// The integrals over all directions psi that decide the shape, for m the unit vector along L^T n, |L^T n| = w.
 struct Balance {
   std::array<double, 5> sums;  ///< int K m1^(4-j) m2^j/w dpsi, j = 0 ... 4
   Symmetric curvatures;        ///< L^T curvatures L
 
   [[nodiscard]] double sum() const { return sums[0] + 2 * sums[2] + sums[4]; }  ///< int K/w dpsi
-  /// Concave in L L^T; stationary where int K n n/w^3 dpsi = curvatures.
+  /// The function of the ellipse that is concave in L L^T and stationary where int K n n/w^3 dpsi = curvatures.
   [[nodiscard]] double objective() const { return -2 * sum() - curvatures.e11 - curvatures.e22; }
   /// Its gradient.
   [[nodiscard]] Symmetric gradient() const {
@@ -59,8 +59,8 @@ Symmetric scaled_curvatures(const Ellipse& ellipse, const Indenter& body) {
   return {a * a * body.curvature(major), a * b * twist, b * b * body.curvature(across)};
 }
 
-/// psi - major = am(u, k) with k' = b/a, -K <= u <= K: there w = a dn(u), and m = (cd, k' sd) is smooth
-/// however slender the ellipse.
+/// The variable u with psi - major = am(u, k), k' = b/a, -K <= u <= K. In it w = a dn(u) and m = (cd, k' sd) are smooth
+/// functions for however slender an ellipse.
 class Parameter {
  public:
   explicit Parameter(double ratio) : ratio_(ratio), jacobi_(ratio) {}
@@ -69,7 +69,7 @@ class Parameter {
     Direction from_major, m;
   };
 
-  /// `share` of the quarter period K, -1 <= share <= 1.
+  /// The point at u = share K, -1 <= share <= 1.
   [[nodiscard]] Point at(double share) const {
     const double magnitude = std::fabs(share);
     const auto [c, s, m1, m2] = magnitude <= 0.5 ? near_major(magnitude) : near_minor(1 - magnitude);
@@ -82,7 +82,7 @@ class Parameter {
     const auto [sn, cn, dn] = jacobi_(share * quarter_period());
     return {cn, sn, cn / dn, ratio_ * sn / dn};
   }
-  /// share from the quarter period down.
+  /// The same functions at u = (1 - share) K.
   [[nodiscard]] std::array<double, 4> near_minor(double share) const {
     const auto [sn, cn, dn] = jacobi_(share * quarter_period());
     return {ratio_ * sn / dn, cn / dn, sn, cn};
@@ -92,7 +92,7 @@ class Parameter {
   JacobiAmplitude jacobi_;
 };
 
-/// The terms of Balance::sums by the share of the quarter period.
+/// The integrands of Balance::sums as functions of u/K.
 class Terms {
  public:
   Terms(const Ellipse& ellipse, const SurfaceResponse& response)
@@ -122,7 +122,7 @@ Mesh adapted_mesh(const Ellipse& ellipse, const SurfaceResponse& response) {
   return internal::adapt_panels<5>(Terms(ellipse, response), -1, 1);
 }
 
-/// On panels that were made for an ellipse not far off.
+/// The integrals for an ellipse, on the panels that were made for a similar one.
 Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceResponse& response,
                 const std::vector<internal::Panel>& panels) {
   Balance result{{}, scaled_curvatures(ellipse, body)};
@@ -136,7 +136,7 @@ Balance balance(const Ellipse& ellipse, const Indenter& body, const SurfaceRespo
   return result;
 }
 
-/// Minus the slope of the gradient over E of L -> L (1 + E/2).
+/// Minus the second derivative of the objective with respect to E, where L becomes L (1 + E/2).
 Eigen::Matrix3d curvature_of(const Balance& at) {
   const auto& q = at.sums;
   Eigen::Matrix3d hessian;
@@ -151,7 +151,7 @@ Symmetric newton_step(const Balance& at) {
   return {step[0], step[1], step[2]};
 }
 
-/// The ellipse of L (1 + E/2). The determinant gives the minor axis without cancellation.
+/// The ellipse of L (1 + E/2). Its minor axis is computed from the determinant, where nothing cancels.
 Ellipse moved(const Ellipse& from, const Symmetric& change) {
   const double b11 = from.a * (1 + change.e11 / 2), b12 = from.a * change.e12 / 2;
   const double b21 = from.b * change.e12 / 2, b22 = from.b * (1 + change.e22 / 2);
@@ -167,8 +167,8 @@ double contraction(const Symmetric& a, const Symmetric& b) {
   return a.e11 * b.e11 + 2 * a.e12 * b.e12 + a.e22 * b.e22;
 }
 
-/// Newton from `ellipse`, improved in place; the length of the first step, or infinity where it has not
-/// converged. balance_at: of an ellipse.
+/// Improves `ellipse` by Newton's method and returns the length of the first step, or infinity if the method has not
+/// converged. `balance_at` gives the Balance of an ellipse.
 template <class BalanceAt>
 double solve(Ellipse& ellipse, const BalanceAt& balance_at) {
   constexpr int most_steps = 12;
@@ -178,7 +178,7 @@ double solve(Ellipse& ellipse, const BalanceAt& balance_at) {
     const Symmetric step = newton_step(here);
     const double length = step.norm(), slope = contraction(here.gradient(), step);
     if (count == 0) first = length;
-    if (length < 1e-7) {  // quadratic convergence has done the rest
+    if (length < 1e-7) {  // convergence is quadratic: after this step the error is rounding
       ellipse = moved(ellipse, step);
       return first;
     }
@@ -205,7 +205,8 @@ Estimate sum_of(const Mesh& mesh) {
 
 constexpr double few_roundings = 0x1p-50;
 
-/// Largest change E that the errors of the integrals, rounding of K among them, and of the curvatures make.
+/// The largest change E of the ellipse that the errors of the integrals (the rounding of K included) and of the
+/// curvatures can cause.
 Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
   const auto of_pair = [&](std::size_t j) { return mesh.integral[j].error + mesh.integral[j + 2].error; };
   const auto& [c11, c12, c22] = at.curvatures;
@@ -216,14 +217,14 @@ Symmetric error_of_change(const Balance& at, const Mesh& mesh) {
   return {error[0], error[1], error[2]};
 }
 
-/// Aligned with the body; Hertz's axis ratio for an isotropic solid within a few per cent.
+/// The first approximation: axes along those of the body, and within a few per cent Hertz's axis ratio.
 Ellipse first_shape(const Indenter& body) {
   const auto [small, large] = std::minmax(body.curvature_1, body.curvature_2);
   const Direction major = body.curvature_1 <= body.curvature_2 ? Direction{1, 0} : Direction{0, 1};
   return {1, std::pow(small / large, 0.62), major};
 }
 
-/// Of the size for which the traces of int K n n/w^3 dpsi and of the curvatures agree in the ellipse's frame.
+/// The ellipse of this shape for which the traces of int K n n/w^3 dpsi and of the curvatures agree in its frame.
 Ellipse of_fitting_size(const Ellipse& shape, const Indenter& body, const Mesh& mesh) {
   const Symmetric curvatures = scaled_curvatures(shape, body);
   const double scale = std::cbrt(sum_of(mesh).value / (curvatures.e11 + curvatures.e22));
@@ -241,8 +242,8 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   const double ratio = body.curvature_1 / body.curvature_2;
   if (!(ratio >= 1e-10 && ratio <= 1e10))
     throw BadInput("curvature_1/curvature_2", ratio, "must lie between 1e-10 and 1e10");
-  // Panels could straddle a few supercritical lines about the motion, which mostly is along an axis of the
-  // body.
+  // A few supercritical lines about the motion could lie between the nodes of a panel. The motion is mostly along an
+  // axis of the body.
   for (const Direction axis : {Direction{1, 0}, Direction{0, 1}})
     static_cast<void>(checked_compliance(response, axis));
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
@@ -253,7 +254,7 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
   const auto on_panels = [&](const Ellipse& at) { return balance(at, body, response, mesh.panels); };
   double change = solve(ellipse, on_panels);
   for (int meshes = 1; meshes < most_meshes && !(change < rounding); ++meshes) {
-    // Panels follow the ellipse; a peak of the compliance that does not turn with it leaves them.
+    // The panels are fixed to the ellipse, whereas a peak of the compliance stays where it is as the ellipse turns.
     if (meshes > 2 && std::isinf(change))
       solve(ellipse, [&](const Ellipse& at) {
         return balance(at, body, response, adapted_mesh(at, response).panels);
@@ -277,7 +278,7 @@ EllipticContact::EllipticContact(const SurfaceResponse& response, const Indenter
 // In the frame of the ellipse its matrix is (a^2 (1 + E11), a b E12; ., b^2 (1 + E22)).
 void EllipticContact::set_errors(double e11, double e12, double e22) {
   const double a = major_length_, b = minor_length_, twist = a * b * e12;
-  // The axes differ by no less than their errors leave, or not at all: then they lie anyhow.
+  // A lower bound of a^2 - b^2. Where it is not positive, the ellipse may be a circle and its axes have any direction.
   const double apart = (a - b) * (a + b) - a * a * (e11 + few_roundings) - b * b * (e22 + few_roundings);
   const double turn = apart > 0 ? std::min(twist / apart, std::numbers::pi / 2) : std::numbers::pi / 2;
   const double of_turn = twist * std::min(1., turn);
@@ -294,7 +295,7 @@ Estimate EllipticContact::axis_ratio() const {
 
 Estimate EllipticContact::orientation() const {
   const double angle = std::atan2(major_.sine, major_.cosine);
-  // To first order; a turn that is not small may as well be any.
+  // To first order in the turn; if that is not small, any angle is possible.
   constexpr double small = 0.25;
   return {angle, turn_ < small ? turn_ + few_roundings * std::fabs(angle) : std::numbers::pi / 2};
 }
@@ -326,16 +327,16 @@ Estimate EllipticContact::pressure(const EllipticLoad& load, Direction psi, doub
   return load.peak_pressure * Estimate{shape.value, shape.error + shape.value * end.error / end.value};
 }
 
-// The matrix of the ellipse times the square of `factor`: int K n n/w^3 dpsi = factor^-3 curvatures fixes the
-// pressure.
+// The ellipse with its axes multiplied by `factor`, whose pressure follows from int K n n/w^3 dpsi = factor^-3
+// curvatures.
 EllipticLoad EllipticContact::scaled(const Estimate& factor) const {
-  const double of_factor = factor.error / factor.value + few_roundings;
+  const double factor_error = factor.error / factor.value + few_roundings;
   const auto estimate = [&](double value, double error) { return Estimate{value, value * error}; };
   const double root = factor.value, a = major_length_, b = minor_length_;
-  return {estimate(root * a, of_factor + major_error_), estimate(root * b, of_factor + minor_error_),
-          estimate(root * root * sum_ / 2, 2 * of_factor + sum_error_),
-          estimate(4 * std::numbers::pi / 3 * root * root * root, 3 * of_factor),
-          estimate(2 * root / (a * b), of_factor + major_error_ + minor_error_)};
+  return {estimate(root * a, factor_error + major_error_), estimate(root * b, factor_error + minor_error_),
+          estimate(root * root * sum_ / 2, 2 * factor_error + sum_error_),
+          estimate(4 * std::numbers::pi / 3 * root * root * root, 3 * factor_error),
+          estimate(2 * root / (a * b), factor_error + major_error_ + minor_error_)};
 }
 
 EllipticLoad EllipticContact::for_force(double force) const {

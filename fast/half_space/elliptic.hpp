@@ -19,9 +19,9 @@ struct EllipticLoad {
 /// surface below it by (p0 a b/4) int_0^pi K(psi) (1 - (n.x)^2/w^2)/w dpsi, n = (cos psi, sin psi) and w(psi)
 /// the half-width of the ellipse along n; so its ellipse follows from int K n n/w^3 dpsi being proportional
 /// to the curvatures of the body. That is the stationary point of a function strictly concave in the matrix
-/// of the ellipse: there is exactly one. Newton with line search; integrals over the Jacobi amplitude, in
-/// which they stay smooth for slender ellipses, on panels that are halved where K asks for it (near critical
-/// lines) and renewed until the ellipse moves no more.
+/// of the ellipse, so that there is exactly one. It is found by Newton's method with line search. The integrals are
+/// taken over the variable of the Jacobi amplitude, in which they stay smooth for slender ellipses, on panels that are
+/// halved where K requires it (near critical lines) and made anew until the ellipse has converged.
 class EllipticContact {
  public:
   /// The compliance must be positive and finite at every direction, else BadInput; the coupling is not used.
@@ -31,20 +31,20 @@ class EllipticContact {
   [[nodiscard]] Estimate axis_ratio() const;  ///< b/a <= 1
   /// Angle of the major axis with x1, -pi/2 < angle <= pi/2; error up to pi/2 if the ellipse is a circle.
   [[nodiscard]] Estimate orientation() const;
-  /// The same to all its digits near 90 degrees.
+  /// The same as a unit vector, which keeps its digits near 90 degrees.
   [[nodiscard]] Direction major_axis() const { return major_; }
   /// Distance of the edge from the centre over a, in a direction of unit length, else BadInput.
   [[nodiscard]] Estimate radius_ratio(Direction psi) const;
-  /// Of the distance in one direction over that in another.
+  /// The distance of the edge from the centre in the direction psi over that in the direction `to`.
   [[nodiscard]] Estimate span_ratio(Direction psi, Direction to) const;
-  /// Of a load of this contact, at a distance x from the centre in a direction: unit of stress, 0 outside the contact. x
-  /// finite and psi of unit length, else BadInput.
+  /// The pressure under a load of this contact at the distance x from the centre in the direction psi, 0 outside the
+  /// contact; unit of stress. x must be finite and psi of unit length, else BadInput.
   [[nodiscard]] Estimate pressure(const EllipticLoad& load, Direction psi, double x) const;
   [[nodiscard]] EllipticLoad for_force(double force) const;  ///< force > 0 and finite, else BadInput
   [[nodiscard]] EllipticLoad for_approach(
       double approach) const;  ///< > 0, finite, unit of length, else BadInput
-  /// That makes the distance of the edge from the centre in the direction psi `radius` > 0, finite, unit of
-  /// length, else BadInput.
+  /// The load for which the edge is at the distance `radius` from the centre in the direction psi. The radius must be
+  /// > 0 and finite, else BadInput; unit of length.
   [[nodiscard]] EllipticLoad for_radius(Direction psi, double radius) const;
 
  private:
@@ -54,8 +54,7 @@ class EllipticContact {
   double major_length_, minor_length_;  ///< of the ellipse that has int K n n/w^3 dpsi = curvatures
   Direction major_;
   double sum_;  ///< int K/w dpsi
-  // relative, but for the last
-  double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;
+  double major_error_ = 0, minor_error_ = 0, twist_error_ = 0, sum_error_ = 0;  ///< relative
   double turn_ = 0;  ///< error of the major axis's angle
 };
 

@@ -20,7 +20,7 @@ constexpr Two one{1};
 
 bool is_subcritical(const IsotropicLine& line) { return line.shear_decay.high > 0 && line.rayleigh.high > 0; }
 
-/// Nothing of it is > 0 where X is not below that of shear waves.
+/// If X is not below that of shear waves, none of the results is > 0.
 IsotropicLine line_at(Two X, double poisson) {
   const Two below_shear = one - X;
   if (!(below_shear.high > 0)) return {X, {}, {}, {}, {}, {}};
@@ -55,8 +55,8 @@ IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Di
   if (!(std::isfinite(speed) && speed >= 0)) throw data::BadInput("speed", speed, "must be finite and >= 0");
   const double length = std::hypot(from_motion.cosine, from_motion.sine);
   if (!(std::fabs(length - 1) < 1e-9)) throw data::BadInput("psi", length, "must be of unit length");
-  // Of the unit vector that from_motion stands for: near the motion the rounding of its cosine would be a
-  // noise in K that grows towards the Rayleigh speed.
+  // The cosine is that of the unit vector along from_motion: near the motion, the rounding of from_motion's length
+  // would be an error of K that grows towards the Rayleigh speed.
   const Two along = speed * cosine_of(from_motion);
   const Two X = solid.density * square(along) / squared_length(from_motion) / solid.shear;
   const IsotropicLine line = line_at(X, solid.poisson);
@@ -68,7 +68,7 @@ IsotropicLine isotropic_line(const data::IsotropicSolid& solid, double speed, Di
 
 namespace {
 
-/// All that cancels has done so: the quotient itself is taken in double.
+/// Numerator and denominator have two words, as their terms cancel; double suffices for their quotient.
 double quotient(Two numerator, Two denominator, double modulus) {
   return numerator.high / denominator.high / modulus;
 }

@@ -8,8 +8,8 @@ namespace nipref::fast {
 //
 //   speed         >= 0, unit of sqrt(shear/density), which is the speed v_S of shear waves. It is compared with
 //                 that in two words: no quotient of them is rounded
-//   from_motion   direction of the line against that of the motion, psi - theta, a unit vector. The line sees
-//                 the speed |cos(psi - theta)|, which has to lie below the Rayleigh speed
+//   from_motion   direction of the line relative to that of the motion, psi - theta, a unit vector. Along the line the
+//                 load moves at speed |cos(psi - theta)|, which has to be below the Rayleigh speed
 //   accuracy      two units in the last place, from rest to 1 - 1e-12 of the Rayleigh speed
 //   bad input     a solid that fails its check(), nan, infinite, speed < 0, supercritical: data::BadInput
 
@@ -17,12 +17,12 @@ namespace nipref::fast {
 /// X/cD^2 and R = 4 wS wD - (2 - X)^2 they are X wD/(mu R) and (2 - X - 2 wS wD)/(mu R). (brock2012 18a)
 LineResponse isotropic_response(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
-/// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times as
-/// large. Grows without bound towards the Rayleigh speed.
+/// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound
+/// towards the Rayleigh speed.
 double isotropic_condition(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
-/// What the surface answers to shear on lines, in its own direction: du/dx = -in_line H[tau] along the line
-/// for tau along it, du/dx = -across H[tau] across it; 1/stress.
+/// The response of the surface in the direction of a shear traction tau, 1/stress: du/dx = -in_line H[tau] along the
+/// line for tau along the line, du/dx = -across H[tau] across the line for tau across it.
 struct ShearResponse {
   double in_line;  ///< X wS/(mu R)
   double across;   ///< 1/(mu wS)

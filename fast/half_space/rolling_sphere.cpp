@@ -22,7 +22,7 @@ void check_positive(const char* name, double value) {
   if (!(value > 0) || !std::isfinite(value)) throw BadInput(name, value, "must be positive and finite");
 }
 
-/// sum (-1)^j/(z + 2j), j >= 0, Re z > 0: terms until Boole's summation formula has converged to rounding.
+/// sum (-1)^j/(z + 2j) over j >= 0 for Re z > 0: some terms, and the rest by Boole's summation formula to rounding.
 std::complex<double> alternating_sum(std::complex<double> z) {
   constexpr int terms = 32;  // even; then |z| > 64
   std::complex<double> sum = 0;
@@ -39,12 +39,12 @@ double oscillating_moment(double index) {
   return 1. / 3 - a / 6 * ((1 + a * a) * sech_sine - a);
 }
 
-/// Of span ratios and of amplitudes over spans, relative.
+/// The relative rounding error of span ratios and of amplitudes over spans.
 constexpr double rounding = 0x1p-50;
 
 }  // namespace
 
-/// What one line has whatever the load. All quotients by X = c^2 cos^2 are formed first: X may be 0.
+/// The properties of one line that do not depend on the load. X = c^2 cos^2 may be 0, so that it is divided out first.
 struct RollingSphere::Shape {
   double slowness_ratio;  ///< sqrt(wS/wD)
   double index;           ///< P
@@ -71,7 +71,7 @@ RollingSphere::Shape RollingSphere::shape(Direction from_motion) const {
           std::sqrt(line.rayleigh.high / line.defect.high)};
 }
 
-// Where the tractions oscillate, the terms of a moment grow like P^2 and cancel.
+// The terms of the moment grow like P^2 with the oscillation of the tractions, and cancel.
 Estimate RollingSphere::force_factor() const {
   const auto terms = [&](Direction from_motion) {
     const Shape line = shape(from_motion);
@@ -91,7 +91,7 @@ Estimate RollingSphere::span_ratio(Direction from_motion) const {
 Estimate RollingSphere::peak_pressure() const {
   const RollingLine line = along({1, 0});
   const double pressure = -line.normal_traction(0).value;
-  // B is a difference.
+  // B is a difference, which magnifies relative errors.
   const double condition = 1 + 2 * line.index * line.span / line.lean;
   return {pressure, pressure * condition * (span_.error / span_.value + rounding)};
 }
@@ -103,7 +103,7 @@ RollingLine RollingSphere::along(Direction from_motion) const {
   const double lean = line.slowness_ratio - line.index * relative / 2;  // B
   if (!(lean > 0)) throw BadInput("span", span, "must be small against the radius");
   const double uncertainty = span_.error / span_.value + rounding + internal::response_rounding;
-  // Its two terms may cancel: their errors add.
+  // Its two terms may cancel, whereas their errors add.
   const double squared = 4 * line.index * line.index, of_wave = line.index * line.slowness_ratio;
   const Estimate creep{relative * (relative / 16 * (1 - squared) + of_wave),
                        3 * uncertainty * relative * (relative / 16 * (1 + squared) + of_wave)};
@@ -116,8 +116,8 @@ RollingLine RollingSphere::along(Direction from_motion) const {
           uncertainty};
 }
 
-/// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The phase is uncertain by the
-/// distances to the ends, the rest by the span and by B and Phi, which have a difference in them.
+/// amplitude sqrt(L^2 - 4x^2)/cos(Phi) times cosine or sine of P ln((L-2x)/(L+2x)) + Phi. The phase has the error of
+/// the distances to the ends; the factor has those of the span and of B and Phi, which contain a difference.
 Estimate RollingLine::traction(double x, Wave wave) const {
   if (!std::isfinite(x)) throw BadInput("x", x, "must be a finite number");
   const double half = span / 2, ahead = half - x, behind = half + x;
@@ -171,7 +171,7 @@ RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double
   return contact;
 }
 
-// 1 + q over 1 - q is (1 + q)^2 over 1 - q^2, see RollingSphere::shape().
+// (1 + q)/(1 - q) is computed as (1 + q)^2/(1 - q^2), see RollingSphere::shape().
 double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion) {
   using internal::Two;
   constexpr Two pi{std::numbers::pi, 0x1.1a62633145c07p-53};

@@ -32,10 +32,10 @@ struct RollingLine {
   [[nodiscard]] Estimate traction(double x, Wave wave) const;
 };
 
-/// A rigid sphere that rolls without slip on an isotropic half-space, as the paper has it: on every line
-/// through the point of first touch the surface takes the sphere's slope and stretch; the spans follow from
-/// the force being stationary, both to first order in L/r0. (brock2012 37-54) The paper's construction and
-/// not the solution of the contact problem; it defines no approach of the bodies.
+/// A rigid sphere that rolls without slip on an isotropic half-space, as constructed in the paper: on every line
+/// through the point of first touch the surface has the sphere's slope and stretch, and the spans make the force
+/// stationary, both to first order in L/r0. (brock2012 37-54) This construction does not solve the contact problem, and
+/// it defines no approach of the bodies.
 class RollingSphere {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
@@ -43,7 +43,7 @@ class RollingSphere {
   /// L(psi)/L1 (brock2012 53a); for the cross direction 53b without the c_D under its root. Argument: psi
   /// counted from the motion, of unit length.
   [[nodiscard]] Estimate span_ratio(Direction from_motion) const;
-  /// At the centre, the same on every line. Unit of stress.
+  /// The pressure at the centre, which is the same on every line; unit of stress.
   [[nodiscard]] Estimate peak_pressure() const;
   [[nodiscard]] RollingLine along(Direction from_motion) const;
 
@@ -62,29 +62,26 @@ class RollingSphere {
 };
 
 /// The sphere of `radius` > 0 rolling at 0 <= speed < v_R, unit of sqrt(shear/density), with the contact
-/// 0 < span L1 along the motion, in the unit of length of the radius. All finite, BadInput otherwise; a span
-/// that is not small against the radius is outside the paper's linearisation, but only B > 0 is asked, by
-/// `along`.
+/// 0 < span L1 along the motion, in the unit of length of the radius. All must be finite, else BadInput. The paper's
+/// linearisation requires a span that is small against the radius, of which `along` checks only that B > 0.
 RollingSphere rolling_sphere_for_span(const data::IsotropicSolid& solid, double radius, double speed,
                                       double span);
 
-/// The same that carries the force F3 > 0. Within 1e-4 of the Rayleigh speed the oscillating tractions may
-/// pull in sum (`rolling_sphere_for_span` gives F3 < 0): BadInput.
+/// The same for the force F3 > 0. BadInput where, within 1e-4 of the Rayleigh speed, the resultant of the oscillating
+/// tractions is tensile (`rolling_sphere_for_span` gives F3 < 0).
 RollingSphere rolling_sphere_for_force(const data::IsotropicSolid& solid, double radius, double speed,
                                        double force);
 
-/// exp(-pi/(2P)) =: s: on a line of span L the normal traction of a rolling sphere may pull in the outermost s L/(1 +
-/// s) at either end, L/2 - r_C. Its logarithm is formed in two words: a unit in the last place or two, whatever P; 0
-/// where it is below the smallest double, as at P = 0. Arguments and bad input as of isotropic_response().
+/// s = exp(-pi/(2P)). On a line of span L the normal traction of a rolling sphere may be tensile over the outermost
+/// L/2 - r_C = s L/(1 + s) at either end. One or two units in the last place for every P, as its logarithm has two
+/// words; 0 where s is below the smallest double, as at P = 0. Arguments and bad input as for isotropic_response().
 /// (brock2012 50)
 double rolling_strip(const data::IsotropicSolid& solid, double speed, Direction from_motion);
 
-/// Psi_R: between the speeds of Rayleigh waves and of shear waves the paper's tractions pull for directions nearer than
-/// this angle to the motion; radians. It tells where no contact is, and is no result of one: a rolling sphere is solved
-/// below the Rayleigh speed only, where no direction is separated. The speed is over v_S, the Rayleigh speed at least and
-/// 1 at most, else BadInput; -1 < poisson < 1/2. A few units in the last place of it or of 1e-7, whichever is larger: at
-/// the first doubles beyond the Rayleigh speed it is smaller.
-/// (brock2012 55)
+/// Psi_R, in radians: between the speeds of Rayleigh waves and of shear waves, the paper's tractions are tensile on
+/// lines within this angle of the motion, so that the bodies separate there. A rolling sphere itself is solved below
+/// the Rayleigh speed only. `speed` is relative to v_S, from the Rayleigh speed to 1, and -1 < poisson < 1/2, else
+/// BadInput. Accuracy: a few units in the last place of the larger of the angle and 1e-7. (brock2012 55)
 double separation_angle(double poisson, double speed);
 
 }  // namespace nipref::fast

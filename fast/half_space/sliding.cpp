@@ -22,7 +22,7 @@ void check_positive(const char* name, double value) {
 
 }  // namespace
 
-/// One line whatever the load: the numbers omega = -Omega, 1 + Omega and 1 + 2 Omega each without
+/// The properties of one line that do not depend on the load; -Omega, 1 + Omega and 1 + 2 Omega each without
 /// cancellation.
 struct SlidingContact::Shape {
   double leading, trailing, skew;
@@ -33,12 +33,12 @@ struct SlidingContact::Shape {
   /// Q = (1+Omega)^(1+Omega) (-Omega)^(-Omega) (brock2012 33b)
   [[nodiscard]] double peak() const { return std::pow(trailing, trailing) * std::pow(leading, leading); }
 
-  /// Peak pressure over span: the papers' rule keeps this times the span the same in all directions.
+  /// Peak pressure over span. The papers' rule makes its product with the span the same in all directions.
   [[nodiscard]] double steepness() const { return curvature * peak() / modulus; }
 
   struct Moments {
     double absolute, signed_square;
-    double uncancelled;  ///< the size of what signed_square is the rest of
+    double uncancelled;  ///< size of the terms whose difference is signed_square
   };
 
   /// With f = (1-s)^trailing s^leading/Q and y = s - trailing, both over 0 < s < 1: int f |y| ds and
@@ -115,7 +115,8 @@ void SlidingContact::integrate() {
     const double ratio = span_ratio(line), peak = line.steepness() / steepness_ * ratio;
     const double cube = peak * ratio * ratio * ratio, moment = cube * signed_square,
                  size = cube * uncancelled;
-    // With their size added moments are integrated to the rounding of that: panels that chased theirs would not end.
+    // The size is added to the moments, so that they are integrated to the rounding of their size. To the rounding of
+    // the moments themselves, which may vanish, the adaptive integration would not end.
     return std::array{peak * ratio * ratio * absolute, moment * from_motion.cosine + size,
                       moment * from_motion.sine + size, size};
   };

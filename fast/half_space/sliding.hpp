@@ -25,28 +25,27 @@ struct SlidingLine {
   [[nodiscard]] Estimate pressure(double x) const;
 };
 
-/// How the spans of the lines go together.
+/// The rule by which the spans of the lines are related.
 enum class SpanRule {
   stationary_force,  ///< peak pressures are equal (brock2012 33)
   similar_contour    ///< as the body's own contours: like the root of its radius of curvature (brock2012 30)
 };
 
-/// A rigid smooth body that slides with friction, as the papers have it: on every line through the point of
-/// first touch K H[sigma33] + Gamma sigma33 = curvature x, Gamma = friction (S cos(psi - theta) - S' sin(psi
-/// - theta)), K, S and S' the compliance and the couplings of that line; the papers have no S', which acts
-/// where the motion is oblique to an axis in the surface, and no shear compliances, which friction adds to K where the
-/// surface is no plane of symmetry. The spans follow from the force being stationary,
-/// which makes the peak pressures of all lines equal, or from the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2
-/// corrected to 1/Q^3.) This is the papers' construction and not the solution of the contact problem: without
-/// friction that is EllipticContact, with 4/pi times the force for the same span of a sphere at rest. The
-/// papers define no approach of the bodies.
+/// A rigid smooth body that slides with friction, as constructed in the papers: on every line through the point of
+/// first touch K H[sigma33] + Gamma sigma33 = curvature x with Gamma = friction (S cos(psi - theta) - S' sin(psi -
+/// theta)), where K, S and S' are the compliance and the couplings of that line. The papers lack S', which acts where
+/// the motion is oblique to an axis in the surface, and the shear compliances, which friction adds to K where the
+/// surface is no plane of symmetry. The spans either make the force stationary, so that the peak pressures of all
+/// lines are equal, or follow the body's own contours. (brock2012 23-36, brock2013 27-36, their 1/Q^2 corrected to
+/// 1/Q^3.) This construction does not solve the contact problem, which EllipticContact does without friction, with
+/// 4/pi times the force for the same span of a sphere at rest. The papers define no approach of the bodies.
 class SlidingContact {
  public:
   [[nodiscard]] Estimate span() const { return span_; }    ///< L1, along the motion, unit of length
   [[nodiscard]] Estimate force() const { return force_; }  ///< F3, compressive
   /// friction F3, the force that keeps the body sliding.
   [[nodiscard]] Estimate shear_force() const;
-  /// On the line along the motion; where the force is stationary the same in all directions. Unit of stress.
+  /// The peak pressure on the line along the motion, unit of stress; with stationary_force the same in all directions.
   [[nodiscard]] Estimate peak_pressure() const;
   /// First moment of the pressure over the force, counted from the point of first touch along the motion:
   /// <= 0 for a positive coupling. Unit of length; the error is relative to the span.
@@ -54,7 +53,7 @@ class SlidingContact {
   /// The same across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
   [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
-  /// psi and psi + 180 degrees are the same line, run through the other way. Direction of unit length.
+  /// The line in the direction psi, of unit length; psi + 180 degrees is the same line with x reversed.
   [[nodiscard]] SlidingLine along(Direction psi) const;
 
  private:
@@ -63,7 +62,7 @@ class SlidingContact {
                  SpanRule rule);
   [[nodiscard]] Shape shape(Direction psi) const;
   [[nodiscard]] double span_ratio(const Shape& line) const;
-  /// Of span ratios, relative: that of K and S, in which friction counts.
+  /// The relative rounding error of span ratios: that of K and S, to which friction contributes.
   [[nodiscard]] double rounding() const;
   void integrate();
   void set_span(Estimate span);
@@ -85,7 +84,7 @@ class SlidingContact {
 /// The contact with span L1 along the motion, > 0 and finite, unit of length. friction from 0 to 1000,
 /// motion of unit length; the response at every direction must have a finite coupling and a positive finite
 /// compliance (a subcritical speed). BadInput otherwise. The integral over the directions is exact to
-/// rounding if the response is analytic; the estimates say so or what is missing.
+/// rounding if the response is analytic; otherwise the errors include what is missing.
 SlidingContact sliding_for_span(SurfaceResponse response, const Indenter& body, double friction,
                                 Direction motion, double span, SpanRule rule = SpanRule::stationary_force);
 

@@ -58,7 +58,7 @@ struct TransverselyIsotropicHalfSpace::Implementation {
   [[nodiscard]] internal::LineAnswers at(Direction psi) const {
     check_direction("psi", psi);
     const std::optional<internal::LineAnswers> answers = line.at(psi, motion);
-    // The search for the critical line may miss it by roundings.
+    // The critical speed found by the search may be too high by roundings.
     if (!answers) throw data::BadInput("speed", speed, "must be subcritical on the line");
     return *answers;
   }

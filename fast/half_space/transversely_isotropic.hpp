@@ -11,21 +11,21 @@ namespace nipref::fast {
 //   solid         any with positive strain energy (its check())
 //   axis          normal: axis 3 of the solid is the normal of the surface. in_plane: it is the direction of
 //                 90 degrees in the surface
-//   motion, psi   directions of motion and line, unit vectors. The line sees speed |cos(psi - theta)|
+//   motion, psi   directions of motion and line, unit vectors. Along the line the load moves at speed
+//                 |cos(psi - theta)|
 //   speed         in SpeedUnit, unit of sqrt(modulus/density)
 //   bad input     a solid that fails its check(), or whose matrix has eigenvalues more than 1e12 apart, nan,
 //                 infinite, directions that are no unit vectors, a speed that is negative or not subcritical on
 //                 every line: data::BadInput
 
-/// The sum of two words, for those who count speeds in another unit: rounded to one it would be an error of
-/// every speed.
+/// The unit of speeds as a sum of two words: rounded to one word it would cause an error of every speed.
 struct SpeedUnit {
   double high = 1, low = 0;
 };
 
 class TransverselyIsotropicHalfSpace {
  public:
-  /// Some milliseconds, for the critical speed.
+  /// Takes some milliseconds, as it computes the critical speed.
   TransverselyIsotropicHalfSpace(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                                  Direction motion, double speed, SpeedUnit unit = {});
   TransverselyIsotropicHalfSpace(TransverselyIsotropicHalfSpace&&) noexcept;
@@ -37,9 +37,8 @@ class TransverselyIsotropicHalfSpace {
   /// couplings added)
   [[nodiscard]] LineResponse along(Direction psi) const;
 
-  /// d ln K/d ln speed, the condition of the compliance: relative errors of the speed come out so many times
-  /// as large. To 3e-13 of 1 or of itself up to 1 - 1e-8 of the critical speed, towards which it grows
-  /// without bound.
+  /// d ln K/d ln speed, the condition number of the compliance with respect to the speed. It grows without bound
+  /// towards the critical speed; its error is at most 3e-13 max(1, itself) up to 1 - 1e-8 of that speed.
   [[nodiscard]] double condition(Direction psi) const;
 
  private:
@@ -52,11 +51,11 @@ struct CriticalSpeed {
   double psi;  ///< the line that is critical first, radians, -pi/2 < psi <= pi/2
 };
 
-/// The smallest speed at which some line is critical: its speed is that of the Rayleigh wave along the line
-/// or, if there is none, of the slowest bulk wave that its fields hold. The minimum over the lines: speed to
-/// a few units in the last place, psi to 1e-7. The normal axis makes all lines alike, and psi is that of
-/// motion. BadInput "solid" also where the search of the lines would take too long, from a fastest wave 3000 times as
-/// fast on.
+/// The smallest speed at which some line is critical: the minimum over the lines of the speed of the Rayleigh wave
+/// along the line or, if there is none, of the slowest bulk wave in its field. The speed is right to a few units in
+/// the last place, psi to 1e-7. With a normal axis all lines are alike, and psi is that of motion. BadInput "solid"
+/// also where the search would take too long: if the fastest wave is more than 3000 times as fast as the critical
+/// speed.
 CriticalSpeed critical_speed(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis,
                              Direction motion);
 
@@ -72,8 +71,8 @@ enum class BranchWave {
   quasi_transverse     ///< (46b), minus
 };
 
-/// Their speeds on the line of motion, to a unit in the last place; the printed P6 is wrong, P6^2 = 4 d6 P +
-/// [(d6 - d1)(d6 - d2) - (d6 + d12)^2] sin^2(2 theta).
+/// Their speeds on the line of motion, to a unit in the last place. The printed P6 is wrong; correct is
+/// P6^2 = 4 d6 P + [(d6 - d1)(d6 - d2) - (d6 + d12)^2] sin^2(2 theta).
 double branch_speed(BranchWave wave, const data::TransverselyIsotropicSolid& solid, Direction motion);
 
 }  // namespace nipref::fast

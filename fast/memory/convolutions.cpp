@@ -28,7 +28,7 @@ struct Wave {
   Extended cosine, sine;
 };
 
-/// The phase b u, whose rounding to one word would be felt from 10 radians on.
+/// e^(i b u). The phase b u has two words: from 10 radians on its rounding to one word would show in the result.
 Wave wave(double b, Two u) {
   const Two phase = Two{b, 0} * u;
   const Extended c = std::cos(Extended{phase.high}), s = std::sin(Extended{phase.high});
@@ -50,7 +50,7 @@ Wave integral(Extended decay, double b, Two length) {
   const Extended x = decay * m;
   const Extended y = b * m;
   if (x + y < 1) {
-    // sum (i y - x)^k/(k+1)!: to first order in y its sine cancels in the closed form.
+    // The power series sum (i y - x)^k/(k+1)!, as the closed form loses the sine's first order in y by cancellation.
     Wave sum{0, 0};
     for (int k = 20; k >= 0; --k) {
       sum = {1 + (-x * sum.cosine - y * sum.sine) / (k + 2), (y * sum.cosine - x * sum.sine) / (k + 2)};
@@ -66,8 +66,8 @@ Wave integral(Extended decay, double b, Two length) {
   return {(rise * decay + slant * b) / square, (rise * b - slant * decay) / square};
 }
 
-/// The two integrals at once, e^(i b |T - tau|) under them: nothing but products, and one sum of terms that
-/// are each within the scale.
+/// The integrals with the cosine and with the sine, as real and imaginary part of the one with e^(i b |T - tau|).
+/// Nothing cancels: each part is a sum of two products, neither of which exceeds the scale.
 Wave convolution(Extended amplitude, Extended rate, double b, Two start, Two length) {
   if (amplitude == 0 || length.high == 0) return {0, 0};
   const Wave w = wave(b, start);
@@ -76,7 +76,7 @@ Wave convolution(Extended amplitude, Extended rate, double b, Two start, Two len
           amplitude * (w.sine * z.cosine + w.cosine * z.sine)};
 }
 
-/// While the load comes nearer: J2 + i J1. From tau = min(t, T) backwards both factors fade.
+/// J2 + i J1, the load's approach. The integral runs backwards from tau = min(t, T), so that both exponentials decay.
 Wave approaching(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);
@@ -89,8 +89,9 @@ Wave approaching(double lambda, double a, double b, double t, double T) {
   return convolution(fading(lambda, internal::two_sum(t, -T)), Extended{lambda} + a, b, {0, 0}, {T, 0});
 }
 
-/// Once it has passed: J4 - i J3. With lambda >= a the memory fades faster than the residue and the integral
-/// runs back from tau = t, else forward from tau = max(0, T); either way nothing grows.
+/// J4 - i J3, the time after the load has passed. Where lambda >= a, the memory decays faster than the residue, and
+/// the integral runs backwards from tau = t; otherwise it runs forwards from tau = max(0, T). In either direction the
+/// integrand decays.
 Wave receding(double lambda, double a, double b, double t, double T) {
   check_times(lambda, t, T);
   check("a", a, 0);
@@ -100,7 +101,7 @@ Wave receding(double lambda, double a, double b, double t, double T) {
   const Two length = internal::two_sum(t, -first);
   if (lambda >= a) {
     const Two behind = internal::two_sum(t, -T);
-    // Backwards the distance shrinks: e^(i b (behind - s)) is the conjugate of e^(i b (s - behind)).
+    // Backwards the distance decreases: e^(i b (behind - s)) is the conjugate of e^(i b (s - behind)).
     const Wave back = convolution(fading(a, behind), Extended{lambda} - a, b, -behind, length);
     return {back.cosine, -back.sine};
   }

@@ -10,10 +10,9 @@
 //   lambda      rate of relaxation, 1/time, >= 0
 //   a, b        decay and frequency of the residue in time, a_n and b_n of (6.10), 1/time, >= 0
 //   domain      every magnitude at most 1e150, so that no product of two overflows
-//   accuracy    4 units in the last place of the scale, the same integral over the size of the integrand:
-//               exponentials times min(1, b |T - tau|) under a sine, times 1 under a cosine or a sign. A few
-//               units more where long double is no wider than double. Results below 2^-1022: one unit of
-//               2^-1074
+//   accuracy    4 units in the last place of the scale, which is the same integral with the sine replaced by
+//               min(1, b |T - tau|) and a cosine or sign by 1. A few units more where long double is no wider
+//               than double. Results below 2^-1022 have an error of at most 2^-1074
 //   bad input   anything outside the domain, nan: data::BadInput
 
 namespace nipref::fast {
@@ -24,15 +23,14 @@ double J1(double lambda, double a, double b, double t, double T);
 /// The same with the cosine. Thesis (AII.6).
 double J2(double lambda, double a, double b, double t, double T);
 
-/// int_0^t H(tau - T) e^(-lambda (t - tau)) e^(a (T - tau)) sin b (T - tau) dtau, a time; never positive
-/// where b is small. Thesis (AII.9), (AII.13).
+/// int_0^t H(tau - T) e^(-lambda (t - tau)) e^(a (T - tau)) sin b (T - tau) dtau, a time. Thesis (AII.9), (AII.13).
 double J3(double lambda, double a, double b, double t, double T);
 
 /// The same with the cosine. Thesis (AII.9), (AII.13).
 double J4(double lambda, double a, double b, double t, double T);
 
-/// gamma0 sign(T - t) + int_0^t gamma e^(-lambda (t - tau)) sign(T - tau) dtau with sign(0) = 0, the unit of
-/// gamma0: one term of theta1. gamma0, gamma: either sign. Thesis (AII.20), (AII.21).
+/// gamma0 sign(T - t) + int_0^t gamma e^(-lambda (t - tau)) sign(T - tau) dtau with sign(0) = 0, in the unit of
+/// gamma0, for one term of theta1. gamma0 and gamma may have either sign. Thesis (AII.20), (AII.21).
 double J5(double gamma0, double gamma, double lambda, double t, double T);
 
 /// The same for a term of theta2. Thesis (AII.20), (AII.21).

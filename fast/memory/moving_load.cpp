@@ -26,7 +26,7 @@ void check_clock(double t) {
   if (!(t >= 0) || !std::isfinite(t)) throw data::BadInput("t", t, "must be a finite number, 0 or more");
 }
 
-/// So that products with a rate, and of two distances, do not overflow.
+/// Distances are limited so that their products with a rate, and with each other, do not overflow.
 constexpr double farthest = 1e100;
 
 void check_way(const char* name, double time, Two way) {
@@ -34,7 +34,7 @@ void check_way(const char* name, double time, Two way) {
     throw data::BadInput(name, time, "must be within 1e100 half_thickness/speed of both 0 and t");
 }
 
-/// Of each term with a real rate, in its place.
+/// One entry for each term of theta; the entries of complex rates stay empty.
 std::vector<Fade> fades(const data::MaterialFunction& theta, Two time_unit,
                         std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   std::vector<Fade> all;
@@ -44,8 +44,8 @@ std::vector<Fade> fades(const data::MaterialFunction& theta, Two time_unit,
   return all;
 }
 
-/// The sum over the terms of amplitude memory(rate), time in units of b/F0: of each conjugate pair one is
-/// evaluated.
+/// The sum over the terms of amplitude times memory(rate), with times in units of b/F0. Of a conjugate pair of terms
+/// one is evaluated and its real part doubled.
 template <typename Memory>
 double over_terms(const data::MaterialFunction& theta, const std::vector<Fade>& fades, Two time_unit,
                   Memory memory) {
@@ -63,14 +63,14 @@ double over_terms(const data::MaterialFunction& theta, const std::vector<Fade>& 
 
 }  // namespace
 
-/// The way of the load against one point: from `start`, where the point is now, to `end`, where it was when
-/// the load started; of infinite length and without end if that was infinitely long ago.
+/// The load's path relative to one point: from `start`, the point's position relative to the load now, to `end`, its
+/// position when the load started. The length is infinite, and `end` not used, if the load has always moved.
 struct MovingLoad::LoadPath {
   Two length;
   SurfacePoint start;
   SurfacePoint end;
 
-  /// How far behind the load the point is, as far as the load has come.
+  /// How far the load has moved since it passed the point; 0 if it has not.
   [[nodiscard]] double behind() const { return std::clamp(-start.at.high, 0.0, length.high); }
   [[nodiscard]] int sign() const { return (start.at.high > 0) - (start.at.high < 0); }
 
@@ -85,19 +85,19 @@ namespace {
 
 /// int_0^x e^(-rate w) dw.
 template <typename Rate>
-Rate fading_way(double x, Rate rate) {
+Rate integrated_decay(double x, Rate rate) {
   return std::isinf(x) ? 1.0 / rate : x * phi1(rate * x);
 }
 
-/// int_0^length e^(-rate w) sign dw of a point that is behind the load as far as `behind`, and then ahead; of
-/// infinite length and rate 0 beside 1/rate.
+/// int_0^length e^(-rate w) sign(w - behind) dw. For infinite length and rate 0, where this diverges, 1/rate is left
+/// out.
 Complex memory_of_sign(double behind, double length, Complex rate) {
-  return fading_way(length, rate) - 2.0 * fading_way(behind, rate);
+  return integrated_decay(length, rate) - 2.0 * integrated_decay(behind, rate);
 }
 double memory_of_sign(double behind, double length, const Fade& fade) {
   const double rate = fade.rate.high;
   if (rate == 0 && std::isinf(length)) return -2 * behind;
-  return fading_way(length, rate) - 2 * fading_way(behind, rate);
+  return integrated_decay(length, rate) - 2 * integrated_decay(behind, rate);
 }
 
 }  // namespace
@@ -137,16 +137,16 @@ double MovingLoad::tangential_displacement(double t, double T, double t0) const 
 
 double MovingLoad::steady_normal_displacement(double alpha) const {
   check_argument("alpha", alpha, Domain::finite_nonzero);
-  return normal_displacement(steady_journey(alpha));
+  return normal_displacement(steady_path(alpha));
 }
 
 double MovingLoad::steady_tangential_displacement(double alpha, double eta) const {
   check_argument("alpha", alpha, Domain::finite);
   check_argument("eta", eta, Domain::finite);
-  return tangential_displacement(steady_journey(alpha), steady_journey(eta));
+  return tangential_displacement(steady_path(alpha), steady_path(eta));
 }
 
-MovingLoad::LoadPath MovingLoad::steady_journey(double alpha) const {
+MovingLoad::LoadPath MovingLoad::steady_path(double alpha) const {
   return {{std::numeric_limits<double>::infinity(), 0}, surface_point({alpha, 0}, accuracy_), {}};
 }
 

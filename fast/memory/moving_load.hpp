@@ -11,14 +11,14 @@ namespace nipref::fast {
 /// move along it with constant speed: thesis (6.23)-(6.28), corrected. Any consistent units.
 ///
 ///   t          time since the load started, >= 0
-///   T, t0      times at which it passes the point and the pinned point, either sign: the point is
-///              alpha = F0 (T - t)/b half-thicknesses ahead of the load, the pinned one eta
-///   accuracy   max(8 units in the last place, rtol) of the scale, the same sums and integrals over the
-///              magnitudes of amplitudes and kernels, max(|kernel|, envelope), for rates up to 1e12 F0/b; a
-///              few roundings for each radian that a complex rate turns while it fades. Results below 1e-290
-///              are good to 1e-305 only
+///   T, t0      times at which the load passes the point and the pinned point, of either sign: the point is
+///              alpha = F0 (T - t)/b half-thicknesses ahead of the load, the pinned point eta = F0 (t0 - t)/b
+///   accuracy   max(8 units in the last place, rtol) of the scale, for rates up to 1e12 F0/b. The scale is the
+///              same sums and integrals with the magnitudes of amplitudes and kernels, max(|kernel|, envelope).
+///              A complex rate adds a few roundings for each radian of its oscillation before it has decayed.
+///              Results below 1e-290 have an absolute error of up to 1e-305
 ///   cost       Un: half a microsecond for a real rate, twice that just behind the load; Vn: a few. Complex
-///              rates are integrated by panels: tens of microseconds, more if they turn often while they fade
+///              rates are integrated by panels: tens of microseconds, more if they oscillate often
 ///   bad input  nan, infinite, t < 0, more than 1e100 b/F0 between two of 0, t and T or t0, and a point under the
 ///              load, where Un is infinite: data::BadInput
 class MovingLoad {
@@ -43,7 +43,7 @@ class MovingLoad {
   struct LoadPath;
   struct Fades;
   [[nodiscard]] LoadPath load_path(const char* name, double t, double T) const;
-  [[nodiscard]] LoadPath steady_journey(double alpha) const;
+  [[nodiscard]] LoadPath steady_path(double alpha) const;
   [[nodiscard]] double normal_displacement(const LoadPath& load_path) const;
   [[nodiscard]] double tangential_displacement(const LoadPath& to_point, const LoadPath& to_pin) const;
 

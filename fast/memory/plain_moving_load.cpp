@@ -105,7 +105,7 @@ PlainMovingLoad::Sums PlainMovingLoad::sums(const Kernel& kernel, double distanc
   Sums result{distance, 0, std::vector<double>(rates_.size()), std::vector<double>(rates_.size())};
   for (std::size_t n = 0; n < kernel.residues.size(); ++n) {
     const double size = std::exp(-roots_[n].imag() * distance);
-    if (size == 0) break;  // and so are all that follow
+    if (size == 0) break;  // all further waves are 0, too
     const Complex wave = kernel.residues[n] * std::polar(size, roots_[n].real() * distance);
     result.kernel += wave.real();
     for (std::size_t r = 0; r < rates_.size(); ++r) {

@@ -7,13 +7,12 @@
 namespace nipref::fast {
 
 /// Tangential or normal displacement of the viscoelastic sheet's surface as the thesis computes it: the first
-/// `terms` residues of (6.23)-(6.28) as they stand, the after-contact sum among them, whose rest falls only
-/// like 0.2/terms. A peer for speed and accuracy, and what replays the thesis's tables; not a way to compute
-/// a displacement.
+/// `terms` residues of (6.23)-(6.28) as printed. Among them is the sum after the contact, whose truncation error
+/// decreases only like 0.2/terms. It serves to replay the thesis's tables and to compare speed and accuracy.
 ///
-/// Lengths in half-thicknesses b and times in b/speed: what the load has gone. A point that the load reaches
-/// at T sees it at distance alpha = T - t. Sums depend on one distance each, so that many displacements share
-/// them.
+/// Lengths are in half-thicknesses b and times in b/speed, so that time is the distance the load has moved. A point
+/// that the load reaches at T is at the distance alpha = T - t from it. Each sum depends on one distance, so that
+/// many displacements share it.
 class PlainMovingLoad {
  public:
   /// terms: 1 to most_residue_terms (plain_series.hpp); speed, half_thickness > 0; real rates only: otherwise

@@ -14,8 +14,8 @@ double high_word(Two x) { return x.high; }
 template <class Number, std::size_t size>
 using Square = std::array<std::array<Number, size>, size>;
 
-/// In place, by Gauss and Jordan with the largest of each column for a pivot; the base-2 logarithm of |det|, nothing
-/// where it vanishes or is no number.
+/// Inverts a matrix in place by Gauss-Jordan elimination with column pivoting. Returns the base-2 logarithm of |det|,
+/// or nothing if the determinant is 0 or not a number.
 template <class Number, std::size_t size>
 std::optional<double> invert(Square<Number, size>& a) {
   std::array<std::size_t, size> swapped{};
@@ -46,16 +46,17 @@ std::optional<double> invert(Square<Number, size>& a) {
   return log2_determinant;
 }
 
-/// The sign over i of a real matrix without real eigenvalues; nothing where Newton's iteration does not settle.
+/// The matrix sign function, divided by i, of a real matrix without real eigenvalues; nothing if Newton's iteration
+/// does not converge.
 template <class Number>
 std::optional<Square<Number, 6>> sign_of(Square<Number, 6> x) {
   constexpr int most = 80;
-  constexpr double settled = 1e-17;  // its square is beyond either kind of number
+  constexpr double converged = 1e-17;  // the iteration is quadratic, and the square is below the rounding of two words
   for (int step = 0; step < most; ++step) {
     Square<Number, 6> inverse = x;
     const auto log2_determinant = invert<Number, 6>(inverse);
     if (!log2_determinant) return std::nullopt;
-    // Powers of two bring the eigenvalues near 1 while they are far from it.
+    // Scaling by powers of two brings the eigenvalues near 1 while they are far from it.
     const double scale = std::exp2(-std::round(*log2_determinant / 6));
     double change = 0, size = 0;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -67,8 +68,8 @@ std::optional<Square<Number, 6>> sign_of(Square<Number, 6> x) {
       }
     }
     if (!std::isfinite(size)) return std::nullopt;
-    // A double's own roundings stay above that.
-    if (change <= std::max(settled, 0x1p-42 * (sizeof(Number) == sizeof(double))) * size) return x;
+    // In double, rounding keeps the change above 1e-17.
+    if (change <= std::max(converged, 0x1p-42 * (sizeof(Number) == sizeof(double))) * size) return x;
   }
   return std::nullopt;
 }
@@ -119,7 +120,7 @@ struct Impedance {
   }
 };
 
-/// Of a line whose X is the stress density; nothing unless it is slower than the limiting speed.
+/// The impedance of a line whose X is the stress density; nothing unless the load is slower than the limiting speed.
 template <class Number>
 std::optional<Impedance<Number>> impedance(const AnisotropicLine::Block& rest,
                                            const AnisotropicLine::Block& coupled,
@@ -159,8 +160,8 @@ std::optional<Impedance<Number>> impedance(const AnisotropicLine::Block& rest,
   return Impedance<Number>{h, product(h, s)};
 }
 
-/// The root of a falling function between low, where it is positive, and high, where it is not: by the secant rule, the
-/// value of an end that stays halved (the Illinois rule).
+/// The root of a decreasing function between low, where it is positive, and high, where it is not, by the Illinois
+/// variant of regula falsi.
 template <class Function>
 Two root_between(const Function& f, Two low, Two high) {
   constexpr int most = 60;
@@ -256,8 +257,8 @@ double AnisotropicLine::limit(Direction psi) const {
 
 Two AnisotropicLine::limit_in_two_words(Direction psi) const { return limit_within(psi, 0x1p-100); }
 
-// Bisection, in double as long as a surface wave is not crossed and then in two words, which are right where double is
-// not: until a speed between those of the surface wave and of the limit is found; where there is none, to the limit.
+// Bisection, until a speed between that of the surface wave and the limiting speed is found; if there is no such
+// speed, up to the limiting speed. It starts in double and goes on in two words once the rounding of double matters.
 Two AnisotropicLine::limit_within(Direction psi, double share) const {
   const auto [q, r] = blocks(psi);
   const Two length = sqrt(squared_length(psi));

@@ -7,8 +7,8 @@
 
 namespace nipref::fast::internal {
 
-/// What a half-space of any anisotropy answers along a line, 1/stress: real and imaginary parts of the third row of
-/// the inverse impedance in the axes of the line, and the diagonal.
+/// The response of a half-space of any anisotropy along a line, 1/stress: the third row of the inverse impedance in the
+/// axes of the line, with real and imaginary parts, and its diagonal.
 struct AnisotropicAnswers {
   double compliance;
   double coupling, coupling_across;
@@ -16,11 +16,12 @@ struct AnisotropicAnswers {
   double in_line, across;
 };
 
-/// Two words throughout. Stroh's matrix N has the eigenvalues p and 1/i times its sign, the matrix with the same
-/// eigenvectors and eigenvalues i where Im p > 0, is found by Newton's iteration X -> (X - 1/X)/2: degenerate
-/// solids need no care, and lines that are not slower than their limiting speed, where p are real, make it wander. The
-/// blocks S, H of the sign are Barnett and Lothe's, the impedance is M = H^-1 (1 + i S): slower than that and than
-/// Rayleigh waves are the lines for which M is positive definite, which is so until its determinant vanishes.
+/// Responses by Stroh's formalism, in two words throughout. Stroh's matrix N has the eigenvalues p. The matrix with the
+/// same eigenvectors and the eigenvalue i where Im p > 0, -i otherwise, is the matrix sign function over i; Newton's
+/// iteration X -> (X - 1/X)/2 computes it for degenerate solids, too. Beyond the limiting speed some p are real and the
+/// iteration does not converge. The blocks S, H of this matrix are Barnett and Lothe's tensors, and the impedance is
+/// M = H^-1 (1 + i S). A line is subcritical, below its limiting speed and below that of Rayleigh waves, exactly if M
+/// is positive definite.
 class AnisotropicLine final : public LineLimits {
  public:
   explicit AnisotropicLine(const data::Stiffness& solid);
@@ -33,12 +34,12 @@ class AnisotropicLine final : public LineLimits {
   using Block = std::array<std::array<Two, 3>, 3>;
 
  private:
-  /// Q at rest and R of the unit vector along psi.
+  /// Stroh's blocks Q (at rest) and R for the unit vector along psi.
   struct Blocks {
     Block q, r;
   };
   [[nodiscard]] Blocks blocks(Direction psi) const;
-  /// The limit less no more than a share of it.
+  /// A lower bound of the limit whose relative error is at most `share`.
   [[nodiscard]] Two limit_within(Direction psi, double share) const;
 
   double inverse_unit_;    ///< of the moduli, a power of two

@@ -8,7 +8,7 @@
 
 namespace nipref::fast::internal {
 
-/// BadInput unless of unit length.
+/// Throws BadInput unless the direction has unit length to rounding.
 inline void check_direction(const char* name, Direction direction) {
   const double squared_length = direction.cosine * direction.cosine + direction.sine * direction.sine;
   if (!(std::fabs(squared_length - 1) < 1e-9)) {

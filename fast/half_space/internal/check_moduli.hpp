@@ -3,10 +3,10 @@
 
 namespace nipref::fast::internal {
 
-/// Of the largest eigenvalue of Voigt's matrix over the smallest: beyond it two words do not hold what the lines need.
+/// The largest condition number of Voigt's matrix for which two words are precise enough.
 inline constexpr double farthest_moduli = 1e12;
 
-/// BadInput "solid" if its moduli are farther apart than that.
+/// Throws BadInput "solid" if the condition number is larger.
 void check_moduli(const data::Stiffness& solid);
 
 }  // namespace nipref::fast::internal

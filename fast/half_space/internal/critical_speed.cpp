@@ -13,18 +13,18 @@
 namespace nipref::fast::internal {
 namespace {
 
-/// A limit as LineLimits has it.
+/// The speed along the motion at which the line psi has the speed `limit` of LineLimits.
 double along_motion(double limit, Direction motion, Direction psi) {
   return limit * std::sqrt(squared_length(motion).high) / std::fabs(cosine_between(psi, motion).high);
 }
 
-/// Over the lines, counted from the motion.
+/// The critical speeds of the lines as a function of the angle between line and motion.
 class CriticalSpeeds {
  public:
   CriticalSpeeds(const LineLimits& line, Direction motion) : line_(line), motion_(motion) {}
 
   double operator()(double from_motion) const { return both(from_motion).second; }
-  /// The first along the line, the second along the motion.
+  /// The critical speed along the line, and the corresponding speed along the motion.
   [[nodiscard]] std::pair<double, double> both(double from_motion) const {
     const Direction psi = turned(from_motion);
     const double limit = line_.limit(psi);
@@ -45,7 +45,7 @@ class CriticalSpeeds {
   Direction motion_;
 };
 
-/// Plane waves along directions of the surface.
+/// The plane waves whose direction lies in the surface.
 class PlaneWaves {
  public:
   explicit PlaneWaves(const data::Stiffness& solid)
@@ -54,7 +54,7 @@ class PlaneWaves {
       for (double& modulus : row) modulus /= unit_of(solid);
   }
 
-  /// At least the speed of the fastest of them: by the largest sum of a row of Christoffel's matrix.
+  /// An upper bound of the fastest wave's speed, from the largest row sum of Christoffel's matrix.
   [[nodiscard]] double bound(Direction along) const {
     constexpr std::size_t first[] = {0, 5, 4}, second[] = {5, 1, 3};  // Voigt's numbers of 1i and of 2i
     const double cc = along.cosine * along.cosine, ss = along.sine * along.sine;
@@ -72,7 +72,7 @@ class PlaneWaves {
   }
 
  private:
-  /// Makes sums that do not overflow.
+  /// A unit of stress in which sums of moduli do not overflow.
   static double unit_of(const data::Stiffness& solid) {
     return std::scalbn(1.0, std::ilogb(solid.voigt[2][2]));
   }
@@ -81,13 +81,15 @@ class PlaneWaves {
   double density_;
 };
 
-/// Lines so near to each other that none between them is lower than the lowest by more than a step.
+/// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
+/// given step.
 ///
-/// Of a field of the half-space that is proportional to exp(i k.x) along the surface, the strain is linear in k: its
-/// energy at (1 - t) k1 + t k2 is the mean of those at k1 and k2 less t (1 - t) times that of a plane wave along
-/// k2 - k1. With w the frequency at which lines of k are critical, a load of the velocity V is therefore subcritical for
-/// all of them if sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 - (V.k2)^2) is no less than the frequency of the fastest wave of the
-/// wave vector k2 - k1. Here k1 and k2 are unit vectors.
+/// Let a field of the half-space be proportional to exp(i k.x) along the surface. Its strain is linear in k, so that
+/// its energy at (1 - t) k1 + t k2 is the weighted mean of those at k1 and k2 less t (1 - t) times that of a plane
+/// wave with the wave vector k2 - k1. Let w be the frequency at which a line with the wave vector k is critical. Then
+/// a load of the velocity V is subcritical for all lines between k1 and k2 if sqrt(w1^2 - (V.k1)^2) + sqrt(w2^2 -
+/// (V.k2)^2) is at least the frequency of the fastest wave with the wave vector k2 - k1. Here k1 and k2 are unit
+/// vectors.
 class Landscape {
  public:
   Landscape(const CriticalSpeeds& speeds, const PlaneWaves& waves, Direction motion, std::size_t most_lines)
@@ -101,11 +103,11 @@ class Landscape {
     }
   }
 
-  /// The lowest line that was looked at in a valley, and its neighbours.
+  /// The line with the lowest critical speed found in a valley, and its neighbours.
   struct Valley {
     double left, lowest, right;
   };
-  /// All that may be as low as the lowest.
+  /// All valleys that may contain the minimum.
   [[nodiscard]] std::vector<Valley> lowest() const {
     std::vector<Valley> result;
     for (std::size_t i = 1; i + 1 < lines_.size(); ++i) {
@@ -120,7 +122,8 @@ class Landscape {
   }
 
  private:
-  /// For all steps but the first. Half of what may be allowed at least, so that none but the first ends in a refusal.
+  /// The limit of lines for all steps after the first: at most half of what the caller allows, so that only the first
+  /// step can end in a refusal.
   static constexpr std::size_t enough_lines = 400;
 
   struct Line {
@@ -179,8 +182,8 @@ class Landscape {
   double least_ = HUGE_VAL;
 };
 
-/// The bottom of a valley, by Brent's search in shares of its width. Critical frequencies are least values of functions
-/// that are quadratic in the line's vector, so that bottoms are smooth, and not narrower than the fastest wave makes them.
+/// The minimum in a valley, by Brent's search over its width. A critical frequency is a minimum over functions that are
+/// quadratic in the wave vector, so that minima are smooth and their curvature is bounded by the fastest wave.
 double bottom_of(const CriticalSpeeds& speeds, const Landscape::Valley& valley) {
   constexpr int bits = 26;
   const auto at = [&](double share) {
@@ -193,8 +196,8 @@ double bottom_of(const CriticalSpeeds& speeds, const Landscape::Valley& valley) 
   return at(found.first);
 }
 
-/// One step of Newton to the bottom of a smooth valley, its slope and curvature by differences in two words:
-/// where valleys are narrow, comparing speeds in double leaves them too high.
+/// One Newton step towards the minimum, with slope and curvature by differences in two words: in a narrow valley the
+/// rounding of double would leave the minimum too high.
 double nearer_to_bottom(const CriticalSpeeds& speeds, double from_motion) {
   constexpr double step = 0x1p-28, farthest = 0x1p-18;
   const Two here = speeds.in_two_words(from_motion);

@@ -15,13 +15,14 @@ struct CriticalLine {
   double from_motion;  ///< psi - theta
 };
 
-/// The line that is critical first. That none is lower by more than 1e-3, 1e-6, 1e-9, 1e-12 of it is proven, but for
-/// rounding in double, to the last of these that 400 lines are enough for. BadInput "solid" where moduli are so far apart
-/// that the fastest wave along the surface is 3000 times as fast, or `most_lines` are not enough.
+/// The line that is critical first. Apart from rounding in double it is proven that no line has a critical speed
+/// lower by more than 1e-3, 1e-6, 1e-9 or 1e-12 of it, whichever is the smallest that 400 lines suffice for. BadInput
+/// "solid" where the fastest wave along the surface is 3000 times as fast, or where `most_lines` lines do not
+/// suffice.
 CriticalLine critical_line(const LineLimits& line, const data::Stiffness& solid, Direction motion,
                            std::size_t most_lines);
 
-/// With the angle from x1, -pi/2 < psi <= pi/2.
+/// The same with the line's angle psi from x1, -pi/2 < psi <= pi/2.
 CriticalSpeed critical_speed(const CriticalLine& critical, Direction motion);
 
 }  // namespace nipref::fast::internal

@@ -9,7 +9,7 @@ inline Two sine_of(Direction x) { return {x.sine, x.sine_low}; }
 
 inline Two squared_length(Direction x) { return square(cosine_of(x)) + square(sine_of(x)); }
 
-/// Times the lengths of both.
+/// The scalar product of both vectors, the cosine of their angle times both lengths.
 inline Two cosine_between(Direction x, Direction y) {
   return cosine_of(x) * cosine_of(y) + sine_of(x) * sine_of(y);
 }

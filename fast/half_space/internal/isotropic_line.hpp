@@ -5,8 +5,8 @@
 
 namespace nipref::fast::internal {
 
-/// What an isotropic half-space answers along one line. Two words each: what cancels, and does so more and
-/// more towards the Rayleigh speed, keeps its digits. wS^2 = 1 - X, wD^2 = 1 - X/cD^2.
+/// The functions that make up the response of an isotropic half-space along one line. Each has two words, since its
+/// terms cancel more and more towards the Rayleigh speed. wS^2 = 1 - X, wD^2 = 1 - X/cD^2.
 struct IsotropicLine {
   Two X;               ///< density c_X^2/shear, c_X the speed along the line
   Two shear_decay;     ///< wS

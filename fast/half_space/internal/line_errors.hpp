@@ -6,11 +6,11 @@
 
 namespace nipref::fast::internal {
 
-/// Of compliances and couplings, relative.
+/// The relative error of compliances and couplings.
 inline constexpr double response_rounding = 0x1.8p-51;
 
-/// f of the distances to both ends of a line, which are off by `distance_error` at most. f grows with both, so that its
-/// change at the ends of that range bounds the error; it is 0 outside of the contact.
+/// f of the distances to both ends of a line, whose errors are at most `distance_error`. f increases with both, so that
+/// its values at the ends of these ranges bound the error; it is 0 outside the contact.
 template <class Function>
 Estimate between_ends(double ahead, double behind, double distance_error, const Function& f) {
   const auto changed = [&](double change) {

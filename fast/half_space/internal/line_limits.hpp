@@ -3,11 +3,10 @@
 
 namespace nipref::fast::internal {
 
-/// How fast loads may move along the lines of a half-space.
+/// The critical speeds of the lines of a half-space.
 class LineLimits {
  public:
-  /// The speed along the line psi from which on it is no longer subcritical, times the length of psi and
-  /// rounded down to a double; or to two words.
+  /// The critical speed along the line psi, times the length of psi, rounded down to a double; or in two words.
   [[nodiscard]] virtual double limit(Direction psi) const = 0;
   [[nodiscard]] virtual Two limit_in_two_words(Direction psi) const = 0;
 
@@ -18,7 +17,7 @@ class LineLimits {
   ~LineLimits() = default;
 };
 
-/// How loads move: the vector that has the length of the speed.
+/// The velocity of a load.
 struct Motion {
   Motion(Direction along, Two speed)
       : direction(along), squared_ratio(square(speed) / squared_length(along)) {}

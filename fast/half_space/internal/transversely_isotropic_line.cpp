@@ -4,7 +4,8 @@
 #include <nipref/fast/number/internal/bisection.hpp>
 #include <nipref/fast/number/internal/instruction_level.hpp>
 
-// Once more for processors with a fused multiply-add, which the two-word products then do in one instruction.
+// The same code is compiled a second time for processors with a fused multiply-add, which makes a two-word product one
+// instruction.
 #ifdef NIPREF_X86_LEVELS
 #define NIPREF_FUSED [[gnu::target("arch=x86-64-v3")]]
 #else
@@ -54,7 +55,7 @@ NIPREF_TWICE LineFunctions NormalAxisLine::code(Direction psi, Two scaled_X) con
   const Two roots = root3_ * A1 + root5_ * B5;
   const Two P_squared = (roots - sum_) * (roots + sum_);  // P_+^2
   if (!(P_squared.high > 0)) return {};
-  // sqrt(d3 d5) M; d5 - B5^2 = X has been taken out of it
+  // sqrt(d3 d5) M without its factor d5 - B5^2 = X
   const Two stiff = root3_ * root5_ * A1;
   const Two rayleigh = B5 * (determinant_ - d3_ * X) - X * stiff;
   return {rayleigh, A1 * sqrt(P_squared), stiff - d13_ * B5};
@@ -138,7 +139,7 @@ bool TransverselyIsotropicLine::is_subcritical(Direction psi, Two speed) const {
   return functions(psi, density_ * square(speed)).subcritical();
 }
 
-// All that cancels has done so: the quotients themselves are taken in double.
+// Numerators and denominators have two words, as their terms cancel; double suffices for their quotients.
 std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Motion& motion) const {
   const LineFunctions line = functions(psi, stress_density(density_, psi, motion));
   if (!line.subcritical()) return std::nullopt;
@@ -148,8 +149,8 @@ std::optional<LineAnswers> TransverselyIsotropicLine::at(Direction psi, const Mo
                      line.coupling_across / divisor * inverse_unit_};
 }
 
-// By a central difference in two words: with this step rounding leaves 1e-13 of it, the next term
-// (step/gap)^2 for the relative distance `gap` from the critical speed.
+// By a central difference in two words. With this step the rounding error is 1e-13 of the result and the truncation
+// error (step/gap)^2, where `gap` is the relative distance from the critical speed.
 double TransverselyIsotropicLine::condition(Direction psi, const Motion& motion) const {
   constexpr double step = 0x1p-50;
   const Two X = stress_density(density_, psi, motion);

@@ -7,13 +7,13 @@
 
 namespace nipref::fast::internal {
 
-// What a transversely isotropic half-space answers along one line, moduli and reciprocal answers in one unit.
-// Two words: nothing that cancels, be it near a branch point or near the Rayleigh speed, shows in the doubles
-// that come out. X is the dynamic stress density c_X^2 of the speed c_X along the line, times the square of
-// the length of psi: a Direction stands for the unit vector along it, which words make only nearly so long.
+// The response of a transversely isotropic half-space along one line, with moduli and reciprocal responses in one
+// unit. Two words are carried, so that cancellation near a branch point or near the Rayleigh speed does not show in
+// the double results. X is density c_X^2 for the speed c_X along the line, times the square of the length of psi,
+// since rounding makes the vector of a Direction only nearly one of unit length.
 
-/// The answers times `rayleigh`, which vanishes at the Rayleigh speed. Only where it is positive, that is
-/// where the line is slower than every wave along it, bulk or Rayleigh, do the numbers mean something.
+/// The responses times `rayleigh`, which vanishes at the Rayleigh speed. The numbers have a meaning only where
+/// `rayleigh` is positive: then the load is slower along the line than every wave, bulk or Rayleigh.
 struct LineFunctions {
   Two rayleigh;
   Two compliance;
@@ -64,7 +64,7 @@ class InPlaneAxisLine {
   Two coupling_;     ///< (d6 + d12)^2/(d1 d6)
 };
 
-/// Either of them, in the units of the solid.
+/// A line of either kind, in the units of the solid.
 class TransverselyIsotropicLine final : public LineLimits {
  public:
   TransverselyIsotropicLine(const data::TransverselyIsotropicSolid& solid, data::SymmetryAxis axis);

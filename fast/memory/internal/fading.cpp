@@ -19,16 +19,16 @@ Complex one_word(Complex rate) { return rate; }
 double faded(const Fade& fade, Two way) { return decay(fade.rate * way); }
 Complex faded(Complex rate, Two way) { return std::exp(-rate * way.high); }
 
-/// The waves at nearest, from where the far pieces start.
+/// The waves at the distance `nearest`, where the pieces far from the load start.
 const Waves& nearest_waves(Accuracy accuracy) {
   static const Waves full = waves({nearest, 0}, 0x1p-56), coarse = waves({nearest, 0}, 1e-10);
   return accuracy.rtol() >= 1e-8 ? coarse : full;
 }
 
-/// What the odd kernels tend to far ahead of the load; behind it is the negative.
+/// The limit of a kernel far ahead of the load; far behind it, the odd kernels have the opposite limit.
 double limit(Kernel kernel) { return kernel == Kernel::I1 ? 0 : pi / 4; }
 
-/// Ahead of the load, from the waves' distance for `length`, and for ever.
+/// The memory of what lies ahead of the load, from the waves' distance on: over `length`, and to infinity.
 template <typename Rate>
 Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
   return memory_of_piece_ahead(kernel, from, rate, length) + limit(kernel) * length * phi1(rate * length);
@@ -36,7 +36,7 @@ Rate piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
 template <typename Rate>
 Rate all_ahead(Kernel kernel, const Waves& from, double at, Rate rate) {
   const Rate far = memory_from_far(kernel, from, rate);
-  if (kernel == Kernel::I1) return far;  // it has a memory at rate 0 too
+  if (kernel == Kernel::I1) return far;  // I1 is integrable, so that its memory exists at rate 0, too
   return far + (rate == 0.0 ? Rate(-limit(kernel) * at) : limit(kernel) / rate);
 }
 
@@ -55,8 +55,8 @@ Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
   return all_ahead(kernel, nearest_waves(accuracy), nearest, rate);
 }
 
-/// The kernel on [start, end], or to infinity without an end: behind the load by residues, within nearest of
-/// it by memory_under_load, ahead by residues. What is passed first has faded most.
+/// The memory on [start, end], or on [start, infinity) if `end` is null. Parts farther from the load than `nearest` are
+/// sums of residues, the part near the load is memory_under_load. Each part decays over its distance from `start`.
 template <typename Rate>
 auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end, Two length,
                const Rate& rate, Accuracy accuracy) {
@@ -91,8 +91,8 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
-/// int over the whole line of e^(-L w) I1(w) dw, continued to where the integral no longer exists: pi times
-/// the kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
+/// The integral of e^(-L w) I1(w) over all w, continued analytically to those L for which it diverges: pi times the
+/// kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
 double whole_line(double L) {
   const double sine_ratio = L == 0 ? 1 : std::sin(L) / L;
   return pi * sine_ratio * sine_ratio / (1 + sine_ratio * std::cos(L));
@@ -131,7 +131,7 @@ double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade,
     const double rate = fade.rate.high;
     return whole_line(rate) * faded(fade, -start.at) + residues_behind(kernel, start.waves, rate);
   }
-  // At rate 0 counted from the point, not from 0.
+  // At rate 0 the limit is subtracted from the point on, not from the load on.
   const double from_point = fade.rate.high == 0 ? limit(kernel) * start.at.high : 0;
   return by_pieces(kernel, start, nullptr, {}, fade, accuracy) + from_point;
 }
@@ -145,8 +145,8 @@ double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end,
   if (length.high < 1 || end.at.high < nearest) return by_pieces(kernel, start, &end, length, fade, accuracy);
   const bool forgotten = fade.rate.high * std::min(length.high, end.at.high) > 42;
   if (forgotten) return steady_memory(kernel, start, fade, accuracy);
-  // I1 over a half-thickness or more, and beyond the surroundings of the load: the rest is small against the
-  // whole. Not so for kernels that do not fade.
+  // The memory to infinity less that beyond `end`. Over a half-thickness or more of I1, with `end` far ahead of the
+  // load, the second is small against the first and nothing cancels; the other kernels do not decay.
   if (kernel != Kernel::I1) return by_pieces(kernel, start, &end, length, fade, accuracy);
   return steady_memory(kernel, start, fade, accuracy) -
          faded(fade, length) * steady_memory(kernel, end, fade, accuracy);

@@ -8,8 +8,8 @@
 
 namespace nipref::fast::internal {
 
-/// A position against the load, in half-thicknesses, > 0 ahead of it, and its waves unless it is nearer than
-/// nearest.
+/// A position relative to the load, in half-thicknesses, > 0 ahead of it. `waves` is filled where it is at least
+/// `nearest` from the load.
 struct SurfacePoint {
   Two at;
   Waves waves;
@@ -17,8 +17,8 @@ struct SurfacePoint {
 
 SurfacePoint surface_point(Two at, Accuracy accuracy);
 
-/// A real rate of fading, and what of the memory depends on nothing else: from one of -1, -1/2, 0, 1/2 to the
-/// next, and from 1 on, int e^(-rate (w - start)) I(w) dw for the kernels it was made for.
+/// A real rate, and the integrals of e^(-rate (w - start)) I(w) that depend on it alone, for the kernels it was made
+/// for: `core` over [-1, -1/2], [-1/2, 0], [0, 1/2], [1/2, 1], and `beyond` over [1, infinity).
 struct Fade {
   Two rate;
   std::array<CorePieces, kernel_count> core{};
@@ -27,15 +27,16 @@ struct Fade {
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 
-/// The kernel at a point; of the odd ones I(0) = 0.
+/// The kernel at a point; the odd ones are 0 under the load.
 double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) I(w) dw; at rate 0 of an odd kernel beside limit/rate.
+/// int_start^inf e^(-rate (w - start)) I(w) dw. For an odd kernel at rate 0, where this diverges, limit/rate is left
+/// out.
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy);
 
-/// The same as far as end = start + length. The length is wanted for itself: where it is short, the
-/// difference of the points does not know it.
+/// The same integral up to end = start + length. `length` is an argument of its own because a short length is lost in
+/// the rounding of end - start.
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy);
 Complex memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, Complex rate,

@@ -11,9 +11,9 @@ namespace {
 
 /// I1 = ln(log_end/w) + a smooth even function that begins with w^2.
 constexpr double log_end = 0x1.68324269695c0p-1;
-/// Here e^-x has faded to 2^-58.
+/// From here on e^-x < 2^-57 is neglected.
 constexpr double faded = 40;
-/// Between distances from the logarithm in less than this ratio a Gauss rule will do.
+/// A Gauss rule integrates the logarithm over an interval whose ends have distances from it within this ratio.
 constexpr double smooth_ratio = 6;
 
 /// The smooth part of I1 on any piece of [-1/2, 1/2].
@@ -24,8 +24,8 @@ double smooth_part(double w, double length, double rate, Accuracy accuracy) {
   return faded_sum(gauss, smooth, length, rate);
 }
 
-/// int_0^length e^(-rate d) ln(log_end/(p + d)) dd, p >= 0, p + length <= 1/2: by parts, so that all terms of
-/// the result are positive. Not for p near its end.
+/// int_0^length e^(-rate d) ln(log_end/(p + d)) dd for p >= 0, p + length <= 1/2, integrated by parts. Where p is close
+/// to p + length the terms cancel.
 double log_ahead(double p, double length, double rate) {
   const double q = p + length;
   const double constant = std::log(log_end / q) * length * phi1(rate * length);
@@ -73,13 +73,13 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
                   : inner_behind(distance, -end, length, rate, accuracy);
 }
 
-/// For a complex rate: panels that are short against its turning and against the distance from the logarithm.
+/// For a complex rate, by panels that are short against its period and against the distance from the logarithm.
 Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
   const double most = 12 / std::abs(rate);
   length = std::min(length, faded / std::max(rate.real(), 1e-300));
-  // Within `tiny` of the load weight and smooth part are constant, the logarithm is integrated in closed
-  // form.
+  // Within `tiny` of the load the weight and the smooth part of I1 are constant to rounding, and the logarithm is
+  // integrated in closed form.
   const double tiny = std::max(1e-9 / (1 + std::abs(rate)), 1e-13 * length);
   Complex sum = 0;
   double done = 0;
@@ -94,7 +94,7 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
     const bool at_load = v <= tiny && (step < 0 || v == 0);
     if (!at_load) {
       sum += weight * by_rule(kernel, v, step, panel, rate, accuracy);
-    } else if (kernel == Kernel::I1) {  // the others are 0 at the load
+    } else if (kernel == Kernel::I1) {  // the other kernels are 0 under the load
       const auto log_to = [](double x) { return x > 0 ? x * (std::log(log_end / x) + 1) : 0; };
       sum += weight * (step > 0 ? log_to(panel) : log_to(v) - log_to(std::max(v - panel, 0.0)));
     }
@@ -103,7 +103,7 @@ Complex piece(Kernel kernel, double w, double end, double length, Complex rate, 
   return kernel == Kernel::I1 ? sum : Complex(step) * sum;
 }
 
-/// The sum over the pieces between the stops of what `of_piece` says of each.
+/// The integral from w to `end` as a sum of `of_piece` over the parts between neighbouring core_stops.
 template <typename Rate, typename Piece>
 Rate over_pieces(double w, double end, double length, Rate rate, Piece of_piece) {
   Rate sum = 0;

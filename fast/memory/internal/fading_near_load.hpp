@@ -7,19 +7,19 @@
 
 namespace nipref::fast::internal {
 
-/// Where the memory under the load is cut.
+/// The ends of the pieces near the load, the first of which starts at -1.
 inline constexpr std::array core_stops{-inner_end, 0.0, inner_end, 1.0};
-/// The memory of the whole pieces that end there, each from its own start.
+/// The memory of each whole piece, counted from its start.
 using CorePieces = std::array<double, core_stops.size()>;
 
 CorePieces core_pieces(Kernel kernel, double rate, Accuracy accuracy);
 
-/// int_0^length e^(-rate d) I(w + d) dd for -1 <= w < end = w + length <= 1, I the whole kernel: exponential
-/// integrals for the logarithm, Gauss rules for what is smooth. Both end and length, as either may be too
-/// small to be seen in the rounding of the other. `whole`: of the same kernel and rate.
+/// int_0^length e^(-rate d) I(w + d) dd for -1 <= w < end = w + length <= 1, by exponential integrals for the
+/// logarithm and Gauss rules for the smooth rest. Both `end` and `length` are given since either may be smaller than
+/// the rounding of the other. `whole` is made for the same kernel and rate.
 double memory_under_load(Kernel kernel, double w, double end, double length, double rate,
                          const CorePieces& whole, Accuracy accuracy);
-/// The same for a complex rate by panels, finer towards the logarithm.
+/// The same for a complex rate, by panels that are graded towards the logarithm.
 Complex memory_under_load(Kernel kernel, double w, double end, double length, Complex rate,
                           Accuracy accuracy);
 

@@ -21,20 +21,20 @@ const GaussRule& rule(int index) {
   return all[static_cast<std::size_t>(index)];
 }
 
-/// e^(-x s) on [0, 1] needs about 12 + 0.85 x nodes' degree 2 n at full accuracy, and the kernels, whose
-/// singularities are at a quarter of the interval or farther, 30.
+/// The index of the Gauss rule. Its degree 2 n has to be about 12 + 0.85 x for e^(-x s) on [0, 1] at full accuracy,
+/// and 30 for the kernels, whose singularities are at least a quarter of the interval away.
 int rule_for(double decays, double ratio, Accuracy accuracy) {
   const bool easy = decays <= 6 && ratio <= 3;
   if (accuracy.rtol() >= 1e-8) return easy ? 0 : 2;
   return easy ? 2 : 3;
 }
 
-/// I(v), v > 0, at a rule's points between v and v + step length.
-void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, Nodes& values,
+/// The kernel at a rule's points between v > 0 and v + step.
+void kernel_between(Kernel kernel, double v, double step, const GaussRule& rule, Nodes& values,
                     Accuracy accuracy) {
   Nodes points;
   const std::size_t count = rule.at.size();
-  for (std::size_t i = 0; i < count; ++i) points[i] = v + way * rule.at[i];
+  for (std::size_t i = 0; i < count; ++i) points[i] = v + step * rule.at[i];
   const std::span<const double> at(points.data(), count);
   const std::span<double> value(values.data(), count);
   if (kernel == Kernel::I1) return I1(at, value, accuracy);
@@ -43,8 +43,8 @@ void kernel_between(Kernel kernel, double v, double way, const GaussRule& rule, 
   I5(at, value, accuracy);
 }
 
-/// The pieces that most integrals are made of: [1/2, 1] and, for the kernels without logarithm, [0, 1/2],
-/// both ways.
+/// The kernels at the rules' points on the intervals that most integrals consist of: [1/2, 1] and, for the kernels
+/// without logarithm, [0, 1/2], each in both directions.
 struct WholePieces {
   Nodes value[kernel_count][2][2][std::size(rules)];
 

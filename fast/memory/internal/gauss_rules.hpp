@@ -8,21 +8,21 @@
 
 namespace nipref::fast::internal {
 
-/// Where the logarithm is taken apart; as the table of the smooth function.
+/// Up to this distance from the load the logarithm of I1 is treated apart, as in the table of the smooth rest.
 constexpr double inner_end = near_end;
 
 inline constexpr int most_nodes = 32;
 using Nodes = std::array<double, most_nodes>;
 
-/// int_0^length e^(-rate d) f(d) dd from f at the rule's points.
+/// int_0^length e^(-rate d) f(d) dd from the values of f at the rule's points.
 template <typename Rate>
 Rate faded_sum(const GaussRule& rule, const Nodes& values, double length, Rate rate);
 
-/// For e^(-decays s) on [0, 1] times a function as smooth as the regular part of I1 on [0, 1/2].
+/// The rule for e^(-decays s) on [0, 1] times a function as smooth as the regular part of I1 on [0, 1/2].
 const GaussRule& gauss_rule_for(double decays, Accuracy accuracy);
 
-/// int_0^length e^(-rate d) I(v + step d) dd by one Gauss rule, the kernel I at positive arguments; step is 1
-/// ahead of the load, -1 behind. For I1 the distances v and v + step length must be in a ratio below 6.
+/// int_0^length e^(-rate d) I(v + step d) dd by one Gauss rule, where v and v + step length are distances from the
+/// load >= 0, and step is 1 ahead of the load, -1 behind it. For I1 their ratio must be below 6.
 template <typename Rate>
 Rate by_rule(Kernel kernel, double v, int step, double length, Rate rate, Accuracy accuracy);
 

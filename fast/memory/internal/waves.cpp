@@ -25,7 +25,8 @@ Two two_words(Extended x) {
 
 constexpr double gone = 400;
 
-/// More than a double's bits, as the first wave matters up to 340 half-thicknesses.
+/// A root of sinh 2z + 2z to more bits than a double has: the first wave matters up to 340 half-thicknesses, where the
+/// rounding of a double root would be multiplied by as much.
 std::complex<Extended> extended_root(int n) {
   std::complex<Extended> z = sheet_root(n);
   const std::complex<Extended> c = std::cosh(z);
@@ -51,12 +52,12 @@ const std::array<Root, most_waves>& roots() {
   return all;
 }
 
-/// The smaller sizes: at a distance x the n-th wave is about e^(-pi (n - 1) x) of the first.
+/// How many waves reach the tolerance: at a distance x the n-th is about e^(-pi (n - 1) x) of the first.
 int wave_count(double distance, double tolerance) {
   return std::clamp(static_cast<int>(2 - std::log(tolerance) / (std::numbers::pi * distance)), 1, most_waves);
 }
 
-/// The roots once more, in columns.
+/// The roots as a structure of arrays, which vector instructions need.
 struct Columns {
   std::array<double, most_waves> frequency_high, frequency_low, decay_high, decay_low;
 
@@ -76,8 +77,8 @@ RootColumns root_columns() {
   return {all.frequency_high.data(), all.frequency_low.data(), all.decay_high.data(), all.decay_low.data()};
 }
 
-/// The real part of a sum over the waves of C wave transform(i z), for a real rate; for a complex one both
-/// the wave and its mirror, as the transform is no longer the conjugate at the conjugate.
+/// The sum over the waves of C wave transform(i z): its real part for a real rate. For a complex rate the transform at
+/// the conjugate root is not the conjugate, and both are summed.
 template <typename Rate, typename Transform>
 Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   Rate sum = 0;
@@ -95,7 +96,7 @@ Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   return sum;
 }
 
-/// Multiplication by 1/z without the library's care for infinities.
+/// 1/z without the library's treatment of infinities, which costs time.
 Complex inverse(Complex z) {
   const double scale = 1 / (z.real() * z.real() + z.imag() * z.imag());
   return {z.real() * scale, -z.imag() * scale};
@@ -105,7 +106,7 @@ Complex inverse(Complex z) {
 
 Waves waves(Two distance, double tolerance) {
   if (distance.high < 0) distance = -distance;
-  // There is nothing left of a wave where the first has fallen below the least double.
+  // From this distance on even the first wave is below the least double.
   if (distance.high > gone) distance = {gone, 0};
   Waves at;
   at.count = wave_count(distance.high, tolerance);
@@ -133,8 +134,8 @@ template <typename Rate>
 Rate memory_of_piece_behind(Kernel kernel, const Waves& from, const Waves& to, Rate rate, double length,
                             Rate faded) {
   const auto short_piece = [&](Complex exponent) { return std::norm((rate + exponent) * length) < 1; };
-  // Each wave runs from one end's value to the other's; where they differ by little, from the far one's
-  // alone.
+  // A wave's integral is the difference of its antiderivative at both ends. Over a short piece these would cancel, and
+  // the value at the far end is multiplied by phi1 instead.
   const Rate far = sum_over<Rate>(kernel, from, [&](int, Complex exponent) {
     const Complex slope = rate + exponent;
     return short_piece(exponent) ? length * phi1(slope * length) : inverse(slope);
