@@ -4,10 +4,9 @@ namespace nipref::fast {
 
 /// How much error a caller accepts: a relative tolerance, from which the library picks the work.
 ///
-/// `Accuracy(rtol)` promises |error| <= rtol * scale, where scale = max(|value|, envelope), the envelope
-/// being the size the value would have away from its zeros (its leading residue without the cosine); for the
-/// odd kernels as the argument goes to 0 the scale is |value|. The default promises 2 units in the last place
-/// of the scale.
+/// `Accuracy(rtol)` promises |error| <= rtol * scale, where scale = max(|value|, envelope). The envelope is the size
+/// of the value away from its zeros: its leading residue without the cosine. For the odd kernels the scale is |value|
+/// as the argument goes to 0. The default promises 2 units in the last place of the scale.
 class Accuracy {
  public:
   /// The best that can be asked for: 2 units in the last place, 2^-51.

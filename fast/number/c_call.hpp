@@ -2,11 +2,11 @@
 
 namespace nipref::fast {
 
-/// Calls `body` with `context`, for functions that are called from C: no exception leaves it. 0, or nipref_bad_input
-/// or nipref_failed of fast/sheet/c.h, and then nipref_last_error() is what the exception says.
+/// Calls `body` with `context` for a function that is called from C, which no exception may leave. Returns 0, or for an
+/// exception nipref_bad_input or nipref_failed of fast/sheet/c.h; nipref_last_error() is then the exception's message.
 int c_call(void (*body)(void* context), void* context) noexcept;
 
-/// The same of a callable.
+/// The same for any callable.
 template <class Body>
 int c_call(Body body) noexcept {
   return c_call([](void* context) { (*static_cast<Body*>(context))(); }, &body);

@@ -5,8 +5,7 @@
 
 namespace nipref::fast::internal {
 
-/// An unevaluated sum high + low, |low| below a unit of high: what a large exponent or phase has to be known
-/// to.
+/// An unevaluated sum high + low, |low| below a unit in the last place of high, for large exponents and phases.
 struct Two {
   double high = 0;
   double low = 0;
@@ -31,7 +30,7 @@ inline Two two_sum_ordered(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// The rest of these are good to a few units of 2^-104 of the largest operand.
+/// The error of the following functions is a few times 2^-104 of the largest operand.
 inline Two operator+(Two a, Two b) {
   const Two sum = two_sum(a.high, b.high);
   return two_sum_ordered(sum.high, sum.low + (a.low + b.low));
@@ -51,7 +50,7 @@ inline Two operator/(Two a, double b) {
   return two_sum_ordered(quotient, (std::fma(-quotient, b, a.high) + a.low) / b);
 }
 
-/// e^-x without losing what is in the low word; x >= 0.
+/// e^-x including the effect of the low word; x >= 0.
 inline double decay(Two x) { return std::exp(-x.high) * (1 - x.low); }
 
 }  // namespace nipref::fast::internal

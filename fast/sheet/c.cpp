@@ -16,7 +16,7 @@ int refuse(int code, const std::exception& reason) noexcept {
   return code;
 }
 
-/// Nothing is written unless there is a value.
+/// Writes the value, unless the kernel refuses the argument.
 template <class Kernel>
 int write(double* value, Kernel kernel) noexcept {
   return c_call([=] {

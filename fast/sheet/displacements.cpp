@@ -10,7 +10,7 @@ namespace {
 
 constexpr double inverse_pi = std::numbers::inv_pi;
 
-/// The ratios theta1/N and theta2/N do not depend on Young's modulus: any will do for the check.
+/// The ratios theta1/N and theta2/N do not depend on Young's modulus, so that the check uses 1.
 void check_poisson(double poisson) { data::ElasticMaterial{1, poisson}.check(); }
 
 /// theta1/N without the cancellation of 1 - poisson^2.

@@ -58,14 +58,14 @@ SheetStresses stresses_of(const FieldFunctions& f, double s, SheetLoad load) {
           (f[I7_slope].im + f[I5].im + s * f[I5_slope].re) * inverse_pi};
 }
 
-/// At alpha >= near_load_end, from what decays.
+/// The stresses at alpha >= near_load_end, from the residue series, which decays.
 SheetStresses far_stresses(const FieldFunctions& f, double s, SheetLoad load) {
   SheetStresses result = stresses_of(f, s, load);
   if (load == SheetLoad::shear) result.along -= 0.5;
   return result;
 }
 
-/// At alpha >= 0, 0 <= s <= 1.
+/// The stresses at alpha >= 0, 0 <= s <= 1.
 SheetStresses stresses_in_quarter(double alpha, double s, SheetLoad load) {
   if (!is_near(alpha)) return far_stresses(internal::decaying(alpha, s), s, load);
   const SheetStresses rest = stresses_of(internal::near_rest(alpha, s, I5), s, load);
@@ -78,10 +78,10 @@ SheetStresses without_planes(SheetStresses stresses, double alpha, double s, She
   return {stresses.across - planes.across, stresses.along - planes.along, stresses.shear - planes.shear};
 }
 
-/// -1, 0, 1.
+/// The sign of x, 0 for x = 0.
 double sign(double x) { return x == 0 ? 0 : std::copysign(1.0, x); }
 
-/// The factors of theta2/N (or 1) and theta1/N in pi u and in what pi v is relative to infinity, without constants.
+/// The factors of theta2/N (or 1) and of theta1/N in pi u, and in pi v relative to infinity, without constants.
 HalfPlaneParts parts_of_u(const FieldFunctions& f, double s, SheetLoad load) {
   if (load == SheetLoad::normal) return {f[I4].im, f[I5].im - s * f[I7].re};
   return {f[K5].im, f[I7].im + s * f[I5].re};
@@ -110,7 +110,7 @@ double u_in_quarter(double alpha, double s, SheetLoad load, double poisson) {
          inverse_pi;
 }
 
-/// v without the part of eta, which is odd for a normal load.
+/// v of a normal load, which is odd, without the part that depends on eta.
 double normal_v_in_quarter(double alpha, double s, double poisson) {
   const SheetLoad load = SheetLoad::normal;
   const HalfPlaneParts parts =
@@ -135,8 +135,9 @@ double shear_v_in_quarter(double alpha, double eta, double s, double poisson) {
   return (eta - alpha) / 4 + (held - parts.first - t1 * parts.second) * inverse_pi;
 }
 
-/// What is odd in alpha is proportional to it where it is tiny. It is taken larger there, so that no product with it
-/// falls below the doubles before it is divided by the square of a small distance; `scale` takes that back.
+/// A function that is odd in alpha is proportional to it for tiny alpha. Such an alpha is multiplied by 2^64, so that
+/// no product with it underflows before it is divided by the square of a small distance; the result is multiplied by
+/// `scale`.
 struct Lifted {
   double alpha;
   double scale;
@@ -152,7 +153,7 @@ SheetStresses with_odd_scaled(SheetStresses stresses, double scale, SheetLoad lo
   return {stresses.across, stresses.along, stresses.shear * scale};
 }
 
-/// The signs of x and of y that the parities give.
+/// The stresses at (alpha, depth) from those at (|alpha|, |depth|), by their parities.
 SheetStresses with_signs(SheetStresses stresses, double alpha, double depth, SheetLoad load) {
   const double side = sign(alpha), face = sign(depth);
   if (load == SheetLoad::shear) {

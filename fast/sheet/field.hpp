@@ -10,9 +10,10 @@
 //            surface: as it is exact in double, values are good at any distance from the load
 //   eta      where on the middle plane v is 0, in half-thicknesses: any finite double
 //   poisson  -1 < poisson <= 1/2
-//   error    at most 8 units in the last place of the sum of the magnitudes of the parts: each half-plane's field, the
-//            slowest residue terms; where the value is 0 by symmetry the parts are too. See verify's catalogue.
-//   bad input  nan, infinities, what is outside those domains, and |alpha| < 1e-300 at depth +-1, where the load is:
+//   error    at most 8 units in the last place of the scale, which is the sum of the magnitudes of each half-plane's
+//            field and of the slowest residue terms; where the value is 0 by symmetry, the scale is 0, too. See verify's
+//            catalogue.
+//   bad input  nan, infinities, arguments outside these domains, and |alpha| < 1e-300 at depth +-1, where the load acts:
 //            data::BadInput
 
 namespace nipref::fast {
@@ -28,7 +29,7 @@ struct SheetStresses {
 SheetStresses sheet_stresses(double alpha, double depth, data::SheetLoad load);
 
 /// Displacement along +x over theta1 + theta2, dimensionless; 0 on the middle plane. At depth -1 it is un or us (thesis
-/// 4.8, 4.19a), at depth 1 their opposite: these are counted towards the middle.
+/// 4.8, 4.19a), which are positive towards the middle plane; at depth 1 it is minus un or us.
 double sheet_u(double alpha, double depth, data::SheetLoad load, double poisson);
 
 /// Displacement along +y over theta1 + theta2, dimensionless, relative to the point eta of the middle plane. At depth

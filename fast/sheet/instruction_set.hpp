@@ -7,10 +7,9 @@ namespace nipref::fast {
 /// two being the levels x86-64-v3 (AVX2) and x86-64-v4 (AVX-512).
 std::string_view instruction_set();
 
-/// Has the sheet kernels, and all else that is compiled more than once, run the code of that one instead of the best, as
-/// another machine would. To be called before
-/// anything else is, from one thread. BadInput naming "isa" for another name, or one that this processor does not
-/// have.
+/// Makes the sheet kernels, and all other code that is compiled more than once, run the code for this instruction set
+/// instead of the best, as another machine would. It must be called first, from one thread. BadInput "isa" for another
+/// name, or for an instruction set that this processor lacks.
 void use_instruction_set(std::string_view name);
 
 }  // namespace nipref::fast

@@ -3,9 +3,9 @@
 
 namespace nipref::fast {
 
-// The thesis's own way to the kernels: the first `terms` residues of (AI.9) and (AI.12), sum e^(-K_n |alpha|)
-// (A_n sin m_n |alpha| + B_n cos m_n |alpha|) with z_n = m_n + i K_n, evaluated as it stands. A peer for
-// speed and accuracy, and what replays the thesis's tables; not a way to compute a kernel.
+// The thesis's own method for the kernels: the first `terms` residues of (AI.9) and (AI.12), sum e^(-K_n |alpha|)
+// (A_n sin m_n |alpha| + B_n cos m_n |alpha|) with z_n = m_n + i K_n, evaluated as printed. It serves to replay the
+// thesis's tables and to compare speed and accuracy.
 //
 //   alpha  dimensionless, finite and nonzero (the series diverge at 0), otherwise BadInput
 //   terms  1 .. most_residue_terms, otherwise BadInput
@@ -18,7 +18,7 @@ inline constexpr int most_residue_terms = 500;
 /// I1 alone, value by value.
 double plain_series_I1(double alpha, int terms);
 
-/// Where the values at each alpha go; as many as there are alphas, or none if the kernel is not wanted.
+/// The output spans, each as long as alpha, or empty if the kernel is not wanted.
 struct PlainSeriesValues {
   std::span<double> I1;
   std::span<double> I3;

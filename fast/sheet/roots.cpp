@@ -9,9 +9,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The equation, solved for its large exponential and with the branch of the logarithm spelled out, is z =
-/// map(z) + i n pi with map(z) = ln(-4z + e^(-2z))/2. For each n it has one root: there is no other that an
-/// iteration could end in.
+/// The equation, solved for its large exponential with an explicit branch of the logarithm, is z = map(z) + i n pi with
+/// map(z) = ln(-4z + e^(-2z))/2. It has exactly one root for each n, so that an iteration cannot end in another.
 struct MapAndSlope {
   Complex value;
   Complex slope;
@@ -30,15 +29,16 @@ std::complex<double> sheet_root(int n) {
   if (n < 1 || n > largest) throw data::BadInput("n", n, "must satisfy 1 <= n <= 1000000");
   constexpr double pi_low = 0x1.1a62633145c07p-53;
   const double height = std::numbers::pi * n;
-  // The guess is off by ln(n)/(pi n) at most and the slope of the map is 1/(2z): four Newton steps leave
-  // 1e-30.
+  // The error of the guess is at most ln(n)/(pi n) and the derivative of the map 1/(2z): after four Newton steps the
+  // error is 1e-30.
   constexpr int steps = 4;
   Complex z(0.5 * std::log(4 * (height - std::numbers::pi / 4)), height - std::numbers::pi / 4);
   for (int step = 0; step < steps; ++step) {
     const MapAndSlope at = map(z);
     z += (at.value + Complex(0, height) - z) / (1.0 - at.slope);
   }
-  // Once more without Newton's difference, whose rounding is that of z: the map contracts what is left.
+  // One step of the plain iteration, as Newton's difference has a rounding error of the size of z's; the map contracts
+  // the remaining error.
   const Complex value = map(z).value;
   return {value.real(), std::fma(n, std::numbers::pi, n * pi_low + value.imag())};
 }

@@ -19,7 +19,7 @@ struct Panel {
 
 inline constexpr std::size_t nodes_in_a_panel = 16;
 
-/// The nodes of Gauss and Legendre on one panel: visit(x, weight).
+/// Calls visit(x, weight) for the Gauss-Legendre nodes of one panel.
 template <typename Visit>
 void visit_nodes(Panel panel, Visit&& visit) {
   using Rule = boost::math::quadrature::gauss<double, nodes_in_a_panel>;
@@ -49,11 +49,11 @@ struct PanelSum {
   }
 };
 
-/// A panel against its two halves.
+/// A panel compared with its two halves.
 template <std::size_t count>
 struct HalvedPanel {
   PanelSum<count> left, right;
-  std::array<Estimate, count> integral{};  ///< by the halves; the errors are their difference from the whole
+  std::array<Estimate, count> integral{};  ///< sum of the halves; the error is its difference from the whole
 
   template <typename Integrand>
   HalvedPanel(Integrand& integrand, const PanelSum<count>& whole)
@@ -88,9 +88,9 @@ struct AdaptedPanels {
   }
 };
 
-/// f is a functor of a number that returns a std::array<double, count>. Panels are halved until the halves
-/// confirm the whole: towards poles near the interval, kinks and jumps as often as it takes. Where f is
-/// noisier than rounding the halving stops at 2^14 nodes, and the estimates say what is missing.
+/// f maps a number to a std::array<double, count>. A panel is halved until its halves agree with it, which grades the
+/// panels towards nearby poles, kinks and jumps. Where f has more noise than rounding, the halving stops at 2^14
+/// nodes, and the errors say how much is missing.
 template <std::size_t count, typename Integrand>
 AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double upper) {
   constexpr double tolerance = 1e-15, rounding = 16 * std::numeric_limits<double>::epsilon();
@@ -98,7 +98,7 @@ AdaptedPanels<count> adapt_panels(Integrand&& integrand, double lower, double up
   const double middle = Panel{lower, upper}.middle();
   std::vector<PanelSum<count>> pending{{integrand, {lower, middle}}, {integrand, {middle, upper}}};
   std::size_t nodes = 2 * nodes_in_a_panel;
-  std::array<double, count> magnitude{};  // of the whole integral, as well as it is known
+  std::array<double, count> magnitude{};  // the integral of |f|, as far as it is known
   const auto count_in = [&magnitude](const PanelSum<count>& sum, double sign) {
     for (std::size_t i = 0; i < count; ++i) magnitude[i] += sign * sum.magnitude[i];
   };

@@ -3,9 +3,8 @@
 
 namespace nipref::fast::internal {
 
-/// The last double of [low, high) for which `holds` is true, if it holds at low and nowhere beyond the first
-/// double where it fails. Bisection: the functions behind `holds` may end at a branch point before their
-/// root.
+/// The last double of [low, high) for which `holds` is true, by bisection. `holds` must be true at low, and false from
+/// some double on. No faster method is used since a function may end at a branch point before its root.
 double last_that(std::predicate<double> auto holds, double low, double high) {
   while (true) {
     const double middle = low + (high - low) / 2;

@@ -6,7 +6,7 @@
 
 namespace nipref::fast {
 
-/// What fast::clear_caches() empties.
+/// A cache that fast::clear_caches() empties.
 class ClearableCache {
  public:
   ClearableCache() = default;
@@ -16,14 +16,14 @@ class ClearableCache {
 
  protected:
   ~ClearableCache() = default;
-  /// From `enter`, when it is whole, to `leave`, while it still is, a cache is known to clear_caches().
+  /// `enter` registers a cache with clear_caches() once it is constructed, `leave` removes it before it is destroyed.
   void enter();
   void leave();
 };
 
-/// The values of a function of `Key`, computed when they are first asked for and kept: `most` of them, then
-/// all go. One policy for everything that this room keeps. Thread-safe; threads that ask at the same time may
-/// each compute a value, all get the same one.
+/// The values of a function of `Key`, each computed at its first use. Before the cache would exceed `most` values,
+/// all are dropped. Thread-safe; threads that need a value at the same time may each compute it, but all get the same
+/// one.
 template <class Key, class Value>
 class Cache final : public ClearableCache {
  public:
@@ -34,7 +34,7 @@ class Cache final : public ClearableCache {
   }
   ~Cache() { leave(); }
 
-  /// Lives as long as it is held here or by a caller.
+  /// The value lives as long as the cache or a caller refers to it.
   std::shared_ptr<const Value> at(const Key& key) {
     {
       const std::lock_guard lock(mutex_);

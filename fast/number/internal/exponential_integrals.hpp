@@ -3,13 +3,13 @@
 
 namespace nipref::fast::internal {
 
-// What a logarithm leaves under an exponential, scaled so that nothing overflows or cancels; x >= 0, relative
+// Integrals of a logarithm times an exponential, scaled so that nothing overflows or cancels, for x >= 0. Relative
 // accuracy a few units in the last place.
 
 /// (1 - e^-x)/x, 1 at 0.
 double phi1(double x);
 
-/// The same for any complex z, to a few units in the last place of the modulus; overflows as e^-z does.
+/// The same for any complex z, to a few units in the last place of the modulus; it overflows where e^-z does.
 std::complex<double> phi1(std::complex<double> z);
 
 /// Ein(x)/x = (1/x) int_0^x (1 - e^-t)/t dt, 1 at 0.

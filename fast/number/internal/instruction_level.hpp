@@ -1,21 +1,21 @@
 #pragma once
 
-// Some arithmetic is compiled more than once, for processors that have more instructions. Which of it runs is chosen
-// here, once for all of it, when the program starts.
+// Some arithmetic is compiled once for each of several instruction sets. This file chooses, when the program starts,
+// which of them runs.
 
 namespace nipref::fast::internal {
 
-/// From the plainest to the best: what every processor has, and the levels x86-64-v3 and x86-64-v4.
+/// The instruction sets in ascending order: that of every processor, and the levels x86-64-v3 and x86-64-v4.
 inline constexpr int instruction_set_count = 3;
 
-/// Whether this processor has all of that one, and code for it was compiled.
+/// Whether this processor has the whole instruction set, and code for it was compiled.
 bool has_instruction_set(int instruction_set);
 
-/// The best of this processor.
+/// The best instruction set of this processor.
 int best_instruction_set();
 
-/// Whose code runs: the best of this processor's unless use_instruction_set() was called. Before this library's static
-/// objects are initialised it may be 0, so that calls need no guard.
+/// The instruction set whose code runs: the best one, unless use_instruction_set() was called. It may be 0 before this
+/// library's static objects are initialised, so that calls need no guard.
 extern constinit int chosen_instruction_set;
 
 }  // namespace nipref::fast::internal

@@ -33,9 +33,8 @@ class JacobiAmplitude {
   /// K(k), the quarter period.
   [[nodiscard]] double quarter_period() const { return quarter_; }
 
-  /// 0 <= u <= K/2, each to a few ulp of itself: where cn is as small as sqrt(k'), its digits tell how far the
-  /// amplitude is from 90 degrees. By Landen's descending transformation of sn on the imaginary axis, sc(u, k) =
-  /// -i sn(iu, k').
+  /// For 0 <= u <= K/2, each to a few units in its last place, also cn, which may be as small as sqrt(k'). By Landen's
+  /// descending transformation of sn on the imaginary axis, sc(u, k) = -i sn(iu, k').
   [[nodiscard]] Values operator()(double u) const {
     if (complement_ == 1) return {std::sin(u), std::cos(u), 1};
     double argument = u;

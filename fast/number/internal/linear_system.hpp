@@ -3,19 +3,19 @@
 
 namespace nipref::fast {
 
-// Eigen's algorithms on matrices of any size, compiled once in linear_system.cpp: each costs a file that uses it
-// seconds.
+// Eigen's algorithms for matrices of any size, which are compiled only once, in linear_system.cpp, as each takes
+// seconds to compile.
 
-/// By elimination with partial pivoting; `matrix` square.
+/// The solution by elimination with partial pivoting; `matrix` is square.
 Eigen::VectorXd linear_solution(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
-/// A column for each right-hand side.
+/// The same with a column for each right-hand side.
 Eigen::MatrixXd linear_solution(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 Eigen::MatrixXcd linear_solution(const Eigen::MatrixXcd& matrix, const Eigen::MatrixXcd& right);
 
-/// A solution, and in the columns of `twins` what rounding could as well have made it: solutions, to first order, of
-/// systems in which each row's sum is changed by 2^-52 of the root of the sum of its summands' squares times a
-/// normally distributed number. `size`: of what each entry of the matrix is computed from, its own or larger where
-/// that cancels. The same each time.
+/// A solution, and in the columns of `twins` solutions that other roundings could have given: to first order those of
+/// systems whose row sums are each changed by 2^-52 times the root of the sum of their summands' squares, times a
+/// normally distributed number. `size` has the size of the terms from which each entry of the matrix is computed,
+/// larger than the entry where they cancel. The random numbers are the same in each run.
 struct SolutionAndTwins {
   Eigen::VectorXd solution;
   Eigen::MatrixXd twins;

@@ -5,8 +5,8 @@
 
 namespace nipref::fast::internal {
 
-/// Largest value of f(i) over 0 <= i <= samples: the best of the whole i, refined between its neighbours. The
-/// best sample itself where that is below `worth_refining`.
+/// The largest value of f(i) over 0 <= i <= samples: the best integer i, refined between its neighbours. If f there
+/// is below `worth_refining`, it is not refined.
 template <class Function>
 double sampled_maximum(const Function& f, int samples,
                        double worth_refining = -std::numeric_limits<double>::infinity()) {

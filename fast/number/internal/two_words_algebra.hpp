@@ -5,8 +5,8 @@
 
 namespace nipref::fast::internal {
 
-// What algebra with square roots, and logarithms, need beyond two_words.hpp; each good to a few units of 2^-104 of its
-// largest operand. Finite arguments.
+// Quotients, square roots and logarithms in two words, in addition to two_words.hpp. Arguments are finite; the error
+// is a few times 2^-104 of the largest operand.
 
 inline Two operator-(Two a, Two b) { return a + -b; }
 
@@ -15,7 +15,7 @@ inline Two operator*(double a, Two b) {
   return two_sum_ordered(product.high, std::fma(a, b.low, product.low));
 }
 
-/// The reciprocal first: it need not wait for a.
+/// By the reciprocal of b, which the processor can compute before a is known.
 inline Two operator/(Two a, Two b) {
   const double reciprocal = 1 / b.high;
   const double quotient = a.high * reciprocal;
@@ -23,7 +23,7 @@ inline Two operator/(Two a, Two b) {
   return two_sum_ordered(quotient, rest.high * reciprocal);
 }
 
-/// a > 0: one step of Newton from the root of the high word.
+/// For a > 0, by one Newton step from the root of the high word.
 inline Two sqrt(Two a) {
   const double root = std::sqrt(a.high);
   const double slope = 0.5 / root;
@@ -37,8 +37,8 @@ inline Two square(Two a) { return a * a; }
 
 inline double rounded(Two a) { return a.high + a.low; }
 
-/// a > 0, not so large or small that its square leaves the doubles: of the power of 2 next to it and, by the series
-/// of the inverse hyperbolic tangent, of what is left.
+/// For a > 0 whose square neither overflows nor underflows: the logarithm of the nearest power of 2 plus, by the
+/// series of the inverse hyperbolic tangent, that of the quotient.
 inline Two log(Two a) {
   constexpr Two ln2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
   constexpr int last = 43;  // z^2 < 0.0295

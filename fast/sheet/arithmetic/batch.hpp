@@ -4,7 +4,7 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// What a caller of a component needs: its value, or two words to compute on with.
+/// The form in which a caller needs a component: its rounded value, or two words for further arithmetic.
 enum class Words { rounded, two };
 
 /// A component at sorted points: its value or high word, and its low word where two are wanted.
@@ -39,7 +39,7 @@ NIPREF_INLINE VectorPair in_regime(Vector x) {
   if constexpr (regime == Regime::piece) return piece<component, tier>(x);
 }
 
-/// The same for the regimes that have a form of their own for vectors.
+/// The same for the regimes whose vector form differs from the scalar one.
 template <Regime regime, Component component, int tier, Words words>
 requires(regime != Regime::residue_tail) NIPREF_INLINE
     void evaluate_regime(const SortedPoints& points, SortedValues& values) {

@@ -4,15 +4,15 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// What the coarse tiers make of x < piece_end: f = rest + cubic of t in a row of the coarse table (odd f:
-/// rest = 0 and the cubic times x).
+/// An argument x < piece_end in the coarse tiers: f = rest + the cubic in t of one row of the coarse table; for odd f
+/// the rest is 0 and the cubic is multiplied by x.
 struct CoarsePoint {
   int64_t row;
   double t;
   double rest;
 };
 
-/// Centre and distance for 0 <= y <= piece_end: adding 2^47 rounds y to a multiple of 1/32.
+/// The centre next to 0 <= y <= piece_end and the distance from it: adding 2^47 rounds y to a multiple of 1/32.
 NIPREF_INLINE CoarsePoint about_coarse_centre(double y) {
   static_assert(coarse_pieces == 32);
   constexpr double rounding_shift = 0x1p47;
@@ -25,8 +25,8 @@ inline constexpr int64_t first_coarse_log_row = coarse_piece_rows - 32;
 
 NIPREF_INLINE double masked(double x, uint64_t mask) { return from_bits(bits_of(x) & mask); }
 
-/// Without branches, as random arguments mispredict those: below near_end the mantissa takes the place of x,
-/// elsewhere the power of two and the even remainder are masked off.
+/// There are no branches, which random arguments would mispredict: below near_end the mantissa replaces x, elsewhere
+/// the power of two and the even remainder are masked off.
 template <Component component, int tier>
 NIPREF_INLINE CoarsePoint locate_coarsely(double x) {
   const double bounded = x < piece_end ? x : piece_end;  // beyond it any row will do: the value is not used

@@ -5,8 +5,8 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// A block of arguments for the coarse tiers. The few points of the residue tail are evaluated apart; all
-/// others stay in their own places.
+/// A block of arguments for the coarse tiers. The few points of the residue tail are collected and evaluated
+/// separately; all others keep their positions.
 struct CoarseBlock {
   int32_t tail_count;
   alignas(64) double tail_argument[regime_capacity];
@@ -23,8 +23,8 @@ struct CoarseBlock {
 
 #ifdef NIPREF_VECTORS
 
-/// Collects the tail and locates all points. The offsets of rows go through memory, far ahead of their use:
-/// scalar loads soon after a vector's store wait for it, and extractions from its register are slow.
+/// Collects the tail and locates all points. The offsets of rows are stored to memory long before they are loaded: a
+/// scalar load soon after a vector store waits for it, and extracting from a vector register is slow.
 template <Component component, int tier>
 NIPREF_INLINE void prepare(const double* argument, int32_t n, CoarseBlock& block) {
   size_t tail_count = 0;

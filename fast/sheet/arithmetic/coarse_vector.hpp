@@ -17,7 +17,7 @@ struct VectorCoarsePoint {
   Vector rest;
 };
 
-/// One addition rounds y to a multiple of 1/32 and moves it to its row, first_row times 1/32 further.
+/// One addition rounds y to a multiple of 1/32 and adds the first row's number.
 NIPREF_INLINE VectorCoarsePoint about_coarse_centre(Vector y, Vector shift) {
   static_assert(coarse_degree + 1 == 4);
   const Vector shifted = y + shift;

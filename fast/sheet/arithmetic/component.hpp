@@ -46,8 +46,8 @@ NIPREF_INLINE double with_symmetry(double value, double argument) {
   return shape_of<component> == Shape::odd ? __builtin_copysign(value, argument) : value;
 }
 
-/// (pi/4)(e - a) + r - s for a, e >= 0. The first term is exact to 2^-106 of itself: where a and e are large
-/// and close, nothing else is left.
+/// (pi/4)(e - a) + r - s for a, e >= 0. The first term has a relative error of 2^-106, as it alone remains where a
+/// and e are large and close.
 NIPREF_INLINE double combine_i6(double a, double e, Pair r, Pair s) {
   constexpr double quarter_pi_high = 0x1.921fb54442d18p-1;
   constexpr double quarter_pi_low = 0x1.1a62633145c07p-55;

@@ -2,7 +2,7 @@
 #include <nipref/fast/sheet/arithmetic/floating.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
-// What the memory of a kernel needs at all nodes of a Gauss rule at once.
+// Exponentials and waves at all nodes of a Gauss rule at once, which the memory of a kernel needs.
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
@@ -39,16 +39,16 @@ NIPREF_INLINE void decays(double rate, const double* at, double* value, size_t c
   for (size_t i = 0; i < count; ++i) value[i] = decay(rate * at[i]);
 }
 
-/// value[i] = I1(x) - ln(log_end/x) at x = from + way at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
-NIPREF_INLINE void smooth_I1(double from, double way, const double* at, double* value, size_t count) {
+/// value[i] = I1(x) - ln(log_end/x) at x = from + length at[i], |x| <= 1/2: x^2 times a polynomial in x^2.
+NIPREF_INLINE void smooth_I1(double from, double length, const double* at, double* value, size_t count) {
   const double* even = component_tables[static_cast<int>(Component::I1)].even[full_tier];
   for (size_t i = 0; i < count; ++i) {
-    const double x = from + way * at[i];
+    const double x = from + length * at[i];
     value[i] = x * x * horner<tier_works[full_tier].even - 1>(even, x * x);
   }
 }
 
-/// cos and sin of |phase| <= 2000, to 2^-53 absolutely: a multiple of pi/2 is taken off in three words.
+/// cos and sin of |phase| <= 2000, with absolute error 2^-53: a multiple of pi/2 is subtracted in three words.
 struct Turn {
   double cosine, sine;
 };

@@ -7,8 +7,8 @@
 namespace nipref::fast::internal::NIPREF_ISA {
 namespace {
 
-/// In integers, where a double's order is that of its bits: any magnitude beyond the domain makes a
-/// difference negative.
+/// Compares integers, since doubles are ordered like their bits: any magnitude outside the domain makes a difference
+/// negative.
 bool all_in_domain(const double* argument, size_t count, Domain domain) {
   constexpr int64_t largest = 0x7fefffffffffffff;
   const int64_t smallest = domain == Domain::finite_nonzero ? 1 : 0;
@@ -34,8 +34,7 @@ double scalar_i6(double alpha, double eta) {
                     evaluate<Component::eta_part_of_I6, tier>(e));
 }
 
-/// Calls evaluate(arguments, values, n) for blocks of whole vectors; the last few points are filled up to one
-/// with harmless points.
+/// Calls evaluate(arguments, values, n) for blocks of whole vectors; the last vector is padded with a valid argument.
 template <size_t inputs, typename Evaluate>
 NIPREF_INLINE void in_blocks(const double* const (&argument)[inputs], double* value, size_t count,
                              Evaluate evaluate) {

@@ -22,8 +22,8 @@ NIPREF_INLINE Decomposed decompose(double x) {
   constexpr uint64_t half_cell = uint64_t{1} << (cell_shift - 1);
   const bool denormal = x < 0x1p-1022;
   const uint64_t bits = bits_of(denormal ? x * 0x1p54 : x);
-  // An integer below 2^52 planted into the fraction of 2^52 reads as 2^52 + integer: a conversion that
-  // vectorises.
+  // An integer below 2^52 written into the fraction of 2^52 reads as 2^52 + integer, a conversion that compilers
+  // vectorise.
   const double biased = from_bits((bits >> 52) | 0x4330000000000000);
   const double bias = denormal ? 0x1p52 + 1023 + 54 : 0x1p52 + 1023;
   const uint64_t fraction = bits & fraction_bits;
@@ -37,8 +37,8 @@ inline constexpr double log1p_curvature[] = {-1.0 / 2, 1.0 / 3,  -1.0 / 4, 1.0 /
 
 /// constant of the component - ln x for x > 0, denormal x included.
 ///
-/// By cells: k ln2_high and log_high are multiples of 2^-42 below 2^10, so that their sum is exact, and all
-/// that is rounded is below 1/256.
+/// k ln2_high and log_high are multiples of 2^-42 below 2^10, so that their sum is exact and only terms below 1/256 are
+/// rounded.
 template <Component component, int tier>
 NIPREF_INLINE Pair minus_logarithm(double x) {
   constexpr double ln2_high = 0x1.62e42fefa38p-1;
@@ -52,8 +52,8 @@ NIPREF_INLINE Pair minus_logarithm(double x) {
   return {table.log_high[part.cell] - part.exponent * ln2_high, low};
 }
 
-/// The same by 16 cells, whose tables a vector machine can hold in registers. Without a fused multiply-add r
-/// is good to 2^-53 only, more than enough for the tiers below full accuracy.
+/// The same by 16 cells, whose tables fit into vector registers. Without a fused multiply-add r has an error of 2^-53,
+/// which is enough for the tiers below full accuracy.
 template <Component component, int tier>
 requires(tier_works[tier].log1p == 0) NIPREF_INLINE Pair minus_logarithm(double x) {
   constexpr double ln2_high = 0x1.62e42fefa38p-1;

@@ -10,8 +10,8 @@
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
-/// constant of the component - ln x for x > 0, denormal x included. As the reciprocals are exact by
-/// definition, a fused multiply-add rounds r = m/centre - 1 once.
+/// constant of the component - ln x for x > 0, denormal x included. The centres are defined by their reciprocals, which
+/// are doubles, so that a fused multiply-add computes r = m/centre - 1 with one rounding.
 template <Component component, int tier>
 NIPREF_INLINE VectorPair minus_logarithm(Vector x) {
   constexpr double ln2_high = 0x1.62e42fefa38p-1;

@@ -13,9 +13,8 @@ struct Located {
 
 NIPREF_INLINE Located locate(double x) {
   static_assert(fine_pieces == 2 * coarse_pieces && coarse_offset == 32);
-  // Fine pieces have half the width: one step in the exponent. Everything follows arithmetically from this
-  // one selection, as a compiler would turn several of them into a branch, and the loop over points would not
-  // run in vectors.
+  // Fine pieces have half the width, which is one step in the exponent. All else follows by arithmetic from this one
+  // selection: several selections would be compiled to a branch, and the loop over points would not be vectorised.
   constexpr uint64_t exponent_step = uint64_t{1} << 52;
   const uint64_t step = x < fine_end ? exponent_step : 0;
   const double pieces = from_bits(__builtin_bit_cast(uint64_t, coarse_pieces) + step);

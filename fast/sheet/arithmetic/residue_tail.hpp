@@ -64,7 +64,7 @@ NIPREF_INLINE double scale_down(double x, int64_t k) {
   return x * first * second;
 }
 
-/// A component for x >= piece_end: its limit and its first residue, which underflows to 0 in its own time.
+/// A component for x >= piece_end: its limit and its first residue, which underflows gradually.
 template <Component component, int tier>
 NIPREF_INLINE Pair residue_tail(double x) {
   const double bounded = x < underflown ? x : underflown;

@@ -13,8 +13,8 @@ inline constexpr int regime_capacity = block_size + lanes;
 /// Where each regime's range begins.
 inline constexpr int32_t first_of_regime[3] = {0, regime_capacity, 2 * regime_capacity};
 
-/// Absolute values of the arguments of a block, sorted by regime, each regime in a range of its own. The last
-/// vector of a range is filled up with points that are harmless in any regime.
+/// Absolute values of the arguments of a block, sorted by regime, each regime in a range of its own. The last vector
+/// of a range is padded with points that are valid in every regime.
 struct SortedPoints {
   int32_t count[3];
 #ifdef NIPREF_VECTORS
@@ -29,7 +29,7 @@ struct SortedPoints {
 
 #ifdef NIPREF_VECTORS
 
-/// Fills up the last vector of a range that ends here: what stood there before could be beyond every table.
+/// Pads the last vector of a range that ends here; left as they were, its lanes could index beyond a table.
 NIPREF_INLINE void fill_up(double* end) { store(end, all(1.0)); }
 
 /// Separates the points near zero from the others.
@@ -91,8 +91,8 @@ NIPREF_INLINE Vector with_signs(Vector magnitude, Vector argument) {
   return from_bits(bits_of(magnitude) | (bits_of(argument) & bits_of(-0.0)));
 }
 
-/// Values at the points that are not near zero, in the order of those; at all of them for an odd component,
-/// which takes its signs from the arguments.
+/// Values at the points that are not near zero, in their order; for an odd component values at all points, with the
+/// signs of the arguments.
 template <Component component>
 NIPREF_INLINE void merge_tail(const double* argument, const SortedPoints& points, const double* sorted,
                               double* value) {
@@ -136,7 +136,7 @@ NIPREF_INLINE void sort(const double* argument, int32_t n, SortedPoints& points)
     const double x = __builtin_fabs(argument[i]);
     const int32_t is_near = is_near_zero<component>(x) ? 1 : 0;
     const int32_t is_tail = x >= piece_end ? 1 : 0;
-    // By masks: a compiler makes branches of conditional expressions here, which random arguments mispredict.
+    // Masks are used because conditional expressions are compiled to branches here, which random arguments mispredict.
     const int32_t place = middle ^ ((middle ^ near) & -is_near) ^ ((middle ^ tail) & -is_tail);
     points.x[place] = x;
     points.place[i] = place;

@@ -1,7 +1,7 @@
 #pragma once
 
-// Vectors of doubles, eight with AVX-512 and four with AVX2: what the wide forms of the regimes are written in.
-// Arithmetic, comparisons and selections are GCC's own for vectors; here is what those do not have.
+// Vectors of doubles, eight with AVX-512 and four with AVX2, for the vector forms of the regimes. Arithmetic,
+// comparisons and selections are GCC's own operators on vectors; this header adds the operations that GCC lacks.
 
 #include <stddef.h>
 
@@ -10,7 +10,7 @@
 #ifdef __AVX2__
 #define NIPREF_VECTORS
 
-#include <immintrin.h>  // nothing but always-inlined functions, so safe here; see floating.hpp
+#include <immintrin.h>  // it has only functions that are always inlined, which floating.hpp allows
 
 namespace nipref::fast::internal::NIPREF_ISA {
 
@@ -39,8 +39,8 @@ NIPREF_INLINE Vector from_bits(VectorBits bits) { return __builtin_bit_cast(Vect
 
 NIPREF_INLINE Vector all(double x) { return x - Vector{}; }
 
-/// Positions in a table, in a register and in memory. AVX2 reads them from there: extractions from the register
-/// would take more instructions.
+/// Positions in a table, in a register and in memory. With AVX2 they are loaded from memory, as extracting them from
+/// the register would take more instructions.
 struct TableIndex {
   VectorBits all;
   alignas(sizeof(Vector)) uint64_t lane[lanes];
@@ -50,7 +50,7 @@ NIPREF_INLINE TableIndex table_index(VectorBits index) {
   at.all = index;
   __builtin_memcpy(at.lane, &index, sizeof index);
 #ifndef __AVX512F__
-  asm("" : "+m"(at.lane));  // else GCC would extract
+  asm("" : "+m"(at.lane));  // makes GCC load instead of extract
 #endif
   return at;
 }
@@ -103,9 +103,9 @@ NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
   _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(~set), x));
 }
 
-/// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it. The load is kept
-/// apart: where a regime has no points, expansions straight from its unwritten range with an empty mask doubled the
-/// time of a batch.
+/// Puts sorted[0], sorted[1], ... into the lanes that are not in the set; the others are unspecified. The load is a
+/// separate instruction: expanding directly from memory that was not written, with an empty mask, doubles the time of a
+/// batch.
 NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   Vector from = load(sorted);
   asm("" : "+v"(from));
@@ -212,7 +212,7 @@ NIPREF_INLINE void compress_others(double* to, LaneBits set, Vector x) {
   store(to, permute(x, load_order(orders.of[set].others_front)));
 }
 
-/// Takes from sorted[0], sorted[1], ... for the lanes not in the set, anything for those in it.
+/// Puts sorted[0], sorted[1], ... into the lanes that are not in the set; the others are unspecified.
 NIPREF_INLINE Vector expand_others(LaneBits set, const double* sorted) {
   return permute(load(sorted), load_order(orders.of[set].others_back));
 }

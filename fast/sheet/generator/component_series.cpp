@@ -34,8 +34,8 @@ Complex residue(Component component, const Complex& z) {
   throw std::logic_error("unknown component");
 }
 
-/// The components of I6 are even but for a linear term. A coefficient matters by its effect at x = reach, the
-/// largest argument the series is used for.
+/// The components of I6 are even except for a linear term. Coefficients of the wrong parity are checked by their
+/// contribution at x = reach, the largest argument for which the series is used.
 void check_parity(Component component, Series series, const Real& reach) {
   if (component == Component::alpha_part_of_I6 || component == Component::eta_part_of_I6)
     series[1] -= pi() / 4;

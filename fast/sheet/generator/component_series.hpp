@@ -4,8 +4,8 @@
 
 namespace nipref::fast::generator {
 
-/// One component f as its residue series f(x) = limit + Re sum_n A_n e^(i z_n x), x > 0, and what follows
-/// from it by differentiation and analytic continuation. Nothing but the roots and the residues goes in.
+/// One component f as its residue series f(x) = limit + Re sum_n A_n e^(i z_n x), x > 0, and its power series, which
+/// follow by differentiation and analytic continuation. The only input is the roots and the residues.
 class ComponentSeries {
  public:
   ComponentSeries(internal::Component component, const std::vector<Complex>& roots);

@@ -17,8 +17,8 @@ struct Moments {
   std::array<Real, moment_count + 1> m{}, n{};
 };
 
-/// By the trapezoidal rule, as z^2k sinh z/S and z^(2k+1) cosh z/S are even and analytic up to the first root: to
-/// e^{-2 pi Im(z_1)/step} = 1e-91. The moments of 2 e^{-z} are 2.
+/// The moments by the trapezoidal rule. Its error is e^{-2 pi Im(z_1)/step} = 1e-91, since z^2k sinh z/S and
+/// z^(2k+1) cosh z/S are even and analytic up to the first root. The moments of 2 e^{-z} are 2.
 Moments moments() {
   constexpr int steps_in_unit = 16, end = 420;
   Moments sums;

@@ -12,7 +12,8 @@ using internal::Component;
 using internal::ComponentTable;
 using internal::Shape;
 
-/// Longer than any double can see: the largest argument is 1/64 of the radius of convergence.
+/// Terms of a series whose truncation error is below the rounding of two doubles: arguments are at most 1/64 of the
+/// radius of convergence.
 constexpr int local_length = 24;
 
 double rounded(const Real& x) { return x.convert_to<double>(); }
@@ -33,8 +34,8 @@ Real row_centre(int row) {
               : Real(row - internal::coarse_offset) / internal::coarse_pieces;
 }
 
-/// Taylor series of what a row holds, f or f(x)/x. Near 0 the residue series converges too slowly: there the
-/// series about 0 is moved, in which f(x)/x is a mere renumbering.
+/// The Taylor series of f, or of f(x)/x for odd f, about the centre of a row. Near 0, where the residue series
+/// converges too slowly, it is computed from the power series about 0.
 Series local_series(const ComponentSeries& component, Series about_zero, bool odd, const Real& centre) {
   if (centre < Real(1) / 8) {
     if (odd) about_zero.erase(about_zero.begin());
@@ -106,7 +107,7 @@ void fill_logarithm(const Series& about_zero, ComponentTable& table) {
   }
 }
 
-/// The even remainder over x^2, as a function of x^2 on [0, near_end^2], economised afresh for each tier.
+/// The even remainder over x^2, as a function of x^2 on [0, near_end^2], economised for each tier separately.
 void fill_even_remainder(const Series& about_zero, ComponentTable& table) {
   Series even;
   for (std::size_t k = 2; k < about_zero.size(); k += 2) even.push_back(about_zero[k]);

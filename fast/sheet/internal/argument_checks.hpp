@@ -1,7 +1,7 @@
 #pragma once
 
-// Domain checks of the sheet kernels. The good case is one comparison; everything about bad input is out of
-// line.
+// Domain checks of the sheet kernels. For good input they cost one comparison; the treatment of bad input is not
+// inlined.
 
 #include <cmath>
 #include <limits>

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array is_odd{true, false, true, false, false, true};
 
-/// alpha m to two words.
+/// The product alpha m in two words.
 struct Product {
   double high, low;
 
@@ -17,7 +17,7 @@ struct Product {
       : high(alpha * m[0]), low(std::fma(alpha, m[0], -high) + alpha * m[1]) {}
 };
 
-/// e^{i alpha z}; the low words count where alpha is large.
+/// e^{i alpha z}; the low words matter where alpha is large.
 std::complex<double> wave(double alpha, const double (&root)[2][2]) {
   const Product angle(alpha, root[0]), decay(alpha, root[1]);
   const double size = std::exp(-decay.high), cosine = std::cos(angle.high), sine = std::sin(angle.high);
@@ -27,7 +27,7 @@ std::complex<double> wave(double alpha, const double (&root)[2][2]) {
 
 constexpr double underflown = 400;  ///< e^{-2.1 alpha} < 2^-1215
 
-/// Terms that are not below 1e-18 of the first.
+/// How many terms are at least 1e-18 of the first.
 int terms_at(double alpha) {
   constexpr double nats = 38;
   return std::min(field_roots, static_cast<int>(nats / (3.141 * alpha)) + 1);

@@ -15,7 +15,7 @@ struct Rests {
   Complex I5, I7;
 };
 
-/// At any w with Im w >= 0 that is no further from the real axis than the circle below.
+/// The rests at w, for 0 <= Im w up to the radius of the circle below.
 Rests rests_at(Complex w) {
   const Complex v(std::fabs(w.real()), w.imag());
   Rests rests;
@@ -34,7 +34,7 @@ Rests rests_at(Complex w) {
   return rests;
 }
 
-/// Points on a circle around c, within which near_rest and the residues reach each other.
+/// Points on a circle around c, whose radius is chosen so that near_rest or the residues hold at each of them.
 constexpr std::size_t points = 64;
 constexpr double circle = 1.4;
 
@@ -66,7 +66,7 @@ ValueAndSlope horner(const FieldSeries::Coefficients& coefficients, Complex v) {
   return {{re, im}, {slope_re, slope_im}};
 }
 
-/// Adds Re(a e^{i z t}) as a series in t, of each root.
+/// Adds Re(a e^{i z t}) as a series in t, for each root.
 void add_waves(const AlongWaves& loads, double side, FieldSeries& series) {
   for (std::size_t n = 0; n < static_cast<std::size_t>(loads.count); ++n) {
     const Complex z(field_table.root[n][0][0], field_table.root[n][1][0]);
@@ -95,7 +95,8 @@ void FieldSeries::add(double factor, const FieldSeries& other) {
   }
 }
 
-/// Cauchy's integrals by the trapezoidal rule: f is real on the axis, so that half of the circle does.
+/// The Taylor coefficients by Cauchy's integral and the trapezoidal rule. f is real on the axis, so that half of the
+/// circle suffices.
 FieldSeries rest_series(double c) {
   constexpr std::size_t half = points / 2;
   std::array<Rests, half + 1> values;
@@ -126,7 +127,7 @@ void StressSeries::add_far(const FarLoads& loads, double side) {
   shear.I5[0] += side * quarter_pi * loads.shear_force;
 }
 
-// As in sheet/field.cpp.
+// The formulas are those of sheet/field.cpp.
 SheetStresses StressSeries::at(double along, double depth) const {
   const double s = std::fabs(depth);
   const Complex v(along, s);

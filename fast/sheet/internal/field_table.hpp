@@ -4,13 +4,13 @@
 
 namespace nipref::fast::internal {
 
-/// From this distance |alpha| on the field is its residue series; nearer, the half-planes' fields in closed form and a
-/// rest that is analytic but for w = +-3i.
+/// From this distance |alpha| on the field is the residue series; nearer, it is the half-planes' fields in closed
+/// form plus a rest that is analytic up to w = +-3i.
 inline constexpr double near_load_end = 1.25;
 inline constexpr int near_load_terms = 40;  ///< (w/3)^80 < 1e-21 where |w|^2 <= 1 + near_load_end^2
 inline constexpr int field_roots = 11;      ///< e^{-(Im z_12 - Im z_1) near_load_end} < 1e-18
 
-/// The functions of w = alpha + i depth that the field is made of, see field_functions.hpp.
+/// The functions of w = alpha + i depth that make up the field, see field_functions.hpp.
 enum class FieldFunction { I4, K5, I5, I7, I5_slope, I7_slope };
 inline constexpr int field_functions = 6;
 

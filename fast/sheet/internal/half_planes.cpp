@@ -10,10 +10,11 @@ using data::SheetLoad;
 
 constexpr double two_over_pi = 2 * std::numbers::inv_pi;
 
-/// Below it both loads are far enough for powers of the distances, and differences between them lose digits.
+/// Below this depth both loads are far enough to use powers of the distances; differences between them would lose
+/// digits.
 constexpr double middle = 0.5;
 
-/// Near the load its square may underflow.
+/// x/distance^2; near the load the square itself may underflow.
 double over_square(double x, double distance) { return x / distance / distance; }
 
 }  // namespace
@@ -32,7 +33,7 @@ SeenFromLoads::SeenFromLoads(double along, double across)
                        : near_share - far_share) {}
 
 SheetStresses half_plane_stresses(const SeenFromLoads& at, SheetLoad load) {
-  // Each field is a pull along the ray from the load, here the ray's directions and what the ray carries.
+  // Each field is a radial stress along the ray from its load: the ray's direction cosines, and the stress.
   const double near_cosine = at.near_face / at.near, near_sine = at.alpha / at.near;
   const double far_cosine = at.far_face / at.far, far_sine = at.alpha / at.far;
   if (load == SheetLoad::normal) {

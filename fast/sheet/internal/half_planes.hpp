@@ -5,7 +5,7 @@
 
 namespace nipref::fast::internal {
 
-/// A point as both loads see it, alpha >= 0, 0 <= depth <= 1: distance from each load and from its face.
+/// A point with alpha >= 0, 0 <= depth <= 1, by its distances from each load and from the load's face.
 struct SeenFromLoads {
   SeenFromLoads(double along, double across);
 
@@ -19,24 +19,25 @@ struct SeenFromLoads {
 /// The stresses of two half-planes, each under the load on its own face (Flamant).
 SheetStresses half_plane_stresses(const SeenFromLoads& at, data::SheetLoad load);
 
-/// What the sheet's stresses are beside them under either load, analytic up to a distance of 2 from the sheet. It is
-/// minus theirs where the sheet's have faded.
+/// The sheet's stresses less those of the half-planes, under either load. They are analytic up to a distance of 2
+/// from the sheet; far from the load, where the sheet's stresses have decayed, they are minus the half-planes'
+/// stresses.
 struct StressesBeside {
   SheetStresses normal, shear;
 };
-/// What loads on one side of a place have in sum, none nearer to it than near_load_end.
+/// Sums over the loads on one side of a point, none of them closer to it than near_load_end.
 struct FarLoads {
   AlongWaves pressure, shear;  ///< e^{i alpha z_n} times each load, alpha its distance
   double shear_force;
 };
 
-/// At one depth from -1 to 1.
+/// The stresses at one depth from -1 to 1.
 class StressesAtDepth {
  public:
   explicit StressesAtDepth(double depth);
-  /// At any finite alpha.
+  /// For any finite alpha.
   [[nodiscard]] StressesBeside beside(double alpha) const;
-  /// The whole of the stresses under far loads, half-planes included; side: 1 if they are at smaller alpha, else -1.
+  /// The stresses under far loads, half-planes included; `side` is 1 if the loads are at smaller alpha, else -1.
   [[nodiscard]] SheetStresses far(const FarLoads& loads, double side) const;
 
  private:
@@ -44,7 +45,7 @@ class StressesAtDepth {
   AcrossWaves waves_;
 };
 
-/// What belongs to them of the parts of u and v, in the kernels' terms; see field_functions.hpp.
+/// The half-planes' contributions to the parts of u and v, in terms of the kernels; see field_functions.hpp.
 struct HalfPlaneParts {
   double first, second;  ///< the factors of theta2/N (or 1) and of theta1/N
 };

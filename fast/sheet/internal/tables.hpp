@@ -40,10 +40,10 @@ inline constexpr Shape shape_of = shape(component);
 // < 1.2e-17 times smaller.
 inline constexpr double near_end = 0.5;
 inline constexpr double piece_end = 12;
-inline constexpr double underflown = 400;  ///< e^(-2.1 x) < 2^-1215: the residue has long been 0
+inline constexpr double underflown = 400;  ///< e^(-2.1 x) < 2^-1215: from here on the residue is 0
 
-// Pieces are centred on multiples of 1/64 below x = 1, where singularities at x = 0 and x = +-i are close,
-// and of 1/32 above. Row i is centred on i/64 for i <= 64, on (i - 32)/32 from there.
+// Pieces are centred on multiples of 1/64 below x = 1, where singularities at x = 0 and x = +-i are close, and on
+// multiples of 1/32 above. Row i is centred on i/64 for i <= 64, on (i - 32)/32 otherwise.
 inline constexpr double fine_end = 1;
 inline constexpr double fine_pieces = 64;
 inline constexpr double coarse_pieces = 32;
