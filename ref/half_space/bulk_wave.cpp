@@ -8,7 +8,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Numbers of the eigenvectors, in the order of BulkWave; eigenvalues ascend.
+/// The indices of the eigenvectors in the order of BulkWave; the eigenvalues are in ascending order.
 std::array<Matrix::Index, 3> in_order(const Matrix& vectors) {
   Matrix::Index upright = 0;
   for (const Matrix::Index k : {1, 2}) {
@@ -35,7 +35,7 @@ Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& di
   const Float modulus = to_float(Exact(solid.voigt[2][2]));
   const Float density = to_float(Exact(solid.density));
   const Float speed = sqrt(eigenvalue * modulus / density);
-  // Half the relative error of the eigenvalue, what rounded it included.
+  // The speed has half the relative error of the eigenvalue, rounding included.
   const Float rounding = norm(matrix) * pow(Float(2), 16 - static_cast<long>(precision));
   const Float error = speed * (residual + rounding) / eigenvalue;
   return {to_real(speed), to_real(error), digits};

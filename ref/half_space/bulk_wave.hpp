@@ -12,8 +12,8 @@ enum class BulkWave {
   slower
 };
 
-/// density v^2 is the eigenvalue of n_j C_ijkl n_l. The error follows from the residual of the eigenpair: it
-/// is that of the eigenvalue nearest to it, with an allowance for rounding, so that it is not proven.
+/// density v^2 is an eigenvalue of n_j C_ijkl n_l. The error follows from the residual of the eigenpair, with an
+/// allowance for rounding. It is not proven, as it is the distance from the nearest eigenvalue, whichever that is.
 /// BadInput "digits" unless 16 <= digits <= 1000.
 Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& direction, BulkWave wave,
                          int digits);

@@ -43,7 +43,7 @@ Enclosure critical_speed_along(const ExactStiffness& solid, const SurfaceDirecti
   return wave ? *std::move(wave) : limiting_speed(solid, motion, psi, digits);
 }
 
-/// Vertex of the parabola through three values at -1, 0, 1, and its second difference.
+/// The vertex of the parabola through three values at -1, 0, 1, and their second difference.
 struct Parabola {
   Float vertex, curvature;
 
@@ -55,11 +55,11 @@ double unit_of_speed(const ExactStiffness& solid) {
   return std::sqrt(Exact(mpq_class(solid.voigt[2][2] / solid.density)).approximate());
 }
 
-/// How far psi may be from the vertex of a parabola, in its widths, to be sure of being near a smooth
-/// minimum; and how far to go there.
+/// Distances from the vertex of a parabola, in its widths: within the first the minimum is taken to be smooth, and the
+/// second is the farthest step.
 constexpr double widths_of_error = 10, farthest_vertex = 1e4;
 constexpr int most_parabolas = 8;
-/// Its widths are powers 4, 8, 16 .. of 1/10, and the speeds need four times as many digits.
+/// The widths are 10^-4, 10^-8, 10^-16 ..., and the speeds need four times as many digits.
 constexpr int most_critical_digits = 508;
 
 [[noreturn]] void refuse_motion(const SurfaceDirection& motion) {
@@ -74,10 +74,10 @@ bool is_subcritical(const ExactStiffness& solid, const Exact& speed, const Surfa
   });
 }
 
-/// The bottom of a smooth valley next to psi.
+/// The smooth minimum next to psi.
 CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion, Float psi, int digits) {
-  // A parabola of width h leaves an error of the order of h^2 in psi and h^4 in the speed. It is taken again
-  // where it was too far from its vertex.
+  // A parabola of width h has an error of the order of h^2 in psi and h^4 in the speed. It is repeated about its vertex
+  // where that was too far away.
   for (int width_digits = 4;; width_digits *= 2) {
     const int working_digits = std::max(digits, 4 * width_digits) + 8;
     const WorkingDigits working(working_digits + 16);
@@ -132,7 +132,7 @@ std::optional<Enclosure> surface_wave_speed(const ExactStiffness& solid, const S
 Enclosure separation_degrees(const ExactStiffness& solid, const Exact& speed, int digits) {
   const auto line = SurfaceDirection::of_degrees(Exact(0.0));
   return enclose(digits, 0, [&](double nats) {
-    // Next to the speed of the wave the angle is a square root of what is between them.
+    // Close to the speed of the wave the angle is proportional to the square root of the difference of the speeds.
     const auto inertia = surface_wave_inertia(solid, line, bits_of(2 * nats));
     if (!inertia) refuse_proof(line, surface_wave);
     const Interval wave = load_speed(solid, *inertia, Interval(1L, inertia->precision()));

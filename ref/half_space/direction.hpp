@@ -10,7 +10,7 @@ namespace nipref::ref {
 /// sine, or by its angle in degrees.
 class SurfaceDirection {
  public:
-  /// Cosine and sine are divided by their norm, whatever that is; BadInput "direction" if both are 0.
+  /// Cosine and sine may have any common factor; BadInput "direction" if both are 0.
   SurfaceDirection(const Exact& cosine, const Exact& sine);
   static SurfaceDirection of_degrees(const Exact& degrees);
 

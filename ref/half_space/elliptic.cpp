@@ -14,16 +14,16 @@ namespace {
 
 using Lines = std::vector<DirectionValue>;
 
-/// Of axes a/b = exp(eta), the major one at the angle alpha from the motion: (p, q) = eta (cos 2 alpha, sin 2
-/// alpha), in which the equations are nearly linear however slender the ellipse.
+/// An ellipse with a/b = exp(eta) and its major axis at the angle alpha from the motion, by (p, q) = eta (cos 2 alpha,
+/// sin 2 alpha). In these variables the equations are nearly linear for however slender an ellipse.
 struct Ellipse {
   Float p = 0, q = 0;
 
   [[nodiscard]] Float eta() const { return hypot(p, q); }
 };
 
-/// Half-width squared over a b along a line, e^eta C^2 + e^-eta S^2 with C and S the cosine and sine of the
-/// angle from the major axis, and its slopes.
+/// The square of the half-width along a line over a b, which is e^eta C^2 + e^-eta S^2 with C and S the cosine and
+/// sine of the angle from the major axis, and its derivatives.
 class SquaredWidth {
  public:
   explicit SquaredWidth(const Ellipse& ellipse) : eta_(ellipse.eta()), wide_(exp(eta_)), narrow_(1 / wide_) {
@@ -55,7 +55,7 @@ class SquaredWidth {
   Float turning_;  ///< sinh(eta)/eta
 };
 
-/// A function of the ellipse and its slopes.
+/// A function of the ellipse and its derivatives with respect to p and q.
 struct Sloped {
   Float value, over_p, over_q;
 
@@ -66,8 +66,8 @@ struct Sloped {
   }
 };
 
-/// int K n n/w^3 dpsi is proportional to the curvatures where its logarithm m11/m22 is that of their ratio and
-/// m12 vanishes against both: Newton's method on the trapezoidal sums; nothing if it does not converge.
+/// The ellipse for which m = int K n n/w^3 dpsi is proportional to the curvatures: ln(m11/m22) is the logarithm of
+/// their ratio and m12 = 0. By Newton's method for the trapezoidal sums; nothing if it does not converge.
 std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_ratio, Ellipse ellipse) {
   for (int step = 0; step < 60; ++step) {
     const SquaredWidth squared_width(ellipse);
@@ -105,19 +105,20 @@ std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_
 
 constexpr double slenderest = 1e-12;
 
-/// Hertz's axes within a few per cent, along and across the motion.
+/// The first approximation: Hertz's axis ratio to within a few per cent, with axes along and across the motion.
 Ellipse first_ellipse(const Float& curvature_ratio) { return {Float(0.62) * log(curvature_ratio), 0}; }
 
-/// With some room for that ellipse, which a peak of the compliance makes longer, up to the inverse of its width.
+/// Directions for that ellipse, with a margin: a peak of the compliance makes it longer, by up to the inverse of the
+/// peak's width.
 CrowdedDirections directions_for(const SurfaceAnswer& surface, double curvature_ratio) {
   const auto [degrees, width] = peak_of_compliance(surface);
   const double slenderness = std::exp(-0.7 * std::fabs(std::log(curvature_ratio)));
-  const bool is_along = curvature_ratio >= 1;  // then singular at |tan| = 1/slenderness
+  const bool is_along = curvature_ratio >= 1;  // then the singularities are at |tan| = 1/slenderness
   const double smallest = is_along ? width : std::min(width, slenderness);
   return {Exact(degrees), smallest, 1 / (is_along ? std::min(width, slenderness) : width)};
 }
 
-/// An ellipse of unit product of its half-axes under K on lines.
+/// The solution on one set of lines: the ellipse whose half-axes have the product 1, and its integrals.
 struct Level {
   Ellipse ellipse;
   Float first;   ///< int K/w dpsi
@@ -137,7 +138,7 @@ struct Level {
   }
   [[nodiscard]] Float axis_ratio() const { return exp(-ellipse.eta()); }
   [[nodiscard]] Float stiffness() const { return 8 * pi() / 3 * sqrt(third) / pow(first, Float(1.5)); }
-  /// From the centre to the edge.
+  /// The distance from the centre to the edge.
   [[nodiscard]] Float radius(const Exact& degrees) const {
     const Float psi = to_float(degrees) * pi() / 180, c = cos(psi), s = sin(psi);
     // The half-width of the ellipse turned by 90 degrees is 1 over the radius of this one.
@@ -145,13 +146,13 @@ struct Level {
   }
 };
 
-/// What two numbers of directions say.
+/// The solutions with two numbers of directions.
 struct TwoLevels {
   Level coarse, fine;
 };
 
-/// With twice as many lines until ellipse and integrals change no more, of a ratio that is allowed, by
-/// `lines` of working digits.
+/// Doubles the number of lines until ellipse and integrals have converged. The curvature ratio has been checked, and
+/// `lines` has the working digits.
 TwoLevels solve_levels(const SurfaceAnswer& surface, const WorkingSurface& lines,
                        const Exact& curvature_ratio, int digits) {
   const Float curvatures = to_float(curvature_ratio);
@@ -205,8 +206,9 @@ Estimate elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature
   return of_ellipse(surface, curvature_ratio, digits, &Level::stiffness);
 }
 
-// A pressure p0 sqrt(1 - ...) on the ellipse s times as large displaces by (p0 s^2/4) int K (1 - (n.x)^2/w^2)/w,
-// so that with the curvature C along the motion p0 = 2 s C/moment, F = (2 pi/3) p0 s^2, approach = p0 s first/4.
+// On the ellipse multiplied by s, a pressure p0 sqrt(1 - ...) causes the displacement
+// (p0 s^2/4) int K (1 - (n.x)^2/w^2)/w. With the curvature C along the motion it follows that p0 = 2 s C/moment,
+// F = (2 pi/3) p0 s^2 and approach = p0 s first/4.
 struct EllipticContact::Implementation {
   HalfSpaceLoad load;
   Float curvature;  ///< along the motion
@@ -219,7 +221,7 @@ struct EllipticContact::Implementation {
     const WorkingDigits scope(working);
     return of_levels(function(levels.fine), function(levels.coarse), digits);
   }
-  /// Stress: 2 C/moment.
+  /// p0/s = 2 C/moment.
   [[nodiscard]] Float pressure_over_scale(const Level& level) const {
     return ldexp(2 * curvature / level.moment, exponent);
   }
@@ -228,7 +230,7 @@ struct EllipticContact::Implementation {
     const Float span = 2 * level.radius(Exact(0.0));
     return 2 * pi() / 3 * pressure_over_scale(level) / (span * span * span);
   }
-  /// Of a level's ellipse to the contact's.
+  /// The factor s between the level's ellipse and that of the contact.
   [[nodiscard]] Float scale(const Level& level) const {
     return span_along_of(load, factor(level)) / (2 * level.radius(Exact(0.0)));
   }
@@ -259,7 +261,7 @@ Estimate EllipticContact::orientation() const {
     return Float(90 * twice / pi());
   };
   const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
-  // Twice the turn, in radians: one that is not small may as well be any.
+  // The error of twice the angle, in radians; if it is not small, any angle is possible.
   const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
   const Float error = turn < Float(0.25) ? Float(90 * turn) : Float(90);
   return {to_real(degrees(fine.ellipse)), to_real(error), implementation_->digits};
@@ -304,7 +306,7 @@ Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
       return scale * implementation_->pressure_over_scale(level) * sqrt(ahead * behind) / end;
     });
   };
-  // Near its ends what rounding leaves of these shows.
+  // Near the ends of a line their rounding errors are magnified.
   Estimate result = changed_by(0);
   const Float off = tolerance(implementation_->digits + 6), value = to_float(result.value);
   const Float change = std::max(Float(abs(to_float(changed_by(off).value) - value)),

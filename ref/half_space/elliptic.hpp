@@ -7,17 +7,17 @@
 
 namespace nipref::ref {
 
-// The exact frictionless contact of a smooth rigid body in multiprecision, from what the surface answers
-// along lines; errors are estimated.
+// The exact frictionless contact of a smooth rigid body in multiprecision, from the response of the surface along
+// lines. Errors are estimated.
 //
 //   curvature_ratio   the body's curvature across the motion over that along it, 1e-12 to 1e12; 1 for a
 //                     sphere. BadInput otherwise
-//   digits            16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they
-//                     are not, as for slender ellipses that are oblique to a peak of the compliance, which need
-//                     more lines than are tried. Along or across it they may be as slender as 1e-7, and the
-//                     speed 1 - 1e-9 of the critical one
+//   digits            16 to 100. Results have a relative error of at most 10^-digits; BadInput "digits" where this is
+//                     not reached, as for slender ellipses that are oblique to a peak of the compliance, which need
+//                     more lines than are tried. Ellipses along or across the peak may be as slender as 1e-7, at
+//                     speeds up to 1 - 1e-9 of the critical one
 
-/// Minor over major axis: of the ellipse whose half-widths w make int K n n/w^3 dpsi proportional to the
+/// The minor over the major axis of the ellipse whose half-widths w make int K n n/w^3 dpsi proportional to the
 /// curvatures. By Newton's method for the logarithm of the ratio and the angle.
 Estimate elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
@@ -26,21 +26,22 @@ Estimate elliptic_axis_ratio(const SurfaceAnswer& surface, const Exact& curvatur
 /// Hertz's 8/(3 K).
 Estimate elliptic_stiffness(const SurfaceAnswer& surface, const Exact& curvature_ratio, int digits);
 
-/// All of that contact for a body and a load; what a load makes of it goes in closed form with powers of one scale.
+/// The whole contact for a body and a load. All results depend on the load through powers of one length scale, in
+/// closed form.
 class EllipticContact {
  public:
-  /// Curvature ratios as above.
+  /// The domain of the curvature ratio is that given above.
   EllipticContact(SurfaceAnswer surface, const Indenter& body, const HalfSpaceLoad& load, int digits);
 
   [[nodiscard]] Estimate axis_ratio() const;  ///< minor over major axis
-  /// Of the major axis, degrees from the motion, -90 to 90; the error is 90 if the ellipse is a circle.
+  /// The angle of the major axis from the motion in degrees, -90 to 90; the error is 90 if the ellipse is a circle.
   [[nodiscard]] Estimate orientation() const;
   [[nodiscard]] Estimate span(const Exact& degrees) const;        ///< diameter, unit of length
   [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< over that along the motion
   [[nodiscard]] Estimate approach() const;
   [[nodiscard]] Estimate force() const;
   [[nodiscard]] Estimate peak_pressure() const;
-  /// At x on a line, 0 outside of the contact.
+  /// The pressure at x on a line, 0 outside the contact.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
 
  private:

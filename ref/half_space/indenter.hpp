@@ -11,13 +11,13 @@ namespace nipref::ref {
 struct Indenter {
   Exact along, across;
 
-  /// Of radii of curvature, > 0.
+  /// A body given by its radii of curvature, > 0.
   static Indenter of_radii(double radius_along, double radius_across) {
     return {Exact(mpq_class(1 / mpq_class(radius_along))), Exact(mpq_class(1 / mpq_class(radius_across)))};
   }
 };
 
-/// The load on a contact: doubles, taken exactly.
+/// The load on a contact; its doubles are taken as exact numbers.
 using HalfSpaceLoad = std::variant<data::GivenNormalForce, data::GivenSpan>;
 
 }  // namespace nipref::ref

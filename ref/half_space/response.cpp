@@ -43,7 +43,7 @@ std::optional<Components> components_at(mpfr_prec_t precision, const ExactStiffn
                     Interval(Exact(solid.voigt[2][2]), precision));
 }
 
-/// Whether every component is known to 10^-digits of the largest diagonal one.
+/// Whether every component has an error of at most 10^-digits of the largest diagonal component.
 bool are_narrow(const Components& components, int digits) {
   Real widest(64), width(64), largest(64), magnitude(64);
   for (const Interval& component : components) {

@@ -9,9 +9,9 @@
 
 namespace nipref::ref {
 
-/// What the surface of an anisotropic half-space x3 > 0 answers along the lines x of a direction n, when
-/// tractions sigma33, tau = sigma_3n and tau' = sigma_3t (t across: e3 x n) that depend on x only move
-/// steadily. With H[f] = (1/pi) vp int f(xi)/(xi - x) dxi,
+/// The response of the surface of an anisotropic half-space x3 > 0 to steadily moving tractions sigma33, tau =
+/// sigma_3n and tau' = sigma_3t that depend only on the coordinate x along a direction n; t = e3 x n is the direction
+/// across it. With H[f] = (1/pi) vp int f(xi)/(xi - x) dxi,
 ///
 ///     du3/dx = -compliance H[sigma33] - coupling tau - coupling_across tau'
 ///              - shear_compliance H[tau] - shear_compliance_across H[tau'],
@@ -26,26 +26,26 @@ struct LineResponse {
   Enclosure in_line, across;
 };
 
-/// The response to loads that move at `speed` (unit sqrt(modulus/density), its sign does not matter) in the
-/// direction `motion`, along lines of the direction `psi`: each of them sees speed cos(psi - theta).
+/// The response along lines of the direction `psi` to loads that move at `speed` (unit sqrt(modulus/density), its sign
+/// does not matter) in the direction `motion`, which is speed cos(psi - theta) along the lines.
 ///
-/// All error bounds are proven (interval arithmetic, see impedance.hpp). The bound of the compliance keeps
-/// the promise of Enclosure; the bounds of the others, some of which are exactly 0 for symmetric solids, are
-/// at most 10^-digits max(compliance, in_line, across) instead. Beyond the surface wave's speed, where the
-/// compliance is negative, results are still the solution of the equations that decays with depth.
+/// All error bounds are proven (interval arithmetic, see impedance.hpp). The bound of the compliance keeps the
+/// promise of Enclosure. The bounds of the other components, some of which are exactly 0 for symmetric solids, are at
+/// most 10^-digits max(compliance, in_line, across). Beyond the surface wave's speed, where the compliance is
+/// negative, results are still the solution of the equations that decays with depth.
 ///
-/// BadInput "speed" unless speed |cos(psi - theta)| stays below the limiting speed of psi (by 1e-16 or so of
-/// itself at the least); "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
+/// BadInput "speed" unless speed |cos(psi - theta)| is below the limiting speed of psi by at least about 1e-16 of
+/// itself; "digits" unless 16 <= digits <= 1000. (brock2012 18a, brock2013 14, 25b, 43a)
 LineResponse line_response(const ExactStiffness& solid, const Exact& speed, const SurfaceDirection& motion,
                            const SurfaceDirection& psi, int digits);
 
-/// What contacts need of the response along a line, by line_response() or otherwise: the same as there.
+/// The components of the response that contacts need, from line_response() or from elsewhere.
 struct LineAnswer {
   Real compliance, coupling, coupling_across, in_line;
   Real shear_compliance = Real(64), shear_compliance_across = Real(64);  ///< 0
 };
 
-/// The answer at an angle from the motion in degrees, good to 10^-digits.
+/// The response along lines at an angle from the motion in degrees, with relative error 10^-digits.
 using SurfaceAnswer = std::function<LineAnswer(const Exact& degrees, int digits)>;
 
 }  // namespace nipref::ref

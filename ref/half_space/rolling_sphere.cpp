@@ -9,14 +9,14 @@
 namespace nipref::ref {
 namespace {
 
-/// K K_nn - S^2 vanishes at the critical speed.
+/// Digits that K K_nn - S^2 may lose to cancellation, as it vanishes at the critical speed.
 constexpr int cancelled_digits = 32;
 
 /// One line of a rolling contact.
 struct RollingLine {
   Float index;      ///< P
   Float slowness;   ///< sqrt(wS/wD) = sqrt(K_nn/K)
-  Float stiffness;  ///< sqrt(K_nn/K/(K K_nn - S^2)): amplitudes are as large as this times the span
+  Float stiffness;  ///< sqrt(K_nn/K/(K K_nn - S^2)); amplitudes are proportional to this times the span
 
   RollingLine(const WorkingSurface& surface, const Exact& degrees) {
     const WorkingAnswer line = surface.at(degrees);
@@ -53,7 +53,7 @@ Float oscillating_moment(const Float& index, int digits) {
   });
 }
 
-/// In force = factor span^3, as stresses are counted. (brock2012 54)
+/// The factor in force = factor span^3, in the unit of stress of `lines`. (brock2012 54)
 Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, double radius,
                     int digits, int working) {
   const Float along = RollingLine(lines, Exact(0.0)).stiffness;
@@ -126,9 +126,9 @@ struct RollingSphere::Implementation {
   [[nodiscard]] Float ratio(const Exact& degrees) const {
     return RollingLine(lines(), Exact(0.0)).stiffness / RollingLine(lines(), degrees).stiffness;
   }
-  /// A function of the factor.
+  /// The estimate of a function of the factor.
   template <class Function>
-  [[nodiscard]] Estimate of_factor(const Function& function) const {
+  [[nodiscard]] Estimate function_of_factor(const Function& function) const {
     if (!factor) {
       const auto [degrees, width] = peak_of_compliance(surface);
       const CrowdedDirections directions(Exact(degrees), width, 1);
@@ -140,18 +140,18 @@ struct RollingSphere::Implementation {
                            "must be farther below it: here the tractions pull");
     return of_levels(function(factor->fine), function(factor->coarse), digits);
   }
-  /// A function of the span along the motion.
+  /// The estimate of a function of the span along the motion.
   template <class Function>
-  [[nodiscard]] Estimate of_span(const Function& function) const {
+  [[nodiscard]] Estimate function_of_span(const Function& function) const {
     if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
       const WorkingDigits scope(working);
       const Float value = function(Float(given->along));
       return of_levels(value, value, digits);
     }
-    return of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
+    return function_of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
   }
-  /// A traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the size of the pressure. Of
-  /// ends that are off it takes what the root before the wave and the wave's phase would change by.
+  /// The traction at x: wave(line, sine, cosine of P ln((L - 2x)/(L + 2x)), tan Phi) times the amplitude. An error of
+  /// the ends changes the root in the amplitude and the phase.
   template <class Wave>
   [[nodiscard]] Estimate traction(const Exact& degrees, const Exact& x, const Wave& wave) const {
     const WorkingDigits scope(working);
@@ -167,7 +167,7 @@ struct RollingSphere::Implementation {
     };
     return with_shifted_ends(*this, at);
   }
-  /// B = sqrt(wS/wD) - P L/(2 r0) times the traction's size. (brock2012 49)
+  /// The pressure at the centre, B = sqrt(wS/wD) - P L/(2 r0) times the traction's amplitude. (brock2012 49)
   [[nodiscard]] Float central_pressure(const RollingLine& line, const Float& span) const {
     const Float lean = lean_of(line, span / Float(radius));
     return ldexp(span * lean * line.stiffness / (line.slowness * 2 * Float(radius)), exponent);
@@ -190,19 +190,19 @@ Estimate RollingSphere::span_ratio(const Exact& degrees) const {
 Estimate RollingSphere::span(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
-  return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
+  return implementation_->function_of_span([&](const Float& along) -> Float { return ratio * along; });
 }
 
 Estimate RollingSphere::force() const {
   const WorkingDigits scope(implementation_->working);
-  return implementation_->of_factor(
+  return implementation_->function_of_factor(
       [&](const Float& factor) { return force_of(implementation_->load, factor); });
 }
 
 Estimate RollingSphere::peak_pressure() const {
   const WorkingDigits scope(implementation_->working);
   const RollingLine line(implementation_->lines(), Exact(0.0));
-  return implementation_->of_span(
+  return implementation_->function_of_span(
       [&](const Float& along) { return implementation_->central_pressure(line, along); });
 }
 
@@ -224,7 +224,7 @@ Estimate RollingSphere::creep(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const RollingLine line(implementation_->lines(), degrees);
   const Float ratio = implementation_->ratio(degrees) / Float(implementation_->radius);
-  return implementation_->of_span([&](const Float& along) { return creep_of(line, ratio * along); });
+  return implementation_->function_of_span([&](const Float& along) { return creep_of(line, ratio * along); });
 }
 
 Estimate RollingSphere::compressed_radius(const Exact& degrees) const {
@@ -232,7 +232,7 @@ Estimate RollingSphere::compressed_radius(const Exact& degrees) const {
   const RollingLine line(implementation_->lines(), degrees);
   const Float ratio = implementation_->ratio(degrees) / 2;
   const Float strip = strip_of(line.index), share = (1 - strip) / (1 + strip);
-  return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
+  return implementation_->function_of_span([&](const Float& along) -> Float { return share * ratio * along; });
 }
 
 }  // namespace nipref::ref

@@ -12,7 +12,7 @@
 namespace nipref::ref {
 namespace {
 
-/// cos of an angle in degrees, exactly 0 across.
+/// The cosine of an angle in degrees, exactly 0 at 90 degrees.
 Float cosine(const Exact& degrees) {
   mpq_class from_90 = 90 - abs(degrees.value());
   return sin(to_float(Exact(from_90)) * pi() / 180);
@@ -20,7 +20,8 @@ Float cosine(const Exact& degrees) {
 
 Float sine(const Exact& degrees) { return sin(to_float(degrees) * pi() / 180); }
 
-/// Beyond, the pressure on a line changes within so narrow an angle of the line across that its integrals take minutes.
+/// For larger coefficients the pressure changes within so small an angle about the direction across the motion that the
+/// integrals take minutes.
 constexpr int greatest_friction = 1000;
 
 void check_friction(const Exact& friction) {
@@ -28,14 +29,14 @@ void check_friction(const Exact& friction) {
     throw data::BadInput("friction", friction.text(), "must be from 0 to 1000");
 }
 
-/// The angle of (x, y), y > 0, in half turns: to all digits however small it is.
+/// The angle of (x, y), y > 0, in half turns; the relative error is small even for the smallest angles.
 Float half_turns(const Float& y, const Float& x) {
   Float angle;
   mpfr_atan2(angle.get(), y.get(), x.get(), MPFR_RNDN);
   return angle / pi();
 }
 
-/// One line of a sliding contact. Both shares of the span are known to all digits, however small they are.
+/// One line of a sliding contact. Both shares of the span have a small relative error, however small they are.
 struct SlidingLine {
   Float ahead;         ///< -Omega
   Float behind;        ///< 1 + Omega
@@ -60,17 +61,17 @@ struct SlidingLine {
     behind = half_turns(compliance, -shear);
     h = sqrt(compliance * compliance + shear * shear);
   }
-  /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega): peak of the pressure over span/h and curvature.
+  /// Q = (1 + Omega)^(1 + Omega) (-Omega)^(-Omega), the peak pressure over curvature span/h.
   [[nodiscard]] Float Q() const { return pow(behind, behind) * pow(ahead, ahead); }
 };
 
-/// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1, ahead of the kink x = 0 and behind it; power 1 or 2.
+/// int |x|^power (x+ - x)^(1 + Omega) (x - x-)^(-Omega) dx for span 1 and power 1 or 2, over x > 0 and over x < 0.
 struct LineMoment {
   Float front, back;
 };
-/// The part ahead, x from 0 to `ahead`; that behind is the same with both shares in each other's place.
+/// The part over x > 0, x from 0 to `ahead`. The part over x < 0 is the same with both shares exchanged.
 Float moment_ahead(const Float& ahead, const Float& behind, int power, int digits) {
-  // Logarithms of the rule's nodes are at hand.
+  // The rule has the logarithms of its nodes.
   const Float log_ahead = log(ahead);
   return unit_integral(digits, [&](const UnitNode& node) -> Float {
     const Float x = ahead * node.left;
@@ -79,7 +80,8 @@ Float moment_ahead(const Float& ahead, const Float& behind, int power, int digit
   });
 }
 
-/// The same with x = ahead (1 - w), (x + behind)^ahead = (1 - ahead w)^ahead as a power series, which converges like ahead^n.
+/// The same with x = ahead (1 - w) and the power series of (x + behind)^ahead = (1 - ahead w)^ahead, whose terms
+/// decrease like ahead^n.
 Float moment_ahead_by_series(const Float& ahead, const Float& behind, int power) {
   Float sum = 0, coefficient = 1, term = 1;
   for (long n = 0; abs(term) > std::numeric_limits<Float>::epsilon() * sum; ++n) {
@@ -101,14 +103,14 @@ LineMoment line_moment(const SlidingLine& line, int power, int digits) {
   return {of(line.ahead, line.behind), of(line.behind, line.ahead)};
 }
 
-/// Of the body along a line.
+/// The curvature of the body along a line.
 Float curvature_of(const Indenter& body, const Exact& degrees) {
   const Float c = cosine(degrees), s = sine(degrees);
   return to_float(body.along) * c * c + to_float(body.across) * s * s;
 }
 
-/// The curvature has a zero at tan = i sqrt(along/across), and h where it meets the lines across the motion, near tan =
-/// i friction S/K.
+/// The integrand has singularities where the curvature is 0, tan = i sqrt(along/across), and where h is 0, close to
+/// tan = i friction S/K.
 CrowdedDirections directions_for(const WorkingSurface& surface, const Exact& friction,
                                  const PeakOfCompliance& peak, const Indenter& body) {
   const Float slenderness = sqrt(to_float(body.along) / to_float(body.across)), width = peak.width;
@@ -116,9 +118,6 @@ CrowdedDirections directions_for(const WorkingSurface& surface, const Exact& fri
   return {Exact(peak.degrees), std::min(width, slenderness), std::max({Float(1), slenderness, sheared})};
 }
 
-/// int curvature span^(power + 2)/h weight(line moments of |x|^power) over the lines, stresses as `lines` count them, the span
-/// along the motion 1. On a line of span L and curvature C the pressure is (C/h) L times that of span 1, and L = steepness
-/// h/(C Q).
 /// L(psi)/L(0).
 Float span_ratio_of(SpanRule rule, const SlidingLine& along, const SlidingLine& line, const Indenter& body,
                     const Exact& degrees) {
@@ -128,11 +127,14 @@ Float span_ratio_of(SpanRule rule, const SlidingLine& along, const SlidingLine& 
 }
 
 using LineWeight = std::function<Float(const LineMoment& moment, const Exact& degrees)>;
+/// The integral over the lines of curvature span^(power + 2)/h times weight(moments of |x|^power), where span is
+/// L(psi)/L(0) and stresses have the unit of `lines`. The moments are for span 1; on a line of span L and curvature C
+/// the pressure is (C/h) L times theirs.
 Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& directions,
                          const Exact& friction, const Indenter& body, SpanRule rule, int digits, int working,
                          int power, const LineWeight& weight) {
   const SlidingLine along(lines, friction, Exact(0.0));
-  // Without friction all lines have the same.
+  // Without friction the moment is the same on all lines.
   const LineMoment moment_along = line_moment(along, power, working);
   return half_turn_integral(digits, directions, [&](const Exact& degrees) -> Float {
     const SlidingLine line(lines, friction, degrees);
@@ -143,7 +145,7 @@ Levels pressure_integral(const WorkingSurface& lines, const CrowdedDirections& d
   });
 }
 
-/// In force = factor span^3.
+/// The factor in force = factor span^3.
 Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
                     const Indenter& body, SpanRule rule, int digits, int working) {
   return pressure_integral(
@@ -151,8 +153,9 @@ Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& direct
       [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
 }
 
-/// Of the pressure's first moment in a direction, in moment = factor span^4: as much as there is of it, added to what it is
-/// where all of it points the same way, so that what vanishes is integrated to digits of that.
+/// The factor in moment = factor span^4 for the pressure's first moment in a direction, plus that for the integral of
+/// pressure |x|, or the latter alone. The sum does not vanish where the moment does, so that it can be integrated to a
+/// relative error.
 Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
                      const Indenter& body, SpanRule rule, int digits, int working,
                      const std::function<Float(const Exact& degrees)>& component, bool with_moment) {
@@ -212,13 +215,13 @@ struct SlidingContact::Implementation {
     const SlidingLine along(lines(), friction, Exact(0.0)), line(lines(), friction, degrees);
     return span_ratio_of(rule, along, line, body, degrees);
   }
-  /// Peak pressure over span.
+  /// The peak pressure over the span.
   [[nodiscard]] Float steepness_of(const SlidingLine& line, const Exact& degrees) const {
     return ldexp(curvature_of(body, degrees) * line.Q() / line.h, exponent);
   }
-  /// A function of the factor.
+  /// The estimate of a function of the factor.
   template <class Function>
-  [[nodiscard]] Estimate of_factor(const Function& function) const {
+  [[nodiscard]] Estimate function_of_factor(const Function& function) const {
     const WorkingDigits scope(working);
     if (!factor) {
       const CrowdedDirections directions =
@@ -228,7 +231,7 @@ struct SlidingContact::Implementation {
     }
     return of_levels(function(factor->fine), function(factor->coarse), digits);
   }
-  /// Centre of pressure in the direction whose component along the lines is given.
+  /// The coordinate of the centre of pressure in the direction that has these components along the lines.
   [[nodiscard]] Estimate centre(const std::function<Float(const Exact& degrees)>& component) const {
     const WorkingDigits scope(working);
     const CrowdedDirections directions = directions_for(lines(), friction, peak_of_compliance(surface), body);
@@ -239,28 +242,28 @@ struct SlidingContact::Implementation {
     const Levels both = integral(true), size = integral(false);
     const Float fine = ldexp(both.fine - size.fine, exponent),
                 coarse = ldexp(both.coarse - size.coarse, exponent);
-    // The levels are of integrals that may have been doubled differently often: their distances add.
+    // The two integrals may have been doubled a different number of times, so that their errors add.
     const Float apart =
         abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
     Estimate result =
-        of_factor([&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
+        function_of_factor([&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
     const Float span = to_float(result_span().value), per_force = span / factor->fine;
     const Float error = to_float(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
                         tolerance(digits + 6) * abs(span);
     return {result.value, to_real(error), digits};
   }
   [[nodiscard]] Estimate result_span() const {
-    return of_span([](const Float& along) { return along; });
+    return function_of_span([](const Float& along) { return along; });
   }
-  /// A function of the span along the motion.
+  /// The estimate of a function of the span along the motion.
   template <class Function>
-  [[nodiscard]] Estimate of_span(const Function& function) const {
+  [[nodiscard]] Estimate function_of_span(const Function& function) const {
     if (const auto* given = std::get_if<data::GivenSpan>(&load)) {
       const WorkingDigits scope(working);
       const Float value = function(Float(given->along));
       return of_levels(value, value, digits);
     }
-    return of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
+    return function_of_factor([&](const Float& force) { return function(span_along_of(load, force)); });
   }
 };
 
@@ -285,22 +288,22 @@ Estimate SlidingContact::span_ratio(const Exact& degrees) const {
 Estimate SlidingContact::span(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float ratio = implementation_->ratio(degrees);
-  return implementation_->of_span([&](const Float& along) -> Float { return ratio * along; });
+  return implementation_->function_of_span([&](const Float& along) -> Float { return ratio * along; });
 }
 
 Estimate SlidingContact::force() const {
-  return implementation_->of_factor(
+  return implementation_->function_of_factor(
       [&](const Float& factor) { return force_of(implementation_->load, factor); });
 }
 
 Estimate SlidingContact::friction_force() const {
-  return implementation_->of_factor([&](const Float& factor) -> Float {
+  return implementation_->function_of_factor([&](const Float& factor) -> Float {
     return to_float(implementation_->friction) * force_of(implementation_->load, factor);
   });
 }
 
 Estimate SlidingContact::peak_pressure() const {
-  return implementation_->of_span(
+  return implementation_->function_of_span(
       [&](const Float& along) -> Float { return implementation_->steepness * along; });
 }
 
@@ -308,7 +311,7 @@ Estimate SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;
   const Float ratio = implementation_->ratio(degrees);
-  return implementation_->of_span([&](const Float& along) -> Float { return share * ratio * along; });
+  return implementation_->function_of_span([&](const Float& along) -> Float { return share * ratio * along; });
 }
 
 Estimate SlidingContact::pressure(const Exact& degrees, const Exact& x) const {

@@ -7,10 +7,10 @@
 
 namespace nipref::ref {
 
-// Sliding contacts of smooth rigid bodies in multiprecision, by the papers' rule and from what the surface
-// answers along lines; errors are estimated.
+// Sliding contacts of smooth rigid bodies in multiprecision, by the papers' rule from the response of the surface along
+// lines. Errors are estimated.
 //
-//   digits      16 to 100. Results are good to 10^-digits of themselves; BadInput "digits" where they are not
+//   digits      16 to 100. Results have a relative error of at most 10^-digits; BadInput "digits" where this is not reached
 //   friction    coefficient, 0 to 1000
 //   degrees     angle of a line from the motion
 
@@ -19,24 +19,24 @@ namespace nipref::ref {
 Estimate sliding_exponent(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                           int digits);
 
-/// A(psi) L(psi)/(A(0) L(0)), A the body's curvature along the line: spans of the contact by the papers'
-/// rule, that peak pressures are equal. (brock2012 34a, brock2013 34)
+/// A(psi) L(psi)/(A(0) L(0)), where A is the body's curvature along the line, by the papers' rule that the peak
+/// pressures of all lines are equal. (brock2012 34a, brock2013 34)
 Estimate sliding_span_ratio(const SurfaceAnswer& surface, const Exact& friction, const Exact& degrees,
                             int digits);
 
-/// F3/(C L^3) of a body of equal curvatures C, L its span along the motion; unit of stress: minus the
+/// F3/(C L^3) for a body with both curvatures C and the span L along the motion, unit of stress. The force is minus the
 /// integral of sigma33 |x| over the lines of half a turn. (brock2012 36, brock2013 36 with Q^3)
 Estimate sliding_force(const SurfaceAnswer& surface, const Exact& friction, int digits);
 
-/// How the spans of the lines go together: such that peak pressures are equal, or as the body's own contours, like the
-/// root of its radius of curvature. (brock2012 33, 30)
+/// The rule by which the spans of the lines are related: the peak pressures are equal, or the spans follow the body's
+/// own contours, like the root of its radius of curvature. (brock2012 33, 30)
 enum class SpanRule { stationary_force, similar_contour };
 
-/// All of that for a body and a load. Force = factor span^3 is monotone, so that a given force is turned into the
-/// span in closed form.
+/// The sliding contact of a body under a load. With force = factor span^3 the span for a given force follows in closed
+/// form.
 class SlidingContact {
  public:
-  /// The integral over the lines is made when it is first needed: BadInput "digits" where they do not give them.
+  /// The integral over the lines is computed when it is first needed; BadInput "digits" where it does not converge.
   SlidingContact(SurfaceAnswer surface, const Indenter& body, const Exact& friction,
                  const HalfSpaceLoad& load, int digits, SpanRule rule = SpanRule::stationary_force);
 
@@ -46,10 +46,10 @@ class SlidingContact {
   [[nodiscard]] Estimate friction_force() const;
   [[nodiscard]] Estimate peak_pressure() const;  ///< on the line along the motion, unit of stress
   [[nodiscard]] Estimate leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
-  /// At x on a line; 0 outside of the contact. The error is that of the ends too.
+  /// The pressure at x on a line, 0 outside the contact. The error includes that of the line's ends.
   [[nodiscard]] Estimate pressure(const Exact& degrees, const Exact& x) const;
-  /// First moment of the pressure over the force from the point of first touch, along the motion, and across it, 90
-  /// degrees on; the error is relative to the span.
+  /// The first moment of the pressure about the point of first touch over the force, along the motion and across it,
+  /// at 90 degrees; the error is relative to the span.
   [[nodiscard]] Estimate centre_along() const;
   [[nodiscard]] Estimate centre_across() const;
 

@@ -8,9 +8,8 @@
 
 namespace nipref::ref {
 
-/// data::TransverselyIsotropicSolid, known exactly. The moduli that a solid's constants imply (C12 = C11 - 2
-/// C66, or Lame's from Poisson's ratio) are formed without rounding, so an isotropic solid is exactly
-/// isotropic.
+/// data::TransverselyIsotropicSolid with exact constants. Moduli that follow from others (C12 = C11 - 2 C66, or
+/// Lame's from Poisson's ratio) are computed without rounding, so that an isotropic solid is exactly isotropic.
 struct ExactTransverse {
   mpq_class c11, c33, c13, c44, c66, density;
 
@@ -28,20 +27,20 @@ struct ExactTransverse {
   ExactTransverse() = default;
 };
 
-/// data::Stiffness, known exactly.
+/// data::Stiffness with exact constants.
 struct ExactStiffness {
   std::array<std::array<mpq_class, 6>, 6> voigt;
   mpq_class density;
 };
 
-/// The doubles, exactly; BadInput as check() throws.
+/// The same doubles as exact numbers; BadInput as thrown by check().
 ExactStiffness exact_stiffness(const data::Stiffness& solid);
 ExactStiffness exact_stiffness(const ExactTransverse& solid, data::SymmetryAxis axis);
 
-/// For axis `normal`: a solid that moves in the sagittal plane of every line exactly as this one, but with
-/// c66 (and c12 with it) raised to c11. Sagittal motion does not see c66, while its horizontally polarised
-/// waves would set the limiting speed where c66 < c44, although they have no part in the normal response. Of
-/// the response `across` is not the solid's; the strain energy may be indefinite. (brock2013 sec. 3)
+/// For axis `normal`: a solid with the same motion in the sagittal plane of every line, in which c66 (and with it
+/// c12) is raised to c11. Sagittal motion does not depend on c66. Where c66 < c44, horizontally polarised waves would
+/// otherwise set the limiting speed, although they do not contribute to the normal response. `across` of its response
+/// is not that of the solid, and its strain energy may be indefinite. (brock2013 sec. 3)
 ExactStiffness sagittal_stiffness(const ExactTransverse& solid);
 
 }  // namespace nipref::ref

@@ -12,7 +12,7 @@ struct AcousticPencil {
     return q + s * (r + r.transpose()) + s * s * t;
   }
   [[nodiscard]] Scalar lowest_value(const Scalar& s) const { return symmetric_eigen(at(s)).values(0); }
-  /// Of the smallest eigenvalue.
+  /// The eigenvector of the smallest eigenvalue.
   [[nodiscard]] DenseMatrix<Scalar> lowest_vector(const Scalar& s) const {
     return symmetric_eigen(at(s)).vectors.column(0);
   }

@@ -8,7 +8,7 @@
 #include <nipref/ref/half_space/internal/valley.hpp>
 #include <nipref/ref/number/internal/bracketed_root.hpp>
 
-// What of the phase speeds is found in double, to start from.
+// Approximations of the phase speeds in double, from which the proofs start.
 
 namespace nipref::ref {
 namespace {
@@ -39,7 +39,7 @@ Valley scan(const Pencil& pencil) {
   return best;
 }
 
-/// Of re + i im, Hermitian.
+/// The determinant of the Hermitian matrix re + i im.
 double determinant(const Impedance<double>& x) {
   const Square& a = x.re;
   const Square& b = x.im;

@@ -37,10 +37,10 @@ struct UnitKey {
 };
 using UnitNodes = std::vector<UnitNode>;
 
-/// To the working precision, which is the key's.
+/// The nodes and weights to the working precision, which is part of the key.
 UnitNodes unit_nodes(const UnitKey& key) {
   const Float step = Float(1) / (key.digits + 20) * 2;
-  // Where the weights have fallen to 10^-digits times any algebraic growth of the ends.
+  // The last node: from here on the weights are below 10^-digits even times an algebraic singularity at the end.
   const int last =
       static_cast<int>((std::asinh(2.3026 * (key.digits + 10) / 3.14159) + 0.5) / static_cast<double>(step));
   UnitNodes nodes;
@@ -89,7 +89,7 @@ Estimate with_digits(int digits, const std::function<Estimate(int working)>& com
 }
 
 Estimate estimated(const Float& value, const Float& error, int digits) {
-  // Two results may agree to the last bit: then rounding and the surface's own digits are what is left.
+  // Two results may agree to the last bit; then the error is that of rounding and of the surface's digits.
   const Float sum = error + tolerance(digits + guard_digits / 2) * at_most_1(value);
   if (!(sum <= tolerance(digits) * at_most_1(value))) refuse_digits(digits);
   return {to_real(value), to_real(sum), digits};
@@ -135,7 +135,7 @@ Levels half_turn_integral(int digits, const CrowdedDirections& directions,
     const auto count = static_cast<long>(values.size());
     levels.fine = total / count;
     const Float change = abs(levels.fine - levels.coarse);
-    // Each doubling doubles the digits, once they come: where they will be too few, the rest is spared.
+    // Once the sums converge, each doubling doubles their digits. If the digits will not suffice, no more are computed.
     const double known = -std::log10(std::max(static_cast<double>(change / levels.fine), 1e-300));
     if (count >= 256 && 1.25 * known * static_cast<double>(most_directions / count) < digits)
       refuse_digits(digits);

@@ -22,19 +22,21 @@ constexpr double radian = std::numbers::pi / 180;
 
 SurfaceDirection degrees(double psi) { return SurfaceDirection::of_degrees(Exact(psi)); }
 
-/// A line, the speed along the motion at which it is critical, and the share of it at which it is proven not to be.
+/// A line, its critical speed along the motion, and the share of that speed at which it is proven to be subcritical.
 struct Line {
   double psi, phase_speed, speed, proven;
 };
 
-/// Lines so near to each other that none between them is lower than the lowest by more than a step.
+/// Lines so close to each other that no line between them has a critical speed below the lowest found by more than a
+/// given step.
 ///
-/// A field u(x3) exp(i k.x) has the strain e(k, u), linear in k, and with it the energy E(k, u). Of a mean wave vector
-/// it is E((1 - t) k1 + t k2, u) = (1 - t) E(k1, u) + t E(k2, u) - t (1 - t) E', where E' belongs to the strain e(k1, u)
-/// - e(k2, u) of a plane wave along d = k2 - k1 and is at most density W^2 |u|^2, W the frequency of the fastest of
-/// these. The inertia of a load of the velocity V, density (V.k)^2 |u|^2, obeys the same rule with V.d in W's place. So
-/// if lines k1 and k2 are subcritical with the reserves g^2 = w^2 - (V.k)^2, w a frequency at which they still are, those
-/// between have at least (1 - t) g1^2 + t g2^2 - t (1 - t) W^2, which is nowhere negative if g1 + g2 >= W.
+/// A field u(x3) exp(i k.x) has the strain e(k, u), which is linear in k, and the energy E(k, u). For a wave vector
+/// between two others, E((1 - t) k1 + t k2, u) = (1 - t) E(k1, u) + t E(k2, u) - t (1 - t) E'. Here E' is the energy
+/// of the strain e(k1, u) - e(k2, u) of a plane wave along d = k2 - k1. It is at most density W^2 |u|^2, where W is
+/// the frequency of the fastest such wave. The inertia of a load of the velocity V, density (V.k)^2 |u|^2, obeys the
+/// same rule with V.d instead of W. Let the lines k1 and k2 be subcritical at the frequencies w1 and w2, and let g^2
+/// = w^2 - (V.k)^2 be their reserves. Then the lines between them have a reserve of at least (1 - t) g1^2 + t g2^2 -
+/// t (1 - t) W^2, which is nowhere negative if g1 + g2 >= W.
 class Landscape {
  public:
   Landscape(const ExactStiffness& solid, const SurfaceDirection& motion) : solid_(solid), motion_(motion) {
@@ -65,7 +67,8 @@ class Landscape {
   }
 
  private:
-  /// The first for all steps but the first: so few that none but the first ends in a refusal.
+  /// Limits of lines: the second for the first step, the first for all others, so that only the first step can end in a
+  /// refusal.
   static constexpr std::size_t enough_lines = 200, most_lines = 800;
 
   [[nodiscard]] double cosine(const SurfaceDirection& psi) const {
@@ -88,7 +91,7 @@ class Landscape {
     refuse_proof(direction, "critical speed");
   }
 
-  /// At least the speed of the fastest plane wave along psi, by the largest sum of a row of Christoffel's matrix.
+  /// An upper bound of the speed of the fastest plane wave along psi, from the largest row sum of Christoffel's matrix.
   [[nodiscard]] double wave_bound(double psi) const {
     constexpr double rounding = 1e-12;
     const IntervalMatrix q = acoustic_matrices(solid_, degrees(psi), Interval(64)).q;
@@ -101,7 +104,7 @@ class Landscape {
     return (1 + rounding) * std::sqrt(largest);
   }
 
-  /// Of unit wave vectors.
+  /// The reserve g for a unit wave vector.
   static double reserve(const Line& line, double speed) {
     const double share = speed / (line.proven * line.speed);
     return line.proven * line.phase_speed * std::sqrt((1 - share) * (1 + share));
@@ -128,7 +131,7 @@ class Landscape {
     return is_finer;
   }
 
-  /// By Brent's search in shares of the valley's width.
+  /// The minimum in a valley, by Brent's search over its width.
   [[nodiscard]] CriticalLine bottom(double left, const Line& lowest, double right) const {
     constexpr int bits = 20;
     const auto psi_at = [&](double share) {

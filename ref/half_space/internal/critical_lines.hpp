@@ -6,16 +6,16 @@
 
 namespace nipref::ref {
 
-/// A direction in degrees and the smallest speed at which its lines are critical, to some 12 digits and over
-/// sqrt(C33/density).
+/// A direction in degrees and the smallest speed at which its lines are critical, over sqrt(C33/density), to some 12
+/// digits.
 struct CriticalLine {
   double psi, speed;
 };
 
-/// The bottoms of the valleys that may be as low as the lowest. That no line is lower by more than 1e-3, 1e-6, 1e-9 of
-/// it is proven, but for rounding in double, to the last of these that 200 lines are enough for, and that their own
-/// speeds are proven to. BadInput "solid" where moduli are so far apart that the fastest wave along the surface is 3000
-/// times as fast, 800 lines are not enough, or no proof of a line is found.
+/// The local minima that may be the lowest. Apart from rounding in double it is proven that no line is lower by more
+/// than 1e-3, 1e-6 or 1e-9 of the lowest: the smallest of these for which 200 lines suffice and to which the lines'
+/// own speeds are proven. BadInput "solid" where the fastest wave along the surface is 3000 times as fast, where 800
+/// lines do not suffice, or where no proof for a line is found.
 std::vector<CriticalLine> lowest_lines(const ExactStiffness& solid, const SurfaceDirection& motion);
 
 }  // namespace nipref::ref

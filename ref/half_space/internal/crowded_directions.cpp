@@ -8,7 +8,7 @@
 namespace nipref::ref {
 namespace {
 
-/// By the arithmetic-geometric mean.
+/// K for the complementary modulus, by the arithmetic-geometric mean.
 Float quarter_period(const Float& complement) {
   Float a = 1, b = complement;
   while (abs(a - b) > std::numeric_limits<Float>::epsilon() * 16 * a) {
@@ -19,7 +19,7 @@ Float quarter_period(const Float& complement) {
   return pi() / (2 * a);
 }
 
-/// k' of 1 has no K(k').
+/// k' is kept below 1, for which K(k') is infinite.
 Float apart(const Float& complement) { return std::min(complement, Float(0.75)); }
 
 double reciprocal(const SurfaceAnswer& surface, double degrees) {
@@ -36,7 +36,7 @@ CrowdedDirections::CrowdedDirections(const Exact& centre, const Float& smallest,
       quarter_(quarter_period(complement_)),
       conjugate_(quarter_period(sqrt((1 - complement_) * (1 + complement_)))) {}
 
-// Fourier's series of sn on the imaginary axis; all terms are positive.
+// The Fourier series of sn on the imaginary axis, whose terms are all positive.
 Float CrowdedDirections::sc(const Float& u) const {
   const Float nome = exp(-pi() * quarter_ / conjugate_), growth = exp(pi() * u / (2 * conjugate_));
   const Float square = growth * growth;
@@ -53,16 +53,16 @@ Float CrowdedDirections::sc(const Float& u) const {
 }
 
 CrowdedDirections::Direction CrowdedDirections::at(long i, long count) const {
-  const Float share = Float(2 * i) / count - 1;  // of K
+  const Float share = Float(2 * i) / count - 1;  // u/K
   const Float magnitude = abs(share), near = std::min(magnitude, Float(1 - magnitude));
-  // With x = sc(u) or its reciprocal, whichever is small, T or its reciprocal.
+  // T or its reciprocal, from sc(u) or its reciprocal, whichever is small.
   const bool is_near_centre = magnitude <= Float(0.5);
   const Float x = is_near_centre ? sc(near * quarter_) : Float(complement_ * sc(near * quarter_));
   const Float k2 = complement_ * complement_, x2 = x * x, s2 = smallest_ * smallest_;
   const Float slope = is_near_centre ? Float(sqrt((1 + x2) * (1 + k2 * x2)) / (1 + s2 * x2))
                                      : Float(sqrt((1 + x2) * (k2 + x2)) / (s2 + x2));
   const Float tangent = is_near_centre ? Float(smallest_ * x) : Float(x / smallest_);
-  const Float from_end = atan(tangent) * 180 / pi();  // degrees from the centre, or from across it
+  const Float from_end = atan(tangent) * 180 / pi();  // degrees from the centre, or from the direction across it
   Exact from_centre = is_near_centre ? to_exact(from_end) : Exact(mpq_class(90 - to_exact(from_end).value()));
   if (share < 0) from_centre = Exact(mpq_class(-from_centre.value()));
   const Exact degrees(mpq_class(centre_.value() + from_centre.value()));

@@ -4,10 +4,10 @@
 
 namespace nipref::ref {
 
-/// Directions over half a turn for the trapezoidal rule in u, at which functions of T = tan(psi - centre) with
-/// singularities at T = i y, smallest <= |y| <= largest, are evenly easy: T = smallest sc(u, k), k' =
-/// smallest/largest. All of these singularities lie |Im u| = K(k') >= pi/2 off, and the period is 2 K(k), which
-/// grows with the logarithm of k' only: near critical lines and for slender ellipses as for round ones.
+/// Directions over half a turn for the trapezoidal rule, in a variable u for integrands that are functions of T =
+/// tan(psi - centre) with singularities at T = i y, smallest <= |y| <= largest: T = smallest sc(u, k), k' =
+/// smallest/largest. All these singularities have |Im u| = K(k') >= pi/2. The period 2 K(k) grows only with the
+/// logarithm of k', so that the number of directions does, too, near critical lines and for slender ellipses.
 class CrowdedDirections {
  public:
   /// 0 < smallest <= 1 <= largest; the centre in degrees.
@@ -15,10 +15,10 @@ class CrowdedDirections {
 
   struct Direction {
     Exact degrees;
-    Float cosine, sine;  ///< of it
+    Float cosine, sine;
     Float weight;        ///< dpsi/du times the period: its mean over the directions is int dpsi
   };
-  /// The i-th of so many; those of even number come again in twice as many.
+  /// The i-th of `count` directions; it is the 2 i-th of 2 count directions.
   [[nodiscard]] Direction at(long i, long count) const;
 
  private:
@@ -29,9 +29,10 @@ class CrowdedDirections {
   Float quarter_, conjugate_;    ///< K(k), K(k')
 };
 
-/// Where the compliance is largest, in degrees, and how far off it is half of that, in radians but at most 1:
-/// the smallest singularity that it has about there. By a scan of 5 degrees of 1/K, which is smooth however
-/// near the critical speed is, and parabolas; 16 digits of the surface are enough.
+/// The direction, in degrees, in which the compliance is largest, and the half width of this peak at half its height,
+/// in radians and at most 1, which is about the distance of the nearest singularity. Both are found by parabolas from
+/// a scan of 1/K in steps of 5 degrees: 1/K is smooth even close to the critical speed. 16 digits of the response
+/// suffice.
 struct PeakOfCompliance {
   double degrees, width;
 };

@@ -22,14 +22,14 @@ IntervalMatrix identity(mpfr_prec_t precision) {
       [&](std::size_t i, std::size_t k) { return Interval(i == k ? 1L : 0L, precision); });
 }
 
-/// x g + (x g)*.
+/// The Lyapunov operator x g + (x g)*.
 Complex lyapunov(const Complex& x, const Complex& g) {
   const Matrix re = x.re * g.re - x.im * g.im;
   const Matrix im = x.re * g.im + x.im * g.re;
   return {re + re.transpose(), im - im.transpose()};
 }
 
-/// A Hermitian matrix by nine real numbers: symmetric part above, antisymmetric part below the diagonal.
+/// A Hermitian matrix as nine real numbers: the real part on and above the diagonal, the imaginary part below it.
 Vector packed(const Complex& x) {
   Vector result(9);
   for (Index k = 0; k < 9; ++k) {
@@ -51,7 +51,7 @@ Complex unpacked(const Vector& x) {
   return result;
 }
 
-/// x with g* x + x g = I.
+/// The matrix x with g* x + x g = I.
 Complex lyapunov_solution(const Complex& g) {
   Matrix operator_matrix(9, 9);
   for (Index k = 0; k < 9; ++k) {
@@ -64,7 +64,7 @@ Complex lyapunov_solution(const Complex& g) {
 
 bool is_below(const Interval& x, long bound) { return mpfi_cmp_si(x.get(), bound) < 0; }
 
-/// Radius of the ball of the proof, or nothing.
+/// The radius of the ball in the proof of impedance.hpp, or nothing if the proof fails.
 std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const IntervalMatrix& impedance) {
   const mpfr_prec_t precision = impedance.precision();
   const IntervalMatrix compliance = hermitian_inverse(matrices.t);
@@ -85,7 +85,7 @@ std::optional<Interval> proven_radius(const AcousticMatrices& matrices, const In
 std::optional<IntervalMatrix> surface_impedance(const AcousticMatrices& matrices) {
   const mpfr_prec_t precision = matrices.q.precision();
   const WorkingDigits working(digits_of(precision));
-  // As near to the limiting speed as Im s = 2^(-precision/4).
+  // Enough for speeds so close to the limiting speed that Im s = 2^(-precision/4).
   const int most_doublings = static_cast<int>(precision / 4) + 16;
   const Float small = ldexp(Float(1), -static_cast<int>(precision / 2));
   const auto approximate = barnett_lothe_impedance(middle(matrices.q).re, middle(matrices.r).re,

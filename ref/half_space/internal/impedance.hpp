@@ -5,9 +5,9 @@
 
 namespace nipref::ref {
 
-/// The impedance M of a half-space (Hermitian, unit C33, axes 1, 2, 3): the surface under exp(iq n.x), q > 0,
-/// has traction sigma_i3 = -q M_ik u_k. Nothing where no enclosure is proven at the precision of the
-/// matrices; an enclosure is at the same time the proof that the speed is below the limiting speed.
+/// The impedance M of a half-space (Hermitian, unit C33, axes 1, 2, 3): a surface displacement u exp(iq n.x), q > 0,
+/// has the traction sigma_i3 = -q M_ik u_k. Nothing if no enclosure is proven at the precision of the matrices. An
+/// enclosure also proves that the speed is below the limiting speed.
 ///
 /// Proof. M is the one Hermitian solution of Riccati's equation F(M) = (M - i r) t^{-1} (M + i r^T) - q = 0
 /// for which G = t^{-1} (M + i r^T), the generator of exp(-q G x3), has its spectrum in Re > 0. For an

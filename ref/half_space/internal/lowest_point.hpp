@@ -2,7 +2,7 @@
 
 namespace nipref::ref {
 
-/// Where a function stops falling between `left` and `right`: bisection by the sign of its slope.
+/// The minimum of a function between `left` and `right`, by bisection with the sign of its slope.
 template <class Scalar, class Slope>
 Scalar lowest_point(const Slope& slope, Scalar left, Scalar right, int bisections) {
   for (int step = 0; step < bisections; ++step) {

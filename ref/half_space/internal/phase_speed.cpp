@@ -22,7 +22,7 @@ AcousticMatrices at_rest(const ExactStiffness& solid, const SurfaceDirection& ps
   return acoustic_matrices(solid, psi, Interval(precision));
 }
 
-/// Rayleigh's quotient x.(q + s (r + r^T) + s^2 t).x/x.x, whose upper end bounds the limiting inertia.
+/// The Rayleigh quotient x.(q + s (r + r^T) + s^2 t).x/x.x, whose upper end is an upper bound of the limiting inertia.
 Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, const Vector& x) {
   const mpfr_prec_t precision = matrices.q.precision();
   const Interval si = interval_of(s, precision);
@@ -42,8 +42,8 @@ Interval rayleigh_quotient(const AcousticMatrices& matrices, const Float& s, con
 
 Float power_of_two(mpfr_prec_t exponent) { return ldexp(Float(1), exponent); }
 
-/// det M in intervals; nothing where the impedance is not proven, at that precision or, as moduli many powers
-/// of ten apart ask for, a few times that.
+/// det M as an interval; nothing where the impedance is proven neither at this precision nor at a few times this
+/// precision, which moduli that differ by many powers of ten need.
 std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDirection& psi,
                                     const Float& inertia, mpfr_prec_t precision) {
   constexpr int most_attempts = 3;
@@ -53,7 +53,7 @@ std::optional<Interval> determinant(const ExactStiffness& solid, const SurfaceDi
   }
   return std::nullopt;
 }
-/// With which a bracket of the root lies below the limiting speed.
+/// The least number of bits for which a bracket of the root is below the limiting speed.
 constexpr mpfr_prec_t fewest_bits = 48;
 
 /// [root - d, root + d] with det M > 0 at the left and < 0 at the right, for the smallest d = root 2^-k, k <=
@@ -87,7 +87,7 @@ void refuse_proof(const SurfaceDirection& psi, const char* what) {
 Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& psi, mpfr_prec_t bits) {
   const Valley valley = lowest_valley(at_rest(solid, psi, 64));
   constexpr int most_attempts = 3;
-  // The proof below needs Im s, which is of the order of the square root of the distance, several times over.
+  // The proof below contains powers of Im s, which is of the order of the square root of the distance to the limit.
   mpfr_prec_t precision = 3 * bits + 64;
   for (int attempt = 0; attempt < most_attempts; ++attempt, precision *= 2) {
     const WorkingDigits working(digits_of(precision));
@@ -111,7 +111,8 @@ std::optional<Interval> surface_wave_inertia(const ExactStiffness& solid, const 
   const mpfr_prec_t bits = std::max(wanted_bits, fewest_bits), precision = 3 * bits + 64;
   const WorkingDigits working(digits_of(precision));
   const Float limit = middle_of(limiting_inertia(solid, psi, bits + 24));
-  // Next to where the limiting wave itself leaves the surface free a surface wave is as near as one likes.
+  // Close to a direction in which the limiting wave has a traction-free surface, the surface wave is arbitrarily
+  // close to the limiting speed.
   const Float nearest_w = power_of_two(-bits / 2 - 4);
   const auto inertia = [&](const Float& w) { return Float(limit * (1 - w * w)); };
   const auto f = [&](const Float& w) {
