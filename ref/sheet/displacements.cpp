@@ -10,7 +10,7 @@
 namespace nipref::ref {
 namespace {
 
-/// theta1, theta2 and N of the sheet, as intervals good to e^{-nats} relatively.
+/// theta1, theta2 and N of the sheet, as intervals of relative width e^{-nats}.
 struct Compliances {
   Compliances(const Exact& young, const Exact& poisson, double nats)
       : precision(working_precision(std::max(nats, 1.0), 1)),
@@ -52,11 +52,11 @@ const Exact& unit() {
   return one;
 }
 
-/// -ln of the size of displacements: every coefficient of a kernel is below 4/(pi young).
+/// A lower bound of -ln of a displacement's size: every coefficient of a kernel is below 4/(pi young).
 double size_nats(const Exact& young) { return std::log(young.approximate()) - std::log(4.0); }
 
-/// As enclose(), for a displacement composed of kernels: `displacement(c, nats)` gets the nats that the
-/// kernels need.
+/// As enclose(), for a displacement that is composed of kernels; `displacement(c, nats)` gets the nats that the kernels
+/// need.
 template <class Displacement>
 Enclosure enclose_displacement(int digits, double kernel_nats, const Exact& young, const Exact& poisson,
                                Displacement displacement) {
@@ -109,7 +109,7 @@ Enclosure vn(const Exact& alpha, const Exact& eta, const Exact& young, const Exa
   check_argument(eta, "eta");
   check_material(young, poisson);
   if (alpha.sign() == 0 && eta.sign() == 0) return exact_zero(digits);
-  // Far from the load on the side of the point held, both parts tend to the same limit.
+  // Far from the load, on the side of the fixed point, both parts tend to the same limit.
   const bool same_side = alpha.sign() * eta.sign() > 0;
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
   const double kernel = same_side ? slowest_decay * nearer : 0;

@@ -80,7 +80,7 @@ FieldIntegrand displacement_across(SheetLoad load, const mpq_class& s, const Sha
            {mpq_class(t1 * s), 0, cosh_over_S, false}}};
 }
 
-/// Without the part of eta.
+/// The integrand of v without the part that depends on eta.
 FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const Shares& shares) {
   const mpq_class &t1 = shares.theta1, &t2 = shares.theta2;
   if (load == SheetLoad::normal) {
@@ -97,7 +97,7 @@ FieldIntegrand displacement_along(SheetLoad load, const mpq_class& s, const Shar
            {mpq_class(t1 * s), 0, cosh_over_S, true}}};
 }
 
-/// -ln of the size of the field far from the load.
+/// About -ln of the size of the field far from the load.
 double decay_nats(const Exact& alpha) { return slowest_decay * std::abs(alpha.approximate()); }
 
 /// The quantity at (|alpha|, |depth|) with the sign that its parities give.
@@ -113,8 +113,9 @@ Enclosure by_parity(const FieldIntegrand& integrand, const Exact& alpha, const E
   });
 }
 
-/// As much as v holds of eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a shear load.
-Interval held_part(SheetLoad load, const Exact& eta, const Shares& shares, double nats) {
+/// The part of v that depends on eta: [theta2 I4 - theta1 I5]/(pi N) for a normal load, [K5 + theta1/N I7]/pi for a
+/// shear load.
+Interval fixed_point_part(SheetLoad load, const Exact& eta, const Shares& shares, double nats) {
   const mpfr_prec_t precision = working_precision(nats, 1000);
   const Interval pi = Interval::pi(precision);
   const Interval t1(Exact(shares.theta1), precision), t2(Exact(shares.theta2), precision);
@@ -165,14 +166,14 @@ Enclosure sheet_v(const Exact& alpha, const Exact& eta, const Exact& depth, Shee
   const Shares shares(poisson);
   const FieldIntegrand integrand = displacement_along(load, depth.magnitude().value(), shares);
   const FieldPoint at{alpha.magnitude(), depth.magnitude()};
-  // What does not decay cancels far from the load on the side of the point held.
+  // Far from the load, on the side of the fixed point, the parts that do not decay cancel.
   const bool same_side = !odd || alpha.sign() * eta.sign() > 0;
   const double nearer = std::min(std::abs(alpha.approximate()), std::abs(eta.approximate()));
   return enclose(digits, same_side ? slowest_decay * nearer : 0, [&](double nats) {
-    const Interval held = held_part(load, eta, shares, nats);
-    if (odd && alpha.sign() == 0) return held;
+    const Interval of_eta = fixed_point_part(load, eta, shares, nats);
+    if (odd && alpha.sign() == 0) return of_eta;
     const Interval value = field_integral(integrand, at, nats);
-    return odd && alpha.sign() < 0 ? held - value : held + value;
+    return odd && alpha.sign() < 0 ? of_eta - value : of_eta + value;
   });
 }
 

@@ -9,8 +9,8 @@ namespace nipref::ref {
 /// any accuracy. x runs through the thickness, y along the sheet; the loads act at y = 0 on x = +-1, a normal load
 /// presses, a shear load acts along +y on both faces.
 ///
-/// alpha = y, |alpha| <= 1000; depth = x, -1 <= depth <= 1, 0 is the middle plane; alpha != 0 at depth +-1, where the load
-/// is. digits 16 to 1000 (hundreds take seconds for |alpha| < 1). Every function promises an Enclosure: error
+/// alpha = y, |alpha| <= 1000; depth = x, -1 <= depth <= 1, 0 is the middle plane; alpha != 0 at depth +-1, where the
+/// load acts. digits 16 to 1000 (hundreds take seconds for |alpha| < 1). Every function promises an Enclosure: error
 /// <= 10^-digits min(1, |truth|), proven (internal/field_integral.hpp). Arguments outside their domain throw
 /// data::BadInput.
 ///
@@ -20,8 +20,8 @@ Enclosure sheet_across(const Exact& alpha, const Exact& depth, data::SheetLoad l
 Enclosure sheet_along(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< sigma_y
 Enclosure sheet_shear(const Exact& alpha, const Exact& depth, data::SheetLoad load, int digits);  ///< tau_xy
 
-/// Displacement along +x over theta1 + theta2, 0 on the middle plane. At depth -1 it is un or us, at depth 1 their
-/// opposite. -1 < poisson <= 1/2.
+/// Displacement along +x over theta1 + theta2, 0 on the middle plane. At depth -1 it is un or us, at depth 1 minus un
+/// or us. -1 < poisson <= 1/2.
 Enclosure sheet_u(const Exact& alpha, const Exact& depth, data::SheetLoad load, const Exact& poisson,
                   int digits);
 

@@ -6,11 +6,11 @@ namespace nipref::ref {
 
 /// Fourier kernels of the elastic sheet (half thickness b, lengths in units of b) to any accuracy.
 ///
-/// With S(x) = sinh 2x + 2x; arguments are dimensionless, given exactly, |argument| <= 1000; digits 16 to
-/// 1000. Every function promises an Enclosure: error <= 10^-digits min(1, |truth|), near zeros of the
-/// kernel too. The bound is proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its
-/// rounding, residues.hpp for the series at large arguments; closed forms and the series are in interval
-/// arithmetic. Arguments and digits outside their domain throw data::BadInput.
+/// S(x) = sinh 2x + 2x. Arguments are dimensionless exact numbers, |argument| <= 1000; digits 16 to 1000. Every
+/// function promises an Enclosure: error <= 10^-digits min(1, |truth|), also near zeros of the kernel. The bound is
+/// proven: see transform.hpp for the quadrature, clenshaw.hpp and nodes.hpp for its rounding, residues.hpp for the
+/// series at large arguments; closed forms and the series are in interval arithmetic. Arguments and digits outside
+/// their domain throw data::BadInput.
 
 /// int_0^inf 2 sinh^2 x cos(alpha x)/(x S) dx; alpha != 0. (thesis 4.9, AI.1)
 Enclosure I1(const Exact& alpha, int digits);
@@ -41,8 +41,8 @@ void check_nonzero_argument(const Exact& argument, const char* name);
 /// Im z_1, the slowest decay of a kernel, rounded up.
 inline constexpr double slowest_decay = 2.1062;
 
-/// About -ln of the size of I6, and of vs: their linear growth cancels as |alpha| -> |eta|, and what is left
-/// decays with both.
+/// About -ln of the size of I6 and of vs: as |alpha| -> |eta| their linear growth cancels, and the rest decays with
+/// both.
 double nats_of_difference(const Exact& alpha, const Exact& eta);
 
 }  // namespace nipref::ref

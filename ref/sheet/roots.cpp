@@ -43,8 +43,8 @@ void newton_step(Complex& w, Complex& scratch, Complex& slope) {
   mpc_sub(w.get(), w.get(), scratch.get(), MPC_RNDNN);
 }
 
-/// Re of the root w = 2z, by steps that double the precision. The guess is off by less than 1, and good at
-/// once for large n.
+/// Re of the root w = 2z, by Newton steps with doubled precision. The error of the first guess is below 1, and small
+/// for large n.
 Real approximate(long n, mpfr_prec_t precision) {
   const double y = (2 * static_cast<double>(n) - 0.5) * std::numbers::pi;
   const double x = std::acosh(y);

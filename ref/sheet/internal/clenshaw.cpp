@@ -10,7 +10,7 @@ using Limbs = std::vector<mp_limb_t>;
 
 bool is_negative(const mp_limb_t* x, std::size_t limbs) { return (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0; }
 
-/// kappa as a binary fraction of `limbs` limbs, cut; 1 becomes the largest number below.
+/// kappa as a binary fraction of `limbs` limbs, rounded down; 1 becomes the largest such fraction.
 Limbs fraction(const Real& kappa, std::size_t limbs) {
   Limbs result(limbs, GMP_NUMB_MAX);
   if (mpfr_cmp_ui(kappa.get(), 1) >= 0) return result;
@@ -33,7 +33,7 @@ class Recurrence {
         difference_(most_limbs),
         product_(2 * most_limbs) {}
 
-  /// Extends both numbers by their signs. They are 0 at the start.
+  /// Extends both numbers, which are 0 at the start, by their signs.
   void lengthen(std::size_t limbs) {
     for (Limbs* x : {&fourfold_, &difference_}) {
       const bool negative = limbs_ > 0 && is_negative(x->data(), limbs_);
@@ -43,7 +43,7 @@ class Recurrence {
     limbs_ = limbs;
   }
 
-  /// d += node - kappa B, B += 4 d. Sums wrap around; the results fit.
+  /// d += node - kappa B, B += 4 d. Sums may wrap around, but the results are within the range.
   void step(const mp_limb_t* node) {
     const auto n = static_cast<mp_size_t>(limbs_);
     const mp_limb_t* scaled = scaled_fourfold();

@@ -9,11 +9,11 @@ namespace nipref::ref {
 /// The angle theta = a h, 0 <= theta <= 16, between neighbouring nodes, to `precision` bits.
 struct Angle {
   Angle(const mpq_class& theta, mpfr_prec_t precision);
-  Real sine;              ///< sin(theta), relatively good as theta -> 0
+  Real sine;              ///< sin(theta), with a small relative error also as theta -> 0
   Real half_sine_square;  ///< sin^2(theta/2)
 };
 
-/// Precision an Angle needs for the sums over `nodes`.
+/// The precision that an Angle needs for the sums over `nodes`.
 mpfr_prec_t angle_precision(const Nodes& nodes);
 
 /// sum_{j=0}^{last} g_j cos(j theta) by Clenshaw's recurrence b_j = g_j + 2 cos(theta) b_{j+1} -
@@ -22,17 +22,17 @@ mpfr_prec_t angle_precision(const Nodes& nodes);
 ///
 ///     d_j = d_{j+1} + g_j - kappa B_{j+1},    B_j = B_{j+1} + 4 d_j.
 ///
-/// An error made in d_j acts on the sum as a change of g_j by the same amount. In units of 2^-F one step
-/// makes less than 4: the product is cut (less than 1), kappa is cut to as many bits as B has, by which the
-/// product loses less than 1, and the node is off by at most 1. Additions are exact. Hence |error| <= 4 (last
-/// + 3) units, the last steps and the rounding of the Angle included.
+/// An error of d_j has the effect of the same change of g_j. In units of 2^-F the error of one step is less than 4:
+/// less than 1 because the product is truncated, less than 1 because kappa is truncated to as many bits as B has, and
+/// at most 1 because of the node's own error. Additions are exact. Hence |error| <= 4 (last + 3) units, which
+/// includes the last steps and the rounding of the Angle.
 Real cosine_sum(const Nodes& nodes, const Angle& angle);
 
 /// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last
 /// + 3)^2) units.
 Real sine_sum(const Nodes& nodes, const Angle& angle);
 
-/// Error bound of a recurrence is this many units a node, see cosine_sum.
+/// The error bound of a recurrence is this many units for each node, see cosine_sum.
 constexpr long rounding_units = 4;
 
 }  // namespace nipref::ref

@@ -19,50 +19,52 @@ struct FieldTerm {
   bool sinh;
 };
 
-/// A stress or a displacement: (1/pi) int_0^inf (sum of terms) (cos or sin)(alpha z) dz. Every term has the parity in z
-/// that goes with cos or sin. The sum of the factors' magnitudes is at most 4. Where `odd_in_depth`, each term holds
-/// sinh sz or a factor s; else each holds cosh sz or both. The finite part where 1/z (2 cosh z/S) cosh sz has a twofold
-/// pole at 0, which is that of K5 below.
+/// A stress or a displacement: (1/pi) int_0^inf (sum of terms) (cos or sin)(alpha z) dz. Every term has the parity in
+/// z of the cosine or sine. The sum of the factors' magnitudes is at most 4. If `odd_in_depth`, each term contains
+/// sinh sz or a factor s; otherwise each contains cosh sz or both. Where 1/z (2 cosh z/S) cosh sz has a twofold pole
+/// at 0, which is that of K5 below, the finite part of the integral is meant.
 struct FieldIntegrand {
   bool sine;
   bool odd_in_depth;
   std::vector<FieldTerm> terms;
 };
 
-/// What the field is at one point: 0 <= alpha <= 1000, 0 <= depth <= 1, alpha > 0 where depth is 1.
+/// A point of the field: 0 <= alpha <= 1000, 0 <= depth <= 1, alpha > 0 where depth is 1.
 struct FieldPoint {
   Exact alpha, depth;
 };
 
-/// The integral within about e^{-nats}, times alpha where it is odd in alpha < 1, times depth where it is odd in that.
-/// By residues from alpha = 1 on, by summation below.
+/// The integral with an error of about e^{-nats}, times alpha where it is odd in alpha and alpha < 1, times depth
+/// where it is odd in depth. By residues from alpha = 1 on, by summation below.
 Interval field_integral(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 
-/// I4, I5 and so on at w = alpha + i depth, which the integrals are made of, for alpha < 1, with
+/// The integral for alpha < 1, which is made up of I4, I5 and the like at w = alpha + i depth, with
 ///
-///     2 sinh z/S = 1/cosh z - 2z/(S cosh z),    2 cosh z/S = 1/sinh z - 2z/(S sinh z):
+///     2 sinh z/S = 1/cosh z - 2z/(S cosh z),    2 cosh z/S = 1/sinh z - 2z/(S sinh z).
 ///
-/// the integrals of the first parts are hyperbolic functions of w, all that is singular at the loads; the second parts
-/// fall like z e^{-3z} and are analytic in |Im z| < pi/2. By the trapezoidal rule with step h, whose error is the sum of
+/// The integrals of the first parts are hyperbolic functions of w and contain all singularities at the loads. The
+/// second parts decrease like z e^{-3z} and are analytic in |Im z| < pi/2. They are integrated by the trapezoidal
+/// rule with step h, whose error is the sum of
 ///
 ///     aliasing    4 M e^{t alpha}/(e^{2 pi t/h} - 1), t = 5/4, M = field_line_integral >= the integral along Im z = t
 ///                 of |z|^3 e^{|Re z|} (|2z/(S cosh z)| + |2z/(S sinh z)|)
 ///     truncation  25 X^4 e^{-(3 - depth) X}, X >= 8 the last node: there the second parts are below 9.3 x e^{-3x}
 ///
-/// times alpha where the integral is odd in it, times depth where it is odd in that: |sin alpha z| <= alpha |z| e^{t
-/// alpha}, |sinh sz| <= s |z| e^{s |Re z|}, 2/|z| < |z|^3 on the line. At the twofold pole cosh sz cos(alpha z) - 1 is
-/// summed, and K5(0) added. Everything else is interval arithmetic.
+/// times alpha where the integral is odd in alpha, times depth where it is odd in depth: |sin alpha z| <= alpha |z|
+/// e^{t alpha}, |sinh sz| <= s |z| e^{s |Re z|}, and 2/|z| < |z|^3 on the line. At the twofold pole cosh sz cos(alpha
+/// z) - 1 is summed and K5(0) added. Everything else is interval arithmetic.
 Interval field_by_summation(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 inline constexpr double field_line_integral = 64;  ///< proven by tests/ref/sheet/field.cpp
 inline constexpr double field_line = 1.25;
 
-/// The same for alpha >= 1 from the roots z_n: -2 Im or 2 Re of sum_n c_n e^{i alpha z_n} and the residue at 0, with
-/// c_n = z^power cosh(sz) (or sinh)/(2 cosh z) or -z^(power+1) cosh(sz)/(2 cosh^3 z). Both sides are analytic in w for
-/// alpha > 0, |depth| < 1, continuous to depth 1 and equal on the middle plane (residue_series()).
+/// The integral for alpha >= 1 from the roots z_n: -2 Im or 2 Re of sum_n c_n e^{i alpha z_n} and the residue at 0,
+/// with c_n = z^power cosh(sz) (or sinh)/(2 cosh z) or -z^(power+1) cosh(sz)/(2 cosh^3 z). Both sides are analytic in
+/// w for alpha > 0, |depth| < 1, continuous to depth 1 and equal on the middle plane (residue_series()).
 ///
-/// With x = Re z_n < y = Im z_n: |cosh sz| <= e^x <= 3.02 |cosh z_n| (as sinh x <= |cosh z_n| >= 0.99), |z|/|cosh^2 z| <=
-/// 1.61, so that |c_n| <= 2.5 |z_n| <= 5 y_n, odd in depth s 10 y_n^2, and for alpha >= 1 what is beyond the first N >= 1
-/// roots, y_n > (n - 1/2) pi, is below 1300 (N + 1)^2 e^{-(N + 1/2) pi alpha}, odd in depth times s.
+/// With x = Re z_n < y = Im z_n: |cosh sz| <= e^x <= 3.02 |cosh z_n| (as sinh x <= |cosh z_n| >= 0.99), |z|/|cosh^2
+/// z| <= 1.61, so that |c_n| <= 2.5 |z_n| <= 5 y_n, or s 10 y_n^2 if odd in depth. For alpha >= 1 the truncation
+/// error after the first N >= 1 roots, with y_n > (n - 1/2) pi, is below 1300 (N + 1)^2 e^{-(N + 1/2) pi alpha},
+/// times s if odd in depth.
 Interval field_by_residues(const FieldIntegrand& integrand, const FieldPoint& at, double nats);
 
 }  // namespace nipref::ref

@@ -9,7 +9,7 @@
 namespace nipref::ref {
 namespace {
 
-/// N that brings what is left out below about e^{-nats}.
+/// The N for which the truncation error is below about e^{-nats}.
 long field_terms_needed(double alpha, double nats) {
   double terms = 1;
   for (int pass = 0; pass < 3; ++pass) {
@@ -43,7 +43,7 @@ ComplexInterval pole_term(const FieldIntegrand& integrand, const FieldPoint& at,
   return ComplexInterval{size * cos(angle), size * sin(angle)} * sum;
 }
 
-/// Of the pole at 0, over pi/4: what does not decay.
+/// The residue of a term at 0 over pi/4, the part that does not decay.
 mpq_class at_origin(const FieldTerm& term, const FieldPoint& at) {
   const int order = term.power + (term.sinh ? 1 : 0) - (term.symbol == FieldSymbol::cosh_over_S ? 1 : 0);
   if (order == -1) return term.sinh ? mpq_class(term.factor * at.depth.value()) : term.factor;

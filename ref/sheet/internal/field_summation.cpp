@@ -14,7 +14,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Nodes that differ by so much share a base in the addition theorems.
+/// In the addition theorems this many successive nodes share a base.
 constexpr long stride = 16;
 
 /// -2z/(S cosh z) and -2z/(S sinh z).
@@ -22,15 +22,15 @@ struct FieldNode {
   Interval z, of_sinh, of_cosh;
 };
 
-/// Nodes z = j step, j = 1 .. nodes.size(), that keep aliasing and truncation below about e^{-nats} at any depth; `nats`
-/// is one of a few, so that many points share them.
+/// Nodes z = j step, j = 1 .. nodes.size(), for which aliasing and truncation are below about e^{-nats} at any depth.
+/// Only a few values of `nats` occur, so that many points share the nodes.
 struct FieldNodes {
   double step;  ///< with few bits, so that multiples are exact
   mpfr_prec_t precision;
   std::vector<FieldNode> nodes;
 };
 
-/// The last node's place.
+/// The position of the last node.
 double field_end(double depth, double nats) {
   double end = 8;
   for (int pass = 0; pass < 4; ++pass) {
@@ -39,7 +39,7 @@ double field_end(double depth, double nats) {
   return end;
 }
 
-/// Whole strides.
+/// The number of nodes, a multiple of `stride`.
 long field_count(double end, double step) {
   return stride * static_cast<long>(std::ceil((end / step + 1) / stride));
 }
@@ -67,7 +67,7 @@ std::size_t size_of_nodes(const FieldNodes& made) {
   return made.nodes.size() * 6 * static_cast<std::size_t>(made.precision) / CHAR_BIT;
 }
 
-/// For at least so many nats.
+/// Nodes for at least this many nats.
 std::shared_ptr<const FieldNodes> field_nodes(double nats) {
   static Cache<long, FieldNodes> kept(make_field_nodes, size_of_nodes);
   const double grain = std::exp2(std::max(3.0, std::floor(std::log2(nats)) - 3));
@@ -81,7 +81,7 @@ struct Waves {
   Waves(const Interval& angle, const Interval& hyperbolic)
       : cosine(cos(angle)), sine(sin(angle)), grows(cosh(hyperbolic)), rises(sinh(hyperbolic)) {}
 
-  /// At the sum of the arguments. Without loss where both are small, as all terms are then positive.
+  /// The functions at the sum of the arguments. Where both are small all terms are positive, and nothing cancels.
   Waves(const Waves& a, const Waves& b)
       : cosine(a.cosine * b.cosine - a.sine * b.sine),
         sine(a.sine * b.cosine + a.cosine * b.sine),
@@ -140,7 +140,7 @@ class Summation {
     return sum;
   }
 
-  /// Both symbols are -1/2 z^k there, k = 0 and -1.
+  /// The value at 0, where both symbols are -1/2 z^k with k = 0 and -1.
   [[nodiscard]] Interval at_zero() const {
     Interval sum(nodes_.precision);
     for (std::size_t i = 0; i < factors_.size(); ++i) {
@@ -177,7 +177,7 @@ struct ClosedForms {
     const Interval from_face(Exact(mpq_class(1 - at.depth.value())), precision);
     const Interval a = pi * alpha / 2;
     const Interval ca = cosh(a), sa = sinh(a), ss = sin(pi * depth / 2), cs = sin(pi * from_face / 2);
-    const Interval size = square(ca * cs) + square(sa * ss);  // of cosh(pi w/2)
+    const Interval size = square(ca * cs) + square(sa * ss);  // |cosh(pi w/2)|^2
     const ComplexInterval sech{ca * cs / size, -(sa * ss) / size}, tanh{sa * ca / size, ss * cs / size};
     const Interval half_pi = pi / 2;
     const ComplexInterval sech2 = sech * sech, product = sech * tanh;
@@ -193,14 +193,14 @@ struct ClosedForms {
 
  private:
   static ComplexInterval zero(mpfr_prec_t precision) { return {Interval(precision), Interval(precision)}; }
-  /// Of (x, y) with x, y >= 0, not both 0.
+  /// The angle of (x, y) with x, y >= 0, not both 0.
   static Interval angle(const Interval& y, const Interval& x) {
     const bool steep = mpfr_cmp(x.upper(), y.upper()) < 0;
     return steep ? Interval::pi(y.precision()) / 2 - atan(x / y) : atan(y / x);
   }
 };
 
-/// The closed form's share of a term: see FieldTerm.
+/// The closed form of a term's first part, see FieldTerm.
 Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
   const bool of_sinh = term.symbol == FieldSymbol::sinh_over_S;
   const ComplexInterval& function = of_sinh ? (term.power < 0    ? f.I4
@@ -214,8 +214,8 @@ Interval closed_term(const FieldTerm& term, bool sine, const ClosedForms& f) {
   return negative ? -part : part;
 }
 
-/// What the closed forms give, within e^{-nats} of what it has to be: near the loads they cancel, and are computed with
-/// more and more bits.
+/// The sum of the closed forms with an error of e^{-nats}. Near the loads they cancel, and the precision is raised
+/// until the error is met.
 Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr_prec_t precision,
                      double nats) {
   constexpr mpfr_prec_t most_bits = 1 << 17;

@@ -19,7 +19,7 @@ Interval log_coth(const Exact& a, double nats) {
   return log1p(2 / expm1(exponent));
 }
 
-/// The transform of a symbol other than `normal` at x >= 0, by the cheaper of the two ways.
+/// The transform of a symbol other than `normal` at x >= 0, by the cheaper of the two methods.
 Interval cheaper_transform(Symbol symbol, const Exact& x, double nats) {
   return residues_are_cheaper(x.approximate(), nats) ? residue_series(symbol, x, nats)
                                                      : transform(symbol, x, nats);

@@ -20,7 +20,7 @@ Interval I7_interval(const Exact& eta, double nats);
 /// transform of 2 cosh z/(z S).
 Interval I6_eta_interval(const Exact& eta, double nats);
 
-/// Bits for quantities of size up to `size` that shall be good to e^{-nats}.
+/// The bits that quantities of size up to `size` need for an error of e^{-nats}.
 mpfr_prec_t working_precision(double nats, double size);
 
 }  // namespace nipref::ref

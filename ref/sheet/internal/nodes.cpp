@@ -34,13 +34,13 @@ long last_node(const NodeKey& key) {
   return std::max(1L, static_cast<long>(std::ceil(nats / (decay * key.step) * (1 + 1e-12))));
 }
 
-/// Evaluates h G(x) at equidistant x, from powers of e^{-x} that are stepped by one factor a node.
+/// Evaluates h G(x) at equidistant x from powers of e^{-x}, each of which is the one before times a factor.
 ///
-/// Rounding, in units of 2^-w with w the working precision: an exponential that starts a block is good to 2,
-/// each of at most 31 steps adds 2, so |d(e^{-x})| <= 70 and |d(e^{-2x})| <= 145 relative. Q = 1 - e^{-4x} +
-/// 4 x e^{-2x} is then off by at most 1500 absolutely and Q >= min(1, 4 x), so a quotient by Q is good to
-/// 2^12/h relatively, and the difference of two such in `normal`, divided by x, to 2^13/h^2 absolutely. w
-/// exceeds the block's precision by more than that: see guard_bits.
+/// Rounding, in units of 2^-w with w the working precision: the exponential at the start of a block has a relative
+/// error of 2 and each of at most 31 steps adds 2, so that the relative errors are |d(e^{-x})| <= 70 and |d(e^{-2x})|
+/// <= 145. Q = 1 - e^{-4x} + 4 x e^{-2x} then has an absolute error of at most 1500. As Q >= min(1, 4 x), a quotient
+/// by Q has a relative error of at most 2^12/h, and the difference of two quotients in `normal`, divided by x, an
+/// absolute error of at most 2^13/h^2. w exceeds the block's precision by more than that, see guard_bits.
 class SymbolLine {
  public:
   SymbolLine(const NodeKey& key, mpfr_prec_t precision)
@@ -74,7 +74,7 @@ class SymbolLine {
     if (key_.symbol == Symbol::normal) mpfr_mul(u_.get(), u_.get(), step_u_.get(), MPFR_RNDN);
   }
 
-  /// h G(x) at the present x > 0.
+  /// h G(x) at the current x > 0.
   const Real& value() {
     mpfr_sqr(b_.get(), e1_.get(), MPFR_RNDN);  // e^{-2x}
     denominator();
@@ -191,7 +191,7 @@ void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Real& value,
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const long magnitude = clenshaw_magnitude(key, first);
   const long bits = std::max(
-      1L, key.fraction_bits + magnitude + 4);  // b_j is held fourfold, with a sign and a bit to spare
+      1L, key.fraction_bits + magnitude + 4);  // for 4 b_j, its sign and one spare bit
   NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
   SymbolLine line(key, precision);

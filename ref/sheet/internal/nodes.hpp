@@ -8,8 +8,7 @@
 
 namespace nipref::ref {
 
-/// What a set of nodes is for; sets are kept and shared by every argument (and every kernel) that asks for
-/// the same.
+/// The parameters of a set of nodes. Sets are cached, and shared by all arguments and kernels with the same key.
 struct NodeKey {
   Symbol symbol;
   double step;         ///< h: a double with at most 3 significant bits, so that j h is exact
@@ -18,7 +17,8 @@ struct NodeKey {
   auto operator<=>(const NodeKey&) const = default;
 };
 
-/// A run of nodes g_j = h G(j h) of one length. The leading limbs are left out as the symbol decays.
+/// Successive nodes g_j = h G(j h) with the same number of limbs. As the symbol decays, leading limbs that are 0 are
+/// left out.
 struct NodeBlock {
   long first;         ///< j of the first node
   std::size_t limbs;  ///< of a node: two's complement, least significant limb first, in units of 2^-F
@@ -29,10 +29,10 @@ struct NodeBlock {
   [[nodiscard]] std::size_t size() const { return values.size() / limbs; }
 };
 
-/// Nodes j = 0 .. last. g_0 is halved for even symbols, 0 for odd ones, and at a twofold pole h G_0/2 -
-/// pi^2/(12 h), what the residue of G(z) pi cot(pi z/h) at 0 leaves of it.
+/// Nodes j = 0 .. last. g_0 is halved for even symbols and 0 for odd ones; at a twofold pole it is h G_0/2 - pi^2/(12
+/// h), the constant part of the residue of G(z) pi cot(pi z/h) at 0.
 ///
-/// Promise: each stored number is within one unit 2^-F of the true one, and the nodes left out obey
+/// Promise: the error of each stored number is at most one unit 2^-F, and the nodes after the last obey
 /// sum_{j > last} |g_j| <= C' h q^{last+1}/(1 - q) <= 2^8 units with q = e^{-r h}, C' = effective_amplitude.
 struct Nodes {
   NodeKey key;
@@ -40,21 +40,21 @@ struct Nodes {
   std::vector<NodeBlock> blocks;
 };
 
-/// Units that the nodes left out may amount to, see Nodes. Sums over some hundred nodes have rounding errors
-/// of that size.
+/// The truncation error allowed, in units 2^-F, see Nodes. Sums over some hundred nodes have rounding errors of that
+/// size.
 constexpr long truncation_units = 256;
 
-/// The integer that `limbs` limbs of two's complement stand for.
+/// The integer with these limbs in two's complement.
 mpz_class signed_integer(const mp_limb_t* x, std::size_t limbs);
 
 /// C' with |G(j h)| <= C' e^{-r j h} for j >= 1: SymbolBounds::amplitude, divided by h^k where the symbol has
 /// a pole of order k at 0 (h <= 1).
 double effective_amplitude(const NodeKey& key);
 
-/// The nodes for `key`, computed at the first call and kept, see Cache. Thread-safe.
+/// The nodes for `key`, computed at the first call and then cached. Thread-safe.
 std::shared_ptr<const Nodes> nodes(const NodeKey& key);
 
-/// Computes the nodes and keeps nothing.
+/// Computes the nodes without the cache.
 Nodes make_nodes(const NodeKey& key);
 
 }  // namespace nipref::ref

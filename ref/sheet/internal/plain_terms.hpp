@@ -6,14 +6,14 @@
 
 namespace nipref::ref {
 
-/// The n-th root z and the kernels' coefficients there, twice those of residue_series().
+/// The n-th root z, and the kernels' coefficients at it, which are twice those of residue_series().
 struct PlainTerm {
   ComplexInterval z, I1, I3, I4, I5, I6;
 
   [[nodiscard]] const ComplexInterval& coefficient(PlainKernel kernel) const;
 };
 
-/// Kept.
+/// The n-th term, cached.
 std::shared_ptr<const PlainTerm> plain_term(int n, mpfr_prec_t precision);
 
 ComplexInterval reciprocal(const ComplexInterval& x);
@@ -25,8 +25,9 @@ inline bool is_odd(PlainKernel kernel) {
 /// BadInput unless 1 <= terms <= most_residue_terms.
 void check_residue_terms(int terms);
 
-/// Of all the terms from the n-th on, pi left out, at x >= 0: there are at most 500, Im z_n > (n - 1/2) pi, and no
-/// coefficient is larger than 2.1, see residue_series(). Nothing where that is not below 2^-precision.
+/// Whether the terms from the n-th on, without pi, sum to less than 2^-precision at x >= 0; if so, `bound` is set to a
+/// bound of the sum. There are at most 500 terms, Im z_n > (n - 1/2) pi, and no coefficient exceeds 2.1, see
+/// residue_series().
 bool is_negligible(int n, const Interval& x, mpfr_prec_t precision, Interval& bound);
 
 }  // namespace nipref::ref

@@ -14,7 +14,7 @@
 namespace nipref::ref {
 namespace {
 
-/// N that brings what is left out below e^{-nats}/4.
+/// The N for which the truncation error is below e^{-nats}/4.
 long terms_needed(double x, double nats) {
   const double needed = (nats + std::log(4.0 * 7)) / (std::numbers::pi * x) - 0.5;
   return std::max(0L, static_cast<long>(std::ceil(needed)));
@@ -60,14 +60,14 @@ ComplexInterval term(const Coefficient& c, const SheetPole& pole, const Exact& m
   return exp(ComplexInterval{-(x * pole.z.imag), x * pole.z.real}) * twice_residue(c, pole);
 }
 
-/// The factor that memory gives a wave e^{i x z}: 1/(rate - i z) where it is to come, 1/(rate + i z) where it has
-/// passed.
+/// The factor of a wave e^{i x z} in the memory: 1/(rate - i z) ahead of the load, 1/(rate + i z) behind it.
 ComplexInterval fading(const Exact& exact_rate, bool to_come, const ComplexInterval& z) {
   const Interval rate(exact_rate, z.real.precision());
   return to_come ? inverse({rate + z.imag, -z.real}) : inverse({rate - z.imag, z.real});
 }
 
-/// Bits for what e^{-decay Im z_n} is the size of, where the relative error of z_n counts frequency |z_n| times.
+/// The bits that a term of the size e^{-decay Im z_n} needs, if the relative error of z_n is multiplied by frequency
+/// |z_n|.
 mpfr_prec_t bits_at_root(long n, double decay, double frequency, double nats) {
   const double imaginary = slowest_decay + static_cast<double>(n - 1) * std::numbers::pi;
   return working_precision(std::max(nats - decay * imaginary, 1.0), frequency * (imaginary + 3));
@@ -93,8 +93,8 @@ Interval passed_poles_of_tanh(const Exact& exact_x, double step, long lines, mpf
   return sum;
 }
 
-/// What the roots give: -2 pi Im sum c_n f_n e^{i x z_n} for an even symbol, 2 pi Re of it for an odd one,
-/// with factors f_n of at most 1.
+/// The sum over the roots: -2 pi Im sum c_n f_n e^{i x z_n} for an even symbol, 2 pi Re of it for an odd one, with
+/// factors |f_n| <= 1.
 template <class Factor>
 Interval sum_over_roots(Symbol symbol, const Exact& exact_x, double nats, Factor with_factor) {
   const double x = exact_x.approximate();
@@ -123,7 +123,7 @@ std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision) {
 
 mpfr_prec_t term_precision(long n, double x, double nats) { return bits_at_root(n, x, x, nats); }
 
-// Measured: the rule takes about as long as nats^2/10^4 terms do, or nats/25 where it passes poles, whatever x.
+// Measured, for every x: the rule takes about as long as nats^2/10^4 terms, or as nats/25 terms where it passes poles.
 bool residues_are_cheaper(double x, double nats) {
   return x >= 1 && static_cast<double>(terms_needed(x, nats)) <= std::min(1e-4 * nats, 0.04) * nats;
 }

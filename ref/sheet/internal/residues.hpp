@@ -9,13 +9,13 @@
 
 namespace nipref::ref {
 
-/// Whether the residue series gives the transform at x to e^{-nats} with so few terms that it costs less than
-/// the trapezoidal rule. False for x < 1.
+/// Whether the residue series gives the transform at x to e^{-nats} at less cost than the trapezoidal rule. False for
+/// x < 1.
 bool residues_are_cheaper(double x, double nats);
 
-/// The Fourier transform of a symbol at x >= 1, given exactly, within an interval of half-width about
-/// e^{-nats}, from the roots z_n of S in the first quadrant: what transform() gives by summation, but for
-/// `normal`, whose poles of tanh are left out, all of I1.
+/// The Fourier transform of a symbol at an exact x >= 1, as an interval of half-width about e^{-nats}, from the roots
+/// z_n of S in the first quadrant. It is the value of transform(), except that for `normal`, whose poles of tanh are
+/// left out, it is the whole of I1.
 ///
 ///     even    -2 pi Im sum_n c_n e^{i x z_n}
 ///     odd     pi/4 + 2 pi Re sum_n c_n e^{i x z_n}        (pi/4: half the residue 1/2 of the pole at 0)
@@ -33,15 +33,15 @@ bool residues_are_cheaper(double x, double nats);
 /// e^{-pi x}) <= 7 e^{-(N+1/2) pi x}, which widens the interval. The terms are in interval arithmetic.
 Interval residue_series(Symbol symbol, const Exact& x, double nats);
 
-/// What the poles z_k of G below the line Im z = 4 pi lines add to the trapezoidal rule with step h, transform(), so
-/// that only the aliasing from that line is left as its error. The rule's sum is the integral of G(z) cos(x z)
-/// cot(pi z/h)/(2i) around the real axis. Its upper half, moved up over the poles, and its lower half, moved down,
-/// leave their residues behind. With r_k, the residue of G (c_n at a root; -4/(3 z_k) at the poles z_k = (2k + 1)
-/// 2 pi i/3 of `normal`),
+/// The correction to the trapezoidal rule with step h, see transform(), for the poles z_k of G below the line Im z =
+/// 4 pi lines, after which only the aliasing from that line remains as its error. The rule's sum is the integral of
+/// G(z) cos(x z) cot(pi z/h)/(2i) around the real axis. Moving its upper half up and its lower half down across the
+/// poles adds their residues. Let r_k be the residue of G: c_n at a root, -4/(3 z_k) at the poles z_k = (2k + 1) 2 pi
+/// i/3 of `normal`. Then the correction is
 ///
-///     -2 pi i sum_k r_k cos(x z_k)/(e^{-2 pi i z_k/h} - 1),    odd: sin(x z_k),
+///     -2 pi i sum_k r_k cos(x z_k)/(e^{-2 pi i z_k/h} - 1),    odd: sin(x z_k).
 ///
-/// undoes that. A root and its image -conj(z_n) together make 4 pi Im of what the root makes. The terms are in interval
+/// A root and its image -conj(z_n) together contribute 4 pi Im of the root's term. The terms are in interval
 /// arithmetic; the half-width is about e^{-nats} where 2 pi/h >= nats/(4 pi lines) + x.
 Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, double nats);
 
@@ -51,21 +51,22 @@ Interval passed_poles(Symbol symbol, const Exact& x, double step, long lines, do
 ///     x > 0    even -2 pi Im, odd +2 pi Re of sum_n c_n e^{i x z_n}/(rate - i z_n)
 ///     x < 0    even -2 pi Im, odd -2 pi Re of sum_n c_n e^{i |x| z_n}/(rate + i z_n).
 ///
-/// As Re z_n, Im z_n > 1, no factor 1/(rate -+ i z_n) exceeds 1, and none does on the lines Im z = k pi > rate
-/// + 1, so that the series is exact, but for the poles at 0 and i rate (memory/internal/fading.hpp), and what
-/// is left out has the same bound.
+/// As Re z_n, Im z_n > 1, no factor 1/(rate -+ i z_n) exceeds 1, and none does on the lines Im z = k pi > rate + 1.
+/// The series is therefore exact except for the poles at 0 and i rate (memory/internal/fading.hpp), and its
+/// truncation error has the same bound.
 Interval fading_residue_series(Symbol symbol, const Exact& x, const Exact& rate, double nats);
 
-/// A root and 1/cosh of it.
+/// A root z and 1/cosh z.
 struct SheetPole {
   ComplexInterval z;
   ComplexInterval sech;
 };
 
-/// Of z_n, kept, with up to a quarter more bits than were asked for, so that many arguments share them.
+/// The pole z_n, cached. It has up to a quarter more bits than requested, so that many arguments share it.
 std::shared_ptr<const SheetPole> sheet_pole(long n, mpfr_prec_t precision);
 
-/// Bits for the n-th term at x, of size about e^{-x Im z_n}, where the relative error of z_n counts x |z_n| times.
+/// The bits that the n-th term at x needs: its size is about e^{-x Im z_n}, and the relative error of z_n is
+/// multiplied by x |z_n|.
 mpfr_prec_t term_precision(long n, double x, double nats);
 
 /// z_n to about `precision` bits: proven as sheet_root() says.

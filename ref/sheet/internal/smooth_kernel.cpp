@@ -12,13 +12,14 @@ namespace nipref::ref {
 namespace {
 
 constexpr long half_panels_per_unit = 8;
-constexpr double ratio = 28;  ///< of one coefficient's bound to the next's
-constexpr long watched = 3;   ///< last coefficients of a panel: a wrong value shows in some of them
+constexpr double ratio = 28;  ///< ratio of one coefficient's bound to the next one's
+constexpr long watched = 3;   ///< the last coefficients of a panel, which are compared with their bound
 
 /// The middle of a panel, in half panels.
 long middle_of_panel(long index) { return 2 * index + 1; }
 
-/// Bound on the n-th Chebyshev coefficient, twice 2 M/28^n: what is folded onto it is far smaller than it.
+/// A bound of the n-th Chebyshev coefficient of the interpolation: twice 2 M/28^n, as the aliased coefficients are far
+/// smaller.
 Interval coefficient_bound(double variation, long n, mpfr_prec_t precision) {
   Interval result(4 * variation, precision);
   for (long k = 0; k < n; ++k) result = result / static_cast<long>(ratio);
@@ -49,7 +50,7 @@ SmoothKernel::SmoothKernel(NormalKernel kernel, int digits, KernelShape shape)
       points_(2 + std::lround(
                       std::ceil((nats_ + std::log(4 * shape.variation / (ratio - 1))) / std::log(ratio)))) {}
 
-/// At the nodes of a panel, the first of which is nearest to its upper end.
+/// The values at the nodes of a panel, beginning at its upper end.
 std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosines) const {
   std::vector<Interval> values;
   for (long k = 0; k < points_; ++k) {
@@ -67,7 +68,7 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
   const Cosines cosines(points_, precision);
   const std::vector<Interval> values = node_values(index, cosines);
   Coefficients coefficients;
-  // Of the interpolation, of the coefficients, of Clenshaw's sum and of x in it.
+  // The errors of the interpolation, of the coefficients, of Clenshaw's sum and of its argument.
   Interval error = coefficient_bound(shape_.variation, points_ - 1, precision) / static_cast<long>(ratio - 1);
   const Interval unit = interval_of(std::numeric_limits<Float>::epsilon());
   for (long n = 0; n < points_; ++n) {

@@ -10,19 +10,19 @@
 
 namespace nipref::ref {
 
-/// ref's I1, another of its kernels or what stands in for it in a test: an interval of half-width about
-/// e^{-nats} that contains the value at alpha > 0.
+/// A kernel, or its substitute in a test: an interval of half-width about e^{-nats} that contains the value at alpha
+/// > 0.
 using NormalKernel = std::function<Interval(const Exact& alpha, double nats)>;
 
-/// What is known of a kernel: whether -ln|alpha| is part of it, and M, see SmoothKernel.
+/// The properties of a kernel: whether -ln|alpha| is part of it, and M, see SmoothKernel.
 struct KernelShape {
   bool logarithmic;
   double variation;
 };
 inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integral_shape{false, 226};
 
-/// What of I1 is analytic, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1: interpolated at Chebyshev
-/// points on panels of length 1/4, each made when it is first met.
+/// The analytic part of I1, J(alpha) = I1(alpha) + ln|alpha|, from few values of I1. It is interpolated at Chebyshev
+/// points on panels of length 1/4, each of which is made when it is first needed.
 ///
 /// With g(x) = x K(x), K the symbol of I1,
 ///
@@ -35,25 +35,25 @@ inline constexpr KernelShape I1_shape{true, 127}, I3_shape{false, 127}, I3_integ
 ///
 /// On the real axis |J'| <= Q(0) <= 2. The ellipse with the ends of a panel as foci and semi-minor axis 7/4
 /// has semi-axes that sum to more than 28 of the panel's half lengths; on it J differs from its value in the
-/// middle by at most M = 1.76 Q(7/4) < 127. Hence the n-th Chebyshev coefficient is at most 2 M/28^n, and
-/// interpolation at n points is off by at most 4 M/28^{n-1}/27. (Trefethen, Approximation Theory and
-/// Approximation Practice, 8.1, 8.2)
+/// middle by at most M = 1.76 Q(7/4) < 127. Hence the n-th Chebyshev coefficient is at most 2 M/28^n, and the error of
+/// interpolation at n points is at most 4 M/28^{n-1}/27. (Trefethen, Approximation Theory and Approximation Practice,
+/// 8.1, 8.2)
 ///
-/// The same holds for I3, which is odd and analytic itself: I3'(z) = int (2x/S) cos(zx) dx, S = sinh 2x + 2x,
-/// and 2x/S <= 1 - g. Its values are for alpha > 0 here, the caller has the sign. And for the even integral
-/// of I3 from 0, as |I3| <= Si(pi)/2 < 1 on the real axis (2/S falls and is at most 1/(2x)), |I3| < 1 + (7/4)
-/// Q(7/4) within the ellipse, so that there M = 1.76 (1 + 127) < 226.
+/// The same holds for I3, which is odd and analytic itself: I3'(z) = int (2x/S) cos(zx) dx, S = sinh 2x + 2x, and
+/// 2x/S <= 1 - g. Here its values are for alpha > 0, and the caller has to apply the sign. It also holds for the even
+/// integral of I3 from 0: |I3| <= Si(pi)/2 < 1 on the real axis (2/S decreases and is at most 1/(2x)) and |I3| < 1 +
+/// (7/4) Q(7/4) within the ellipse, so that M = 1.76 (1 + 127) < 226.
 class SmoothKernel {
  public:
-  /// To about `digits` digits after the point; the working precision shall be a few more.
+  /// The error is about 10^-digits; the working precision has to be a few digits more.
   SmoothKernel(NormalKernel kernel, int digits, KernelShape shape = I1_shape);
 
-  /// J at |alpha| <= 1000, to error(). std::logic_error if the kernel's values cannot be those of I1: the
-  /// last coefficients of a panel are larger than any function with this bound has them.
+  /// J at |alpha| <= 1000, with error error(). std::logic_error if the kernel's values cannot be those of I1, because
+  /// the last coefficients of a panel exceed their bound.
   [[nodiscard]] Float operator()(const Float& alpha);
-  /// Slope of the interpolation at |alpha|. By Markov's inequality it is off by about 8 n^2 error(), n points.
+  /// The slope of the interpolation at |alpha|. With n points its error is about 8 n^2 error(), by Markov's inequality.
   [[nodiscard]] Float slope(const Float& alpha);
-  /// J on all of an interval.
+  /// An interval that contains J on an interval of arguments.
   [[nodiscard]] Interval over(const Interval& alpha);
   /// Bound on the error of every value given so far.
   [[nodiscard]] const Float& error() const { return error_; }
@@ -64,7 +64,7 @@ class SmoothKernel {
   struct Panel {
     Coefficients value, slope;
   };
-  /// What the panel of |alpha| makes of its coefficients and the place in it, -1 to 1.
+  /// evaluate(coefficients, x) for the panel of |alpha|, where x is the position in the panel, -1 to 1.
   template <class Evaluate>
   Float in_panel(const Float& alpha, const Evaluate& evaluate);
   Panel make_panel(long index);
@@ -73,7 +73,7 @@ class SmoothKernel {
   NormalKernel kernel_;
   KernelShape shape_;
   double nats_;
-  long points_;  ///< of a panel
+  long points_;  ///< number of points of a panel
   std::map<long, Panel> panels_;
   Float error_ = 0;
 };

@@ -13,36 +13,36 @@ constexpr double ln2 = std::numbers::ln2;
 constexpr double step_limit = 0.25;
 constexpr mpfr_prec_t bound_precision = 64;
 
-/// Largest double m 2^-k <= limit with m = 4 .. 7, at most 1/4: few steps, so that many arguments share their
-/// nodes.
+/// The largest double m 2^-k <= limit with m = 4 .. 7, at most 1/4. As only these steps occur, many arguments share
+/// their nodes.
 double round_step(double limit) {
   int exponent = 0;
   const double fraction = std::frexp(std::min(limit, step_limit), &exponent);
   return std::ldexp(std::floor(fraction * 8), exponent - 3);
 }
 
-/// F rounded up to a multiple of 16, or of about an eighth of itself.
+/// F, rounded up to a multiple of 16, or of about an eighth of itself if that is more.
 long round_bits(double bits) {
   const double grain = bits <= 256 ? 16 : 32 * std::exp2(std::floor(std::log2(bits / 256)));
   return static_cast<long>(std::ceil(bits / grain) * grain);
 }
 
-/// m of the line Im z = 4 pi m that the aliasing is moved to, see transform(); 0 is Im z = 2, which is measured to cost
-/// less up to some hundred digits. Beyond them m is so large that the step can be the largest for x up to 5: the
-/// number of nodes then grows as nats, not as their square.
+/// The m of the line Im z = 4 pi m on which the aliasing is bounded, see transform(); 0 stands for Im z = 2, which
+/// costs less up to some hundred digits (measured). For more digits m is so large that the largest step is possible
+/// for x up to 5; the number of nodes then grows like nats, not like its square.
 long lines_passed(double nats) {
   constexpr double few = 300, most_frequency = 2 * std::numbers::pi / step_limit - 5;
   if (nats <= few) return 0;
   return static_cast<long>(std::ceil(nats / (4 * std::numbers::pi * most_frequency)));
 }
 
-/// Im z of the line that the aliasing is bounded on.
+/// Im z of the line on which the aliasing is bounded.
 double top_of(long lines) { return lines == 0 ? 2 : 4 * std::numbers::pi * static_cast<double>(lines); }
 
 /// >= int |z G(z)| |dz| along Im z = top.
 double moment(const SymbolBounds& symbol, double top) { return symbol.moment * top / 2; }
 
-/// Step and fraction bits that bring each part of the error below about e^{-nats}, of min(1, x) for odd
+/// The step and fraction bits for which each part of the error is below about e^{-nats}, times min(1, x) for odd
 /// symbols.
 NodeKey node_key(Symbol symbol, double x, double nats, double top) {
   const SymbolBounds& constants = bounds(symbol);
@@ -94,7 +94,7 @@ Interval power_of_two(double exponent) {
   return result;
 }
 
-/// What the sum over j = 0 .. last has to be completed with: the parts of the residue at 0 that depend on x.
+/// Adds to the sum over j = 0 .. last the parts of the residue at 0 that depend on x.
 Interval with_origin_terms(const Interval& sum, const SymbolBounds& symbol, const NodeKey& key,
                            const Interval& x) {
   const Interval step(key.step, x.precision());

@@ -5,8 +5,7 @@
 
 namespace nipref::ref {
 
-/// The Fourier transform of a symbol at x = |x| given exactly, within an interval of half-width at most
-/// e^{-nats}:
+/// The Fourier transform of a symbol at an exact x >= 0, as an interval of half-width at most e^{-nats}:
 ///
 ///     even, without pole at 0    int_0^inf G(t) cos(x t) dt
 ///     odd                        int_0^inf G(t) sin(x t) dt, half-width at most min(1, x) e^{-nats}
@@ -17,16 +16,16 @@ namespace nipref::ref {
 ///
 ///     aliasing    M cosh(Y x)/(e^{2 pi Y/h} - 1), odd: min(M, x M' Y/2) times the same, as |sin w| <= min(1, |w|)
 ///                 cosh(Im w) (Poisson summation, each image moved to a line Im z = +-Y; M and M' Y/2 bound the
-///                 integrals of |G| and |z G| along it, SymbolBounds). Y = 2 lies below all poles. For many digits
-///                 that would take too small an h: Y = 4 pi m, and passed_poles() is added to the sum
+///                 integrals of |G| and |z G| along it, SymbolBounds). Y = 2 is below all poles. As many digits would
+///                 require too small an h, there Y = 4 pi m, and passed_poles() is added to the sum
 ///     truncation  2^8 units of 2^-F (times min(1, theta (N+1)/(1-q)) for odd symbols), see Nodes
 ///     rounding    see cosine_sum and sine_sum
 ///
 /// A pole at 0 adds to the sum what depends on x there: h x/4 for a simple one (half of h G(t) sin(x t) at
 /// t = 0), -h x^2/8 for a twofold one (see Nodes).
 ///
-/// The value of an even symbol is near e^{-2.1 x}, so that relative accuracy takes digits and nodes in
-/// proportion to x: residue_series() is for large x.
+/// The value of an even symbol is about e^{-2.1 x}, so that a relative accuracy requires digits and nodes in
+/// proportion to x. For large x residue_series() is used.
 Interval transform(Symbol symbol, const Exact& x, double nats);
 
 }  // namespace nipref::ref
