@@ -38,14 +38,14 @@ RationalModulus rational(const ExactModulus& m) {
   }
 }
 
-/// A number known exactly.
+/// An exact number.
 Enclosure known(const mpq_class& value, int digits) {
   return enclose(digits, 0, [&](double nats) {
     return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));
   });
 }
 
-/// To bits that grow with what is asked; times and rates far apart need more of them.
+/// Evaluates with more and more bits until the digits are met; times and rates of very different sizes need more.
 Enclosure evaluated(int digits, const std::function<Interval(mpfr_prec_t bits)>& at) {
   return enclose(digits, 0, [&](double nats) {
     return at(static_cast<mpfr_prec_t>(128 + 2 * nats / std::numbers::ln2));
@@ -57,7 +57,7 @@ Interval fading(const mpq_class& rate, const Exact& t, mpfr_prec_t bits) {
   return exp(Interval(Exact(-rate * t.value()), bits));
 }
 
-/// BadInput where e^(-rate t) is smaller than any number of MPFR's and alone.
+/// BadInput where the value is e^(-rate t) alone and below MPFR's range.
 void check_remembered(const mpq_class& rate, const Exact& t) {
   constexpr int longest = 700'000'000;
   if (rate * t.value() > longest)
@@ -77,12 +77,12 @@ void ExactModulus::check(const char* prefix) const {
 Enclosure relaxation(const ExactModulus& modulus, const Exact& t, int digits) {
   check_nonnegative("t", t);
   const auto [n0, n1, d0, d1] = rational(modulus);
-  // N/(p D) = n0/(d0 p) + what is left at the root of D
+  // N/(p D) = n0/(d0 p) + the term of the root of D
   if (d1 == 0) return known(n0 / d0, digits);
-  const mpq_class held = n0 / d0, fades = n1 / d1 - n0 / d0, rate = d0 / d1;
-  if (held == 0) check_remembered(rate, t);
+  const mpq_class relaxed = n0 / d0, decaying = n1 / d1 - n0 / d0, rate = d0 / d1;
+  if (relaxed == 0) check_remembered(rate, t);
   return evaluated(digits, [&](mpfr_prec_t bits) {
-    return Interval(Exact(held), bits) + Interval(Exact(fades), bits) * fading(rate, t, bits);
+    return Interval(Exact(relaxed), bits) + Interval(Exact(decaying), bits) * fading(rate, t, bits);
   });
 }
 
@@ -93,9 +93,9 @@ Enclosure creep(const ExactModulus& modulus, const Exact& t, int digits) {
   if (n1 == 0) return known(d0 / n0, digits);
   if (n0 == 0) return known(d1 / n1 + d0 / n1 * t.value(), digits);
   if (t.sign() == 0) return known(d1 / n1, digits);
-  const mpq_class held = d0 / n0, grows = d1 / n1 - d0 / n0, rate = n0 / n1;
+  const mpq_class relaxed = d0 / n0, decaying = d1 / n1 - d0 / n0, rate = n0 / n1;
   return evaluated(digits, [&](mpfr_prec_t bits) {
-    return Interval(Exact(held), bits) + Interval(Exact(grows), bits) * fading(rate, t, bits);
+    return Interval(Exact(relaxed), bits) + Interval(Exact(decaying), bits) * fading(rate, t, bits);
   });
 }
 
@@ -117,7 +117,7 @@ Enclosure theta1(const ExactModulus& shear, const Exact& t, int digits) {
   check_nonnegative("t", t);
   const auto [n0, n1, d0, d1] = rational(shear);
   if (n1 == 0) return exact_zero(digits);
-  // D/(2N) beside d1/(2 n1)
+  // D/(2N) without its constant d1/(2 n1)
   const mpq_class amplitude = (d0 - n0 * d1 / n1) / (2 * n1), rate = n0 / n1;
   check_remembered(rate, t);
   return evaluated(
@@ -139,11 +139,11 @@ Enclosure theta2(const ExactModulus& shear, const ExactModulus& bulk, const Exac
     return evaluated(
         digits, [&](mpfr_prec_t bits) { return Interval(Exact(amplitude), bits) * fading(rate, t, bits); });
   }
-  // What is left beside a2/b2: (c0 + c1 p)/(p^2 + 2 m p + d)
+  // Without the constant a2/b2: (c0 + c1 p)/(p^2 + 2 m p + d)
   const mpq_class c0 = (a0 - a2 * b0 / b2) / b2, c1 = (a1 - a2 * b1 / b2) / b2;
   const mpq_class middle = b1 / (2 * b2), product = b0 / b2, square = middle * middle - product;
   const mpq_class lever = c0 - c1 * middle;
-  // The slow rate is between half of this and all of it.
+  // The slow rate is between product/middle/2 and product/middle.
   check_remembered(product / middle / 2, t);
   return evaluated(digits, [&](mpfr_prec_t bits) {
     const Interval root = sqrt(Interval(Exact(square), bits)), time(t, bits);

@@ -5,8 +5,8 @@
 
 namespace nipref::ref {
 
-/// A modulus of a linear viscoelastic solid, known exactly: what the model does not have is not read. Moduli in stress,
-/// viscosities in stress time, > 0; BadInput by check() otherwise, naming prefix + member.
+/// A modulus of a linear viscoelastic solid with exact constants; constants that the model does not have are ignored.
+/// Moduli in stress, viscosities in stress time, > 0; otherwise check() throws BadInput that names prefix + member.
 struct ExactModulus {
   data::SpringModel model;
   Exact spring, second_spring, viscosity;
@@ -14,8 +14,8 @@ struct ExactModulus {
   void check(const char* prefix) const;
 };
 
-// As fast::relaxation and its neighbours are defined; t and omega >= 0, digits 16 to 1000. The bound is proven: interval
-// arithmetic on the partial fractions as they stand.
+// The functions are defined as fast::relaxation and its neighbours; t and omega >= 0, digits 16 to 1000. The bound is
+// proven by interval arithmetic on the partial fractions.
 
 Enclosure relaxation(const ExactModulus& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactModulus& modulus, const Exact& t, int digits);

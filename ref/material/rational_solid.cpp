@@ -76,7 +76,7 @@ ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) 
           two};
 }
 
-/// A number known exactly.
+/// An exact number.
 Enclosure exactly_known(const mpq_class& value, int digits) {
   if (value == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
@@ -84,7 +84,7 @@ Enclosure exactly_known(const mpq_class& value, int digits) {
   });
 }
 
-/// Bits that bounds of divided differences lose where rates times t are large.
+/// The bits that the bounds of divided differences lose where rates times t are large.
 double bits_of_rates(const Polynomial& p, const mpq_class& t) {
   const auto degree = static_cast<double>(p.size() - 1);
   double most = 0;

@@ -13,7 +13,7 @@ struct ExactRatio {
   std::vector<mpq_class> numerator, denominator;
 };
 
-/// What fast::RationalSolid is, known exactly.
+/// fast::RationalSolid with exact constants.
 struct ExactRationalSolid {
   ExactRatio shear, dilatation;  ///< G and K
   ExactRatio theta1, theta2;
@@ -25,7 +25,7 @@ struct ExactSeries {
   std::vector<Exact> amplitudes, rates;
 };
 
-// BadInput as fast::RationalSolid has it, but that constants may be of any magnitude.
+// BadInput is thrown as by fast::RationalSolid, but constants may have any magnitude.
 
 ExactRationalSolid exact_prony(const ExactSeries& theta1, const ExactSeries& theta2);
 /// G = Q/P, K = Q'/P'.
@@ -36,9 +36,9 @@ ExactRationalSolid exact_operators(const std::vector<Exact>& p, const std::vecto
 ExactRationalSolid exact_single_time(const Exact& bulk, const Exact& shear, const Exact& tau,
                                      int theta2_rate_factor);
 
-// As fast's namesakes are defined, `modulus` being shear or dilatation; t, omega >= 0, digits 16 to 1000. Proven: common
-// factors are cancelled exactly, then see inverse_transform(). A value that has faded below e^-7e8, or
-// in an unstable material has grown above e^2300 (1000 digits before the point), is refused as "t".
+// The functions are defined as those of the same name in fast, `modulus` being shear or dilatation; t, omega >= 0,
+// digits 16 to 1000. Proven: common factors are cancelled exactly, then see inverse_transform(). BadInput "t" for a
+// value below e^-7e8, or above e^2300 (1000 digits before the point) in an unstable material.
 
 Enclosure relaxation(const ExactRatio& modulus, const Exact& t, int digits);
 Enclosure creep(const ExactRatio& modulus, const Exact& t, int digits);

@@ -14,8 +14,8 @@ mpfr_prec_t bits_for(double nats) {
   return static_cast<mpfr_prec_t>(std::ceil(std::max(nats, 1.0) / std::numbers::ln2)) + 32;
 }
 
-/// e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv, all exact, length > 0: the memory of a
-/// decaying wave, its largest exponential taken out so that rate >= 0.
+/// e^{-decay} int_0^length e^{-rate v} e^{i (angle + frequency v)} dv with exact numbers, length > 0: the memory of a
+/// decaying wave. Its largest exponential is a factor, so that rate >= 0.
 struct DampedWave {
   mpq_class decay;
   mpq_class angle;
@@ -37,13 +37,14 @@ struct Arguments {
   const mpq_class& T;
 };
 
-/// Before the load has passed, in v = T - tau - (distance at the end).
+/// The wave before the load has passed, in v = T - tau - (distance at the end).
 DampedWave before(const Arguments& x) {
   const mpq_class last = x.T > x.t ? mpq_class(x.T - x.t) : mpq_class(0);
   return {x.lambda * (x.t - x.T) + (x.lambda + x.a) * last, x.b * last, x.lambda + x.a, x.b, x.T - last};
 }
 
-/// After it, in w = tau - T from `first` to `last`: counted from the end where the integrand is larger.
+/// The wave after the load has passed, in w = tau - T from `first` to `last`, counted from the end with the larger
+/// integrand.
 DampedWave after(const Arguments& x) {
   const mpq_class first = x.T < 0 ? mpq_class(-x.T) : mpq_class(0);
   const mpq_class last = x.t - x.T;
@@ -64,7 +65,7 @@ void check_extent(const Exact& rate, const char* name, const Exact& t, const Exa
   }
 }
 
-/// 0 for what is below e^{-7e8} times a length, which Exact's exponents keep below e^{1e8}.
+/// 0, for values below e^{-7e8} times a length, which is below e^{1e8}.
 Enclosure faded_away(int digits) {
   Enclosure result = exact_zero(digits);
   mpfr_set_si(result.error.get(), -600'000'000, MPFR_RNDU);
@@ -72,7 +73,7 @@ Enclosure faded_away(int digits) {
   return result;
 }
 
-/// The real or the imaginary part of a wave's integral; with b = 0 the latter is nothing.
+/// The real or the imaginary part of a wave's integral; for b = 0 the latter is 0.
 Enclosure part(const DampedWave& wave, bool sine, long sign, int digits) {
   if (wave.length <= 0 || (sine && wave.frequency == 0)) return exact_zero(digits);
   if (wave.decay > 700'000'000) return faded_away(digits);
@@ -137,8 +138,8 @@ Enclosure J5(const Exact& gamma0, const Exact& gamma, const Exact& lambda, const
   const mpq_class at_once = gamma0.value() * sgn(mpq_class(T.value() - t.value()));
   const mpq_class turn = std::clamp<mpq_class>(T.value(), 0, t.value());
   const bool forgets = lambda.sign() > 0 && gamma.sign() != 0 && t.sign() > 0;
-  // Where nothing fades the value is a rational number, and may well be 0. Elsewhere it is none, as
-  // exponentials of rational numbers are independent over the rationals.
+  // Without decay the value is a rational number, which may be 0. Otherwise it is irrational, as exponentials of
+  // different rational numbers are linearly independent over the rationals.
   const mpq_class unfading = at_once + gamma.value() * (2 * turn - t.value());
   if (!forgets && unfading == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {

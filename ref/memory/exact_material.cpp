@@ -38,7 +38,7 @@ ExactFunction exact_function(ExactRatio theta, const std::string& last) {
     throw data::BadInput(last, "(its roots)",
                          "must not be repeated: t e^(-rate t) is not among the terms of a material");
   ExactFunction result{at_zero(at_once), {}, {}};
-  if (denominator.front() == 0) {  // a fluid's
+  if (denominator.front() == 0) {  // a fluid, with the rate 0
     denominator.erase(denominator.begin());
     const mpq_class flow = at_zero(numerator) / denominator.front();
     result.terms.push_back({flow, 0});

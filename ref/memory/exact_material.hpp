@@ -7,8 +7,8 @@
 
 namespace nipref::ref {
 
-/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t), constants known exactly, as data::MaterialFunction has
-/// them in double: with the rates >= 0 of the terms, and with those, all else, that are the roots of fractions.
+/// theta(t) = instantaneous delta(t) + sum amplitude e^(-rate t), as data::MaterialFunction in double. Rates that are
+/// given are exact and >= 0 and stand in `terms`; all other rates are the roots of the denominators in `fractions`.
 struct ExactFunction {
   struct Term {
     mpq_class amplitude;  ///< 1/(stress time)
@@ -16,12 +16,12 @@ struct ExactFunction {
   };
   mpq_class instantaneous;  ///< 1/stress
   std::vector<Term> terms;  ///< no rate twice
-  /// Transforms numerator/denominator in p, 1/time: of no common factor, the denominator's degree the higher one and its
-  /// roots simple, of negative real parts.
+  /// Transforms numerator/denominator in p, 1/time, without common factors. The denominator has the higher degree,
+  /// and its roots are simple and have negative real parts.
   std::vector<ExactRatio> fractions;
 };
 
-/// The sheet's material, known exactly.
+/// The sheet's material with exact constants.
 struct ExactMaterial {
   ExactFunction theta1;
   ExactFunction theta2;
@@ -30,22 +30,22 @@ struct ExactMaterial {
   [[nodiscard]] ExactFunction normal() const;
 };
 
-/// To this many digits, from the exact values of the doubles that describe the material. BadInput unless its rates are
-/// real.
+/// The material whose constants are the exact values of the doubles; rates that are not given are computed to `digits`
+/// digits. BadInput unless its rates are real.
 ExactMaterial exact_material(const data::ViscoelasticMaterial& material, int digits);
 
-/// By its compliances theta1 and theta2. BadInput, naming `last`, for what gives way without bound at once, for repeated
-/// roots and for strains that do not fade, but for a fluid's.
+/// The material by its compliances theta1 and theta2. BadInput that names `last` for an infinite instantaneous
+/// compliance, for repeated roots, and for a memory that does not decay, except that of a fluid.
 ExactMaterial exact_material(const ExactRationalSolid& solid);
 
-/// The thesis's standard linear solid, G = 3K/8, both moduli falling to one half.
+/// The thesis's standard linear solid: G = 3K/8, and both moduli relax to one half.
 enum class Solid {
-  standard_linear_solid,  ///< as it was defined: theta2 fades like e^{-t/tau}
-  thesis                  ///< as it was printed and used: theta2 fades like e^{-2t/tau} (thesis AIII.15)
+  standard_linear_solid,  ///< as defined: theta2 decays like e^{-t/tau}
+  thesis                  ///< as printed and used: theta2 decays like e^{-2t/tau} (thesis AIII.15)
 };
 
-/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau], theta2 a third of it, up to what `solid` says. bulk > 0 is
-/// the modulus at once, unit of stress; tau > 0 the relaxation time. BadInput otherwise. (thesis AIII.14)
+/// theta1 = 4/(3 bulk) [delta + e^{-t/tau}/tau] and theta2 a third of it, with the exponent of `solid`. bulk > 0 is the
+/// instantaneous modulus, unit of stress, and tau > 0 the relaxation time. BadInput otherwise. (thesis AIII.14)
 ExactMaterial exact_solid(Solid solid, const Exact& bulk, const Exact& tau);
 
 }  // namespace nipref::ref

@@ -21,11 +21,11 @@ namespace nipref::ref {
 namespace {
 
 constexpr double ln2 = std::numbers::ln2;
-/// Nats are rounded up to multiples of this where what they give is kept.
+/// For cached results the nats are rounded up to multiples of this.
 constexpr double nats_grain = 16;
 
-/// Where the load is seen from a point of the surface, in half thicknesses: `alpha` before it now, and, if it
-/// has started at all, `start` before it when it did.
+/// The load's path relative to a point of the surface, in half thicknesses: the load is at the distance `alpha`
+/// before the point now, and was at the distance `start` when it started, if it ever did.
 struct LoadPath {
   Exact alpha;
   std::optional<Exact> start;
@@ -46,7 +46,8 @@ PlainKernel plain_kernel(Kernel kernel) {
   }
 }
 
-/// residue_terms: 0, or of the thesis's sums. I2 is its constant alone, in both.
+/// A kernel, or the thesis's sum of so many residues if residue_terms is not 0; for I2, which is a constant, both
+/// agree.
 Interval kernel_interval(Kernel kernel, const Exact& alpha, double nats, int residue_terms) {
   if (residue_terms > 0 && kernel != Kernel::I2 && alpha.sign() != 0)
     return plain_kernel_at(plain_kernel(kernel), alpha, residue_terms,
@@ -87,7 +88,7 @@ Symbol symbol_of(Kernel kernel) {
   }
 }
 
-/// For what is as large as 1/rate, or as the way at rate 0, and shall be good to e^{-nats}.
+/// The nats for a number of the size 1/rate, or of the distance at rate 0, whose error is to be e^{-nats}.
 double nats_over_rate(const mpq_class& rate, double nats) {
   constexpr double of_longest_way = 8;
   if (rate == 0) return nats + of_longest_way;
@@ -98,13 +99,13 @@ double nats_over_rate(const mpq_class& rate, double nats) {
 Interval sign_history(const Exact& alpha, const mpq_class& rate, double absolute_nats) {
   const double nats = nats_over_rate(rate, absolute_nats);
   const Interval half_pi = Interval::pi(working_precision(nats, 1) + 64) / 2;
-  if (rate == 0) return -(half_pi * rational(abs(alpha.value()), nats));  // beside the infinite
+  if (rate == 0) return -(half_pi * rational(abs(alpha.value()), nats));  // the finite part
   const Interval long_ago = half_pi / rational(rate, nats);
   if (alpha.sign() >= 0) return long_ago;
   return long_ago * (2 * exp(rational(mpq_class(rate * alpha.value()), nats)) - 1);
 }
 
-/// What is remembered from infinity.
+/// The key of a memory from infinity.
 struct HistoryKey {
   Kernel kernel;
   mpq_class alpha, rate;
@@ -128,7 +129,8 @@ std::size_t size_of_history(const Interval& history) {
   return static_cast<std::size_t>(history.precision()) + sizeof(HistoryKey);
 }
 
-/// Kept, as the loads of a contact see the same distances: with up to 16 nats more than were asked for.
+/// The memory from infinity, cached with up to 16 nats more than requested, as the loads of a contact have distances in
+/// common.
 Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate, double nats,
                        int residue_terms) {
   static Cache<HistoryKey, Interval> kept(make_history, size_of_history, std::size_t{1} << 24);
@@ -136,22 +138,22 @@ Interval whole_history(Kernel kernel, const Exact& alpha, const mpq_class& rate,
   return *kept.at({kernel, alpha.value(), rate, std::ceil(nats / nats_grain) * nats_grain, residue_terms});
 }
 
-/// For what is multiplied by e^{-faded} and shall be good to e^{-nats} then. Halved while that is enough, so that loads
-/// with one start and different ways share what they need of it.
+/// The nats for a number that is multiplied by e^{-faded} and is then to have an error of e^{-nats}. They are one of
+/// nats/2^k, so that loads with the same start share cached results.
 double nats_left(double nats, double faded) {
   double left = nats;
   while (left > 2 && left / 2 >= nats - faded) left /= 2;
   return left;
 }
 
-/// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less what lies before the start.
+/// int_alpha^start e^{-rate (w - alpha)} I(w) dw: the whole history less the part before the start.
 Interval history(Kernel kernel, const LoadPath& path, const mpq_class& rate, double wanted_nats,
                  int residue_terms) {
   const double nats = std::max(wanted_nats + 2, 40.0);
   if (!path.start) {
     const Interval whole = whole_history(kernel, path.alpha, rate, nats, residue_terms);
     if (rate != 0 || kernel == Kernel::I1) return whole;
-    // What is infinite is of one length for all points: counted from the point, not from 0.
+    // The infinite part that is left out is counted from the point, not from 0, so that it is the same for all points.
     const double large = nats_over_rate(rate, nats);
     const Interval quarter = Interval::pi(working_precision(large, 1) + 64) / 4;
     return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(path.alpha.value(), large));
@@ -181,7 +183,7 @@ ComplexInterval swinging_sign(const LoadPath& path, const ComplexInterval& rate)
   return (faded(behind) + faded(behind) - one - faded(way)) * inverse(rate);
 }
 
-/// history() of a rate that may be complex.
+/// history() for a real or complex rate.
 ComplexInterval swinging_history(Kernel kernel, const LoadPath& path, const ComplexInterval& rate,
                                  double nats) {
   const mpfr_prec_t bits = rate.real.precision();
@@ -201,10 +203,10 @@ double ln_size(const ComplexInterval& z) {
   return fraction > 0 ? std::log(fraction) + static_cast<double>(exponent) * ln2 : 0;
 }
 
-/// What the fraction remembers: the sum over its terms, of which the two of a pair are conjugate.
+/// The memory of a fraction: the sum over its terms, those of a conjugate pair being conjugate.
 Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& path,
                     const mpq_class& way_per_time, double nats) {
-  constexpr double spare_nats = 48;  // ways of 1000, and sums
+  constexpr double spare_nats = 48;  // for distances of up to 1000, and for sums
   const auto terms_to = [&](double good_to) {
     return partial_fractions(fraction.numerator, fraction.denominator, working_precision(good_to, 1));
   };
@@ -238,7 +240,7 @@ struct Part {
     return rational(theta.instantaneous, needed) * kernel_interval(kernel, path.alpha, needed, residue_terms);
   }
 
-  /// `way_per_time` is speed/half_thickness.
+  /// The value, with `way_per_time` = speed/half_thickness.
   [[nodiscard]] Interval value(const mpq_class& way_per_time, double nats) const {
     Interval sum = at_once(nats);
     const bool no_history = path.start && path.start->value() == path.alpha.value();
@@ -257,7 +259,7 @@ struct Part {
   }
 };
 
-/// -ln of the size of a displacement near the load.
+/// About -ln of the size of a displacement near the load.
 double size_nats(const ExactMaterial& material) {
   const mpq_class at_once = material.normal().instantaneous;
   return at_once == 0 ? 0 : std::max(0.0, -ln_magnitude(at_once));
@@ -285,7 +287,7 @@ void check_function(const ExactFunction& function, const std::string& name) {
   for (const ExactFunction::Term& term : function.terms) check_not_below_0(term.rate, name + " rate");
 }
 
-/// An upper bound of a fraction's rates, after Fujiwara: log2.
+/// log2 of an upper bound of a fraction's rates, by Fujiwara's theorem.
 double log2_fastest_rate(const ExactRatio& fraction) {
   const auto& c = fraction.denominator;
   const double last = Exact(c.back()).log2_magnitude();
@@ -297,7 +299,7 @@ double log2_fastest_rate(const ExactRatio& fraction) {
   return fastest;
 }
 
-/// A value of a rate costs its logarithm squared.
+/// Refuses too large rates: the cost of a value grows with the square of the rate's logarithm.
 void check_rates(const ExactFunction& function, const mpq_class& way_per_time) {
   constexpr double most = 1e100;
   double fastest = -HUGE_VAL;  // log2
@@ -333,7 +335,7 @@ LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& way_per_
   return {alpha, start};
 }
 
-/// Along the paths of fractions values cost the distance's square, or more.
+/// Refuses too large distances: with fractions the cost of a value grows at least with the square of the distance.
 void check_distance(const ExactFunction& function, const LoadPath& path) {
   constexpr double farthest = 250;
   if (function.fractions.empty()) return;

@@ -8,39 +8,39 @@ namespace nipref::ref {
 /// Displacements of the surface of a viscoelastic sheet under a pair of opposite unit line loads that move at
 /// `speed` > 0 over the sheet, which was at rest before.
 ///
-/// t >= 0 is the time since the load started, T the time at which it passes the point looked at, t0 the one
-/// at which it passes the point of the centre line that is held; half_thickness > 0, any consistent units.
-/// The way of the load in T, t0, T - t and t0 - t is at most 1000 half thicknesses. Results in 1/stress for a
-/// unit load per length. A material's rates are at most 1e100 speed/half_thickness; with its fractions the ways
-/// are at most 200. A value takes milliseconds, of fractions tens of them.
+/// t >= 0 is the time since the load started, T the time at which it passes the point, t0 the time at which it passes
+/// the fixed point of the centre line; half_thickness > 0, any consistent units. The load's displacements in T, t0, T
+/// - t and t0 - t are at most 1000 half thicknesses. Results are in 1/stress for a unit load per length. A material's
+/// rates are at most 1e100 speed/half_thickness; with fractions the displacements are at most 200. A value takes
+/// milliseconds, with fractions tens of milliseconds.
 ///
-/// Definition: with alpha = speed (T - t)/half_thickness and eta the same of t0,
+/// Definition: with alpha = speed (T - t)/half_thickness and eta = speed (t0 - t)/half_thickness,
 ///
 ///     pi Un = N * I1(alpha),
 ///     pi Vn = N * I3(alpha) - theta2 * I2(alpha) + theta2 * I4(eta) - theta1 * I5(eta),
 ///
 /// theta * I(alpha) = int_0^t theta(t - tau) I(speed (T - tau)/half_thickness) dtau. (thesis 6.18, 6.23-6.28)
 ///
-/// residue_terms: 0, or 1 to 500 for the first so many residues of each kernel, as the thesis sums them; the error is
-/// that of the sum.
+/// residue_terms: 0, or 1 to 500 for the sum of this many residues of each kernel, as in the thesis; the error is
+/// then that of the sum's value, without its truncation error.
 ///
-/// Every function promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for what the
-/// sheet answers at once, fading.hpp for what it remembers. Bad arguments throw data::BadInput.
+/// Every function promises an Enclosure; digits 16 to 1000. The bound is proven: see kernels.hpp for the instantaneous
+/// response, fading.hpp for the memory. Bad arguments throw data::BadInput.
 
 /// Normal displacement; t != T.
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits, int residue_terms = 0);
 
-/// Tangential displacement against the point held. At T = t, where it jumps, the mean of both sides (sign(0)
-/// = 0), at t0 = t it is continuous.
+/// Tangential displacement relative to the fixed point. At T = t, where it jumps, the value is the mean of both sides
+/// (sign(0) = 0); at t0 = t it is continuous.
 Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits,
                                               int residue_terms = 0);
 
-/// The same for a load that started infinitely long ago, alpha half thicknesses behind the point (alpha > 0:
-/// the load has yet to come) and eta behind the one held; |alpha|, |eta| <= 1000.
+/// The same for a load that started infinitely long ago and is alpha half thicknesses behind the point (alpha > 0:
+/// the load has not passed it yet) and eta behind the fixed point; |alpha|, |eta| <= 1000.
 Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact& speed,
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits);

@@ -16,7 +16,8 @@ Interval larger(const Interval& x, const Interval& y) { return mpfr_cmp(x.upper(
 
 ComplexInterval divided(const ComplexInterval& z, long by) { return {z.real / by, z.imag / by}; }
 
-/// Of points within 1 of each other: see fast's. What the series leaves out is below 2/(M! k!).
+/// The divided difference of e^x for points within a distance of 1, by its series. The truncation error is below
+/// 2/(M! k!).
 ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   const auto count = static_cast<long>(x.size());
   ComplexInterval mean{Interval(bits), Interval(bits)};
@@ -31,7 +32,7 @@ ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
     for (std::size_t m = 1; m < symmetric.size(); ++m)
       symmetric[m] = symmetric[m] + (point - mean) * symmetric[m - 1];
   }
-  // From the last term on: (..(h_M/(M + k) + h_(M-1))/(M + k - 1) ..)
+  // Nested from the last term on: (..(h_M/(M + k) + h_(M-1))/(M + k - 1) ..)
   ComplexInterval sum{Interval(bits), Interval(bits)};
   for (long m = terms - 1; m >= 0; --m) {
     sum = sum + symmetric[static_cast<std::size_t>(m)];
@@ -43,7 +44,7 @@ ComplexInterval near_difference(const Points& x, mpfr_prec_t bits) {
   return exp(mean) * ComplexInterval{sum.real.widened(rest), sum.imag.widened(rest)};
 }
 
-/// e^x[x_0..x_m], by the two that are farthest from each other.
+/// The divided difference e^x[x_0..x_m], by the recurrence for the two points that are farthest from each other.
 ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
   if (x.size() == 1) return exp(x.front());
   std::size_t first = 0, second = 1;
@@ -67,7 +68,7 @@ ComplexInterval exponential_difference(const Points& x, mpfr_prec_t bits) {
   return (without(second) - without(first)) * inverse(x[first] - x[second]);
 }
 
-/// Divided differences of a polynomial over the first root, the first two, ...: by synthetic division.
+/// The divided differences of a polynomial over the first root, the first two roots, ..., by synthetic division.
 Points polynomial_differences(Points rest, const Points& roots) {
   Points found;
   for (std::size_t k = 0; k < roots.size() && !rest.empty(); ++k) {
@@ -78,7 +79,7 @@ Points polynomial_differences(Points rest, const Points& roots) {
   return found;
 }
 
-/// What bounds a divided difference over n roots, but for e^(mu t): the sum of |p[z_1..z_k]| t^(n-k)/(n-k)!.
+/// A bound of a divided difference over n roots, without the factor e^(mu t): the sum of |p[z_1..z_k]| t^(n-k)/(n-k)!.
 Interval bound_of(const Points& differences, std::size_t roots, const Interval& t) {
   Interval sum(t.precision());
   for (std::size_t k = 0; k < differences.size(); ++k) {

@@ -20,7 +20,7 @@ Compliance as_given(const data::MaterialFunction& function) {
   return result;
 }
 
-/// For the check whether a material is physical.
+/// The compliance in double, for the check whether the material is physical.
 data::MaterialFunction rounded(const Compliance& compliance) {
   data::MaterialFunction function{static_cast<double>(compliance.at_once), {}};
   for (const ComplianceTerm& term : compliance.terms) {
@@ -38,7 +38,7 @@ data::MaterialFunction rounded(const Compliance& compliance) {
   return function;
 }
 
-/// From the constants that describe a material.
+/// The compliances from the constants of each material model.
 struct FromConstants {
   const data::ViscoelasticMaterial& material;
 

@@ -8,7 +8,7 @@ struct MaterialCompliances {
   Compliance theta1, theta2;
 };
 
-/// To the working precision, from the exact values of the constants that describe the material or, without constants,
+/// The compliances to the working precision, from the exact values of the material's constants or, without constants,
 /// of its functions. Throws data::NoMaterial for operators that are no material.
 MaterialCompliances material_compliances(const data::ViscoelasticMaterial& material);
 

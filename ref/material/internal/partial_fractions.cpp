@@ -27,7 +27,7 @@ ComplexInterval apart(const Points& points, std::size_t i) {
   return product;
 }
 
-/// Each with its root; none if the discs are not apart.
+/// The discs that contain one root each; nothing if some discs overlap.
 std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bits) {
   const Points near = roots_near(denominator, bits);
   const Exact last(denominator.back());

@@ -6,19 +6,19 @@
 
 namespace nipref::ref {
 
-/// amplitude/(p + rate), or amplitude e^(-rate t).
+/// A term amplitude/(p + rate) of the transform, amplitude e^(-rate t) in time.
 struct SwingingTerm {
   ComplexInterval amplitude, rate;
 };
 
-/// The terms whose sum is numerator/denominator, of all roots, the two of a conjugate pair each; the denominator is of a
-/// higher degree and has simple roots only. Proven: with points z_i near its n roots, the discs of radii n |D(z_i)|/|d
-/// prod (z_i - z_j)| about them, d being D's last coefficient, hold the roots, each one if they are apart (Smith). Bits
-/// are added until they are.
+/// The terms whose sum is numerator/denominator, one for each root, also for both of a conjugate pair. The
+/// denominator has the higher degree and only simple roots. Proven: for points z_i near the n roots, the discs with
+/// the radii n |D(z_i)|/|d prod (z_i - z_j)|, where d is D's last coefficient, contain the roots, and each contains
+/// one if the discs do not overlap (Smith). Bits are added until they do not.
 std::vector<SwingingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
                                             mpfr_prec_t bits);
 
-/// Whether some root is a root of the derivative too.
+/// Whether some root is also a root of the derivative.
 bool has_repeated_root(const Polynomial& denominator);
 
 }  // namespace nipref::ref

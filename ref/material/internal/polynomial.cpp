@@ -7,7 +7,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Euclid's.
+/// The greatest common factor, by Euclid's algorithm.
 Polynomial common_factor(Polynomial a, Polynomial b) {
   while (!b.empty()) {
     (void)divide(a, b);
@@ -22,7 +22,7 @@ Interval exactly(const Float& x, mpfr_prec_t bits) {
   return result;
 }
 
-/// On a circle that holds all zeros (Fujiwara), turned a little, so that no two are each other's conjugates.
+/// Points on a circle that contains all zeros (Fujiwara), rotated a little so that no two are conjugate.
 std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
   const int n = p.degree();
   Float radius = 0;
@@ -37,7 +37,7 @@ std::vector<ComplexFloat> first_guesses(const FloatPolynomial& p) {
   return guesses;
 }
 
-/// How large the terms are that a value is the sum of.
+/// The sum of the magnitudes of the terms of p(z).
 Float size_of_terms(const FloatPolynomial& p, const ComplexFloat& z) {
   const Float size = abs(z);
   Float sum = 0;

@@ -8,14 +8,14 @@
 
 namespace nipref::ref {
 
-/// With rational coefficients, that of p^0 first.
+/// A polynomial with rational coefficients, that of p^0 first.
 using Polynomial = std::vector<mpq_class>;
 
 Polynomial product(const Polynomial& a, const Polynomial& b);
 Polynomial sum(const Polynomial& a, const Polynomial& b);
-/// Without the zeros at its end.
+/// The polynomial without zero coefficients at its end.
 Polynomial trimmed(Polynomial p);
-/// The quotient, and the remainder in place of the dividend; the divisor's last coefficient is not 0.
+/// Returns the quotient and replaces the dividend by the remainder; the divisor's last coefficient is not 0.
 Polynomial divide(Polynomial& dividend, const Polynomial& divisor);
 /// Divides both by their greatest common factor; the denominator is not 0.
 void cancel(Polynomial& numerator, Polynomial& denominator);
@@ -30,11 +30,12 @@ struct FloatPolynomial {
   [[nodiscard]] std::pair<ComplexFloat, ComplexFloat> at(const ComplexFloat& z) const;
 };
 
-/// Approximations of all zeros at once by the method of Ehrlich and Aberth: until none moves by more than `unit` of
-/// itself, or their polynomial is lost in its rounding. To be proven by whoever uses them.
+/// Approximations of all zeros by the method of Ehrlich and Aberth. It ends when no zero has a relative change above
+/// `unit` or the polynomial's values are rounding errors. The caller has to prove the zeros.
 std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit);
 
-/// Points near the roots, 0 as often as it is one, to about so many bits; to be proven likewise.
+/// Points near the roots, to about `bits` bits; a root 0 is exact and as often as its multiplicity. The caller has to
+/// prove the others.
 std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits);
 
 }  // namespace nipref::ref

@@ -7,7 +7,8 @@
 namespace nipref::ref {
 namespace {
 
-/// Each within n |p/p'| of one of p's, which is below `unit` of it, and none of these discs with two.
+/// Whether each point is a zero of p to a relative error `unit`: within n |p/p'| of it there is a zero, and these
+/// discs do not overlap.
 bool are_zeros(const FloatPolynomial& p, const std::vector<ComplexFloat>& zeros, const Float& unit) {
   return std::ranges::all_of(zeros, [&](const ComplexFloat& zero) {
     const auto [value, slope] = p.at(zero);
@@ -18,7 +19,7 @@ bool are_zeros(const FloatPolynomial& p, const std::vector<ComplexFloat>& zeros,
   });
 }
 
-/// All zeros, checked; one that is 0 exactly, and last.
+/// All zeros, checked; a zero at 0 is exact and comes last.
 std::vector<ComplexFloat> zeros_of(Polynomial p, const Float& unit, const char* name) {
   const bool flows = sgn(p[0]) == 0;
   if (flows) p.erase(p.begin());
@@ -54,7 +55,7 @@ Compliance rational_compliance(Polynomial numerator, Polynomial denominator, con
     const FloatPolynomial above(numerator), below(denominator);
     for (ComplexFloat zero : zeros_of(denominator, unit, name)) {
       if (abs(zero.im) <= unit * abs(zero)) zero.im = 0;
-      if (zero.im > 0) continue;  // its conjugate stands for both
+      if (zero.im > 0) continue;  // the term of its conjugate stands for both
       const ComplexFloat residue = above.at(zero).first / below.at(zero).second;
       terms.push_back({residue * Float(zero.is_real() ? 1 : 2), -zero});
     }

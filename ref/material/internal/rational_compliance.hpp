@@ -5,9 +5,9 @@
 
 namespace nipref::ref {
 
-/// Re amplitude e^(-rate t)
+/// The term Re amplitude e^(-rate t).
 struct ComplianceTerm {
-  ComplexFloat amplitude;  ///< 1/(stress time); of two conjugate terms their sum's, twice that of one
+  ComplexFloat amplitude;  ///< 1/(stress time); for a conjugate pair twice that of one term
   ComplexFloat rate;       ///< 1/time; imaginary part >= 0; exactly 0 if the denominator has no p^0
 };
 
@@ -18,9 +18,10 @@ struct Compliance {
 };
 
 /// The function whose transform is numerator/denominator, to the working precision. Common factors are cancelled
-/// exactly. The denominator's zeros are found by Aberth's method with twice the digits: for p of degree n, one zero is
-/// within n |p/p'| of each approximation. Throws data::NoMaterial, naming `name`, unless that distance is below rounding and the
-/// numerator's degree is the denominator's or, for a function that is 0 at once, one less.
+/// exactly. The denominator's zeros are found by Aberth's method with twice the digits; for p of degree n there is a
+/// zero within n |p/p'| of each approximation. Throws data::NoMaterial that names `name` unless this distance is
+/// below rounding and the numerator's degree is that of the denominator or, for a function without instantaneous
+/// part, one less.
 Compliance rational_compliance(Polynomial numerator, Polynomial denominator, const char* name);
 
 }  // namespace nipref::ref

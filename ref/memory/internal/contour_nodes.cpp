@@ -46,7 +46,7 @@ class Path {
   Interval half_, angle_, cosine_, sine_;
 };
 
-/// [1 - 2^-k, 1 + 2^-k], and so the imaginary part about 0.
+/// The complex interval around 1 whose real and imaginary parts have the half-width 2^-k.
 ComplexInterval nearly_one(mpfr_prec_t k) {
   Interval radius(1L, k);
   mpfi_div_2ui(radius.get(), radius.get(), static_cast<unsigned long>(k));
@@ -76,7 +76,7 @@ ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
   }
 }
 
-/// Rounded to the precision of `result`; std::logic_error if the interval is wider than that promises.
+/// Sets `result` to the number rounded to its precision; std::logic_error if the interval is wider than 2^-precision.
 void set(Complex& result, const ComplexInterval& x) {
   const mpfr_prec_t bits = mpfr_get_prec(mpc_realref(result.get()));
   Real smallest(64), width(64), other(64);
@@ -104,7 +104,7 @@ ContourNodes make_contour_nodes(const ContourKey& key) {
 }
 
 std::size_t size_in_bytes(const ContourNodes& nodes) {
-  constexpr std::size_t parts = 4;  // real and imaginary ones of z and the weight
+  constexpr std::size_t parts = 4;  // real and imaginary parts of z and of the weight
   const std::size_t digits = mpfr_custom_get_size(mpfr_get_prec(mpc_realref(nodes.front().z.get())));
   return nodes.size() * (sizeof(ContourNode) + parts * digits);
 }

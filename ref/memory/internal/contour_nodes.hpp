@@ -7,7 +7,7 @@
 
 namespace nipref::ref {
 
-/// Which path in the plane of the symbols, see contour_memory(): t is real along it.
+/// A path in the plane of the symbols, with real t; see contour_memory().
 enum class Contour {
   up,    ///< z = sinh(t + i/2)
   down,  ///< z = 3i/2 + sinh(t - i/2)
@@ -15,10 +15,11 @@ enum class Contour {
   high   ///< z = sinh(t + 3i/4)
 };
 
-/// Largest double of four significant bits that is at most `limit`, so that j h is exact.
+/// The largest double of four significant bits that is at most `limit`, so that j h is exact.
 double contour_step(double limit);
 
-/// Which nodes t = j h; they are kept and shared by every load position and every rate that ask for the same.
+/// The parameters of a block of nodes t = j h. Blocks are cached, and shared by all load positions and rates with the
+/// same key.
 struct ContourKey {
   Symbol kernel;
   Contour contour;
@@ -31,7 +32,7 @@ struct ContourKey {
 
 inline constexpr long nodes_in_block = 32;
 
-/// Each number is within 2^-p of its own modulus of the true one, which is found in interval arithmetic.
+/// A node. Each number has a relative error of at most 2^-p, by interval arithmetic.
 struct ContourNode {
   explicit ContourNode(mpfr_prec_t bits) : z(bits), weight(bits) {}
   Complex z;
@@ -40,7 +41,7 @@ struct ContourNode {
 
 using ContourNodes = std::deque<ContourNode>;
 
-/// The nodes for `key`, computed at the first call and kept, see Cache. Thread-safe.
+/// The nodes for `key`, computed at the first call and then cached. Thread-safe.
 std::shared_ptr<const ContourNodes> contour_nodes(const ContourKey& key);
 
 }  // namespace nipref::ref

@@ -13,7 +13,7 @@ namespace {
 constexpr double ln2 = std::numbers::ln2;
 constexpr double half_strip = 7.0 / 16;
 constexpr double path_angle = 0.5;
-constexpr double path_height = 1.5;  ///< of Contour::down at t = 0, but for sin(1/2)
+constexpr double path_height = 1.5;  ///< height of Contour::down at t = 0 plus sin(1/2)
 constexpr mpfr_prec_t grain_bits = 32;
 
 bool is_odd(Symbol kernel) { return bounds(kernel).parity == Parity::odd; }
@@ -29,7 +29,7 @@ double nats_below_one(Symbol kernel, double ln_alpha, bool ahead, double t) {
 }
 
 struct Rule {
-  ContourKey key;  ///< of the first block
+  ContourKey key;  ///< key of the first block
   long last;       ///< J
 };
 
@@ -37,7 +37,7 @@ Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
   const bool ahead = alpha.sign() >= 0;
   const double ln_alpha = alpha.log2_magnitude() * ln2;
   const double step = contour_step(2 * std::numbers::pi * half_strip / (nats + 5));
-  // The last node is found by bisection. q(t) >= t - 3/2 for I1, and for the others the more so.
+  // The last node is found by bisection. q(t) >= t - 3/2 for I1, and larger for the other kernels.
   long last = static_cast<long>((nats + 6) / step) + 1;
   for (long below = 0; last - below > 1;) {
     const long middle = below + (last - below) / 2;
@@ -45,23 +45,23 @@ Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
     (q >= nats + 4 ? last : below) = middle;
   }
   const auto nodes = static_cast<double>(last + 1);
-  // The aliasing's nats, so that arguments that share the step share the nodes.
+  // The nats that the aliasing allows, so that arguments with the same step share the nodes.
   const double reached = 2 * std::numbers::pi * half_strip / step - 5;
   const double bits = (reached + std::log(4 * 55 * step * nodes * (nodes + 64))) / ln2;
   const auto precision = static_cast<mpfr_prec_t>(std::ceil(std::max(bits, 64.0) / grain_bits)) * grain_bits;
   return {{kernel, ahead ? Contour::up : Contour::down, step, precision, 0}, last};
 }
 
-/// The part that counts, real or imaginary, of F = G(z) dz/dt e^{i z alpha}/(rate - i z) at the nodes.
+/// The real or imaginary part, as the kernel needs, of F = G(z) dz/dt e^{i z alpha}/(rate - i z) at the nodes.
 ///
-/// term_error: computed numbers are off by at most 64 2^-p (1 + |alpha z|) |F|. In units of 2^-p, relative to
-/// moduli: z and the weight are good to 2, alpha and rate to 1, so alpha z to 4 |alpha z|; the wave, of two
-/// parts, to 10 |alpha z| + 4; the denominator, whose size is at least |z|/1.2 and rate/2.2 (see v), to 9, its
-/// square to 22; products and their sums add less than 24. On the paths (1 + |alpha z|) times the modulus of
-/// the wave is below 11: on the first, where Im z >= |z| sin(1/2), it is below 2; on the second |z| < 2.8 and
-/// Im z < 1.03 before it falls below 0, and |z| < 3.2 + 2.1 |Im z| from there on. With |G dz/dt|/|rate - i z|
-/// <= 5 a term is thus off by at most 64 times 55 2^-p, and the J+1 partial sums, of at most J+1 terms of 55,
-/// by 55 (J+1) 2^-p each.
+/// term_error: the error of a term is at most 64 2^-p (1 + |alpha z|) |F|. In units of 2^-p and relative to the
+/// modulus, the errors are: 2 for z and the weight; 1 for alpha and rate, hence 4 |alpha z| for alpha z (absolute);
+/// 10 |alpha z| + 4 for the wave, which has two parts; 9 for the denominator, whose modulus is at least |z|/1.2 and
+/// rate/2.2 (see v), and 22 for its square; products and their sums add less than 24. On the paths, (1 + |alpha z|)
+/// times the modulus of the wave is below 11: on the first path, where Im z >= |z| sin(1/2), it is below 2; on the
+/// second |z| < 2.8 and Im z < 1.03 as long as Im z >= 0, and |z| < 3.2 + 2.1 |Im z| afterwards. With |G dz/dt|/|rate
+/// - i z| <= 5 the error of a term is thus at most 64 times 55 2^-p, and that of each of the J+1 partial sums, which
+/// have at most J+1 terms of 55, is at most 55 (J+1) 2^-p.
 class Integrand {
  public:
   Integrand(const Exact& alpha, const Exact& rate, bool imaginary, mpfr_prec_t bits)
@@ -117,10 +117,10 @@ class Integrand {
   Real product_;
 };
 
-/// [-e^{-nats}, e^{-nats}] or a little more.
+/// An interval that contains [-e^{-nats}, e^{-nats}] and is little wider.
 Interval small(double nats) { return Interval(0L, 64).widened(exp(Interval(-nats, 64))); }
 
-/// Bits for what is as large as 1/rate and shall be good to e^{-nats}.
+/// The bits that a number of the size 1/rate needs for an error of e^{-nats}.
 mpfr_prec_t bits_over_rate(const Exact& rate, double nats) {
   return working_precision(nats + std::max(0.0, -rate.log2_magnitude() * ln2), 1);
 }
@@ -131,10 +131,10 @@ Interval pole_at_origin(const Exact& rate, double nats) {
   return Interval::pi(bits) / (4 * Interval(rate, bits));
 }
 
-/// What a rate of 0 leaves beside the infinite pi/(4 rate) of an odd kernel: -pi/4 times this.
-Interval beside_infinite(const Exact& way, double nats) {
-  const mpfr_prec_t bits = working_precision(nats + std::max(0.0, way.log2_magnitude() * ln2), 1);
-  return -(Interval::pi(bits) * Interval(way, bits) / 4);
+/// The finite part at rate 0 for an odd kernel, where the infinite pi/(4 rate) is left out: -pi/4 distance.
+Interval finite_part_at_rate_0(const Exact& distance, double nats) {
+  const mpfr_prec_t bits = working_precision(nats + std::max(0.0, distance.log2_magnitude() * ln2), 1);
+  return -(Interval::pi(bits) * Interval(distance, bits) / 4);
 }
 
 /// pi G(i rate) e^{-rate distance}, for odd kernels times i. S(i r) = i (sin 2r + 2r).
@@ -176,7 +176,7 @@ Interval contour_memory(Symbol kernel, const Exact& alpha, const Exact& rate, do
   mpfr_mul_d(sum.get(), sum.get(), key.step, MPFR_RNDN);
   const Interval integral = Interval(sum, sum, key.bits) + small(nats);
   if (!is_odd(kernel)) return integral;
-  return integral + (rate.sign() == 0 ? beside_infinite(alpha, nats) : pole_at_origin(rate, nats));
+  return integral + (rate.sign() == 0 ? finite_part_at_rate_0(alpha, nats) : pole_at_origin(rate, nats));
 }
 
 Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, double nats) {
@@ -184,7 +184,7 @@ Interval steady_memory(Symbol kernel, const Exact& alpha, const Exact& rate, dou
   if (distance.value() < 1) return contour_memory(kernel, alpha, rate, nats);
   const Interval roots = fading_residue_series(kernel, alpha, rate, nats);
   if (rate.sign() == 0) {
-    if (is_odd(kernel)) return roots + beside_infinite(distance, nats);
+    if (is_odd(kernel)) return roots + finite_part_at_rate_0(distance, nats);
     return alpha.sign() > 0 ? roots : roots + Interval::pi(working_precision(nats, 1)) / 2;
   }
   if (alpha.sign() > 0) return is_odd(kernel) ? roots + pole_at_origin(rate, nats) : roots;

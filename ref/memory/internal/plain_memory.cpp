@@ -17,7 +17,7 @@ std::size_t size_of_waves(const Waves& waves) {
   return waves.empty() ? 0 : waves.size() * (sizeof(ComplexInterval) + waves.size());
 }
 
-/// e^{i z_n x} at x >= 0, as many as are not negligible.
+/// The key of the waves e^{i z_n x} at x >= 0 that are not negligible.
 struct WaveKey {
   mpq_class x;
   int terms;
@@ -28,7 +28,7 @@ struct WaveKey {
   }
 };
 
-/// z_n is good to 30 bits more than the precision, |z_n| x < 2^21, and no wave exceeds 1.
+/// A wave to the precision: z_n has 30 bits more, |z_n| x < 2^21, and no wave exceeds 1.
 ComplexInterval wave(const PlainTerm& term, const Exact& x, mpfr_prec_t precision) {
   constexpr mpfr_prec_t spare_bits = 40, lost_bits = 8;
   Real middle(precision + spare_bits), way(precision + spare_bits);
@@ -65,7 +65,7 @@ std::shared_ptr<const Waves> waves_at(const Exact& x, int terms, mpfr_prec_t pre
   return kept.at({x.value(), terms, precision});
 }
 
-/// What the waves are multiplied by.
+/// The factor of the waves: 1, 1/(rate - i z) or 1/(rate + i z).
 enum class Fade { none, ahead, behind };
 
 struct FadeKey {
@@ -100,7 +100,7 @@ Waves make_fades(const FadeKey& key) {
   return fades;
 }
 
-/// Without the kernel's constant, at x >= 0.
+/// The sum at x >= 0, without the kernel's constant.
 Interval wave_sum(PlainKernel kernel, const Exact& x, Fade fade, const Exact& rate, int terms,
                   mpfr_prec_t precision) {
   static Cache<FadeKey, Waves> kept(make_fades, size_of_waves, std::size_t{1} << 26);

@@ -4,8 +4,8 @@
 
 namespace nipref::ref {
 
-/// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, good to e^{-nats} of its two parts
-/// before and after T; arguments as in convolutions.hpp.
+/// int_0^t e^{-lambda (t - tau)} sign(T - tau) dtau, t > 0, lambda > 0, with an error of e^{-nats} times each of its
+/// two parts, before and after T; arguments as in convolutions.hpp.
 Interval sign_memory(const mpq_class& lambda, const mpq_class& t, const mpq_class& T, double nats);
 
 }  // namespace nipref::ref

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double narrow_strip = 3.0 / 16;
 constexpr double low_angle = 0.25, high_angle = 0.75;
-/// Where Re z = 2 on the higher path, rounded up.
+/// The t at which Re z = 2 on the higher path, rounded up.
 constexpr double beyond_two = 1.75;
 
 /// A lower bound of q(t).
@@ -23,7 +23,7 @@ double nats_of_integrand(Symbol kernel, double distance, double angle, double t)
 }
 
 long last_node(Symbol kernel, double distance, double angle, double step, double nats) {
-  // t itself for I1, and sinh t and more for the others, which cosh t and sinh t exceed by far.
+  // q(t) >= t for I1, and at least about sinh t for the other kernels.
   long last = static_cast<long>(1.4 * (nats + 10) / step) + 1;
   for (long below = static_cast<long>(beyond_two / step) + 1; last - below > 1;) {
     const long middle = below + (last - below) / 2;
@@ -33,7 +33,7 @@ long last_node(Symbol kernel, double distance, double angle, double step, double
   return last;
 }
 
-/// Within 2^-bits of its modulus.
+/// The complex interval around `number` with the relative half-width 2^-bits.
 ComplexInterval enclosed(const Complex& number, mpfr_prec_t bits) {
   const mpfr_srcptr real = mpc_realref(number.get()), imag = mpc_imagref(number.get());
   ComplexInterval result{Interval(bits), Interval(bits)};
@@ -67,7 +67,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
       const ComplexInterval z = enclosed(node.z, bits), turn = times_i(z);
       const ComplexInterval wave = enclosed(node.weight, bits) * exp(A * turn);
       const ComplexInterval right = wave * inverse(m - turn);
-      // Its mirror image at -t, where the weighted wave is the conjugate, of odd kernels with the other sign.
+      // The node at -t, whose weighted wave is the conjugate, for odd kernels with the opposite sign.
       const ComplexInterval left = conj(wave * inverse(conjugate_m - turn));
       if (first + k == 0) {
         sum = sum + right;
@@ -82,7 +82,7 @@ ComplexInterval along_path(Symbol kernel, const Exact& distance, const ComplexIn
   return odd ? over_i(enclosure) : enclosure;
 }
 
-/// Over e^{-L A}, S(i r) being i (sin 2r + 2r).
+/// P/e^{-L A}, with S(i r) = i (sin 2r + 2r).
 ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate) {
   const ComplexInterval sine = sin(rate), cosine = cos(rate);
   const ComplexInterval size = Interval::pi(rate.real.precision()) * inverse(sine * cosine + rate);
@@ -98,8 +98,8 @@ ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate)
   }
 }
 
-/// The same for Im L > 0 by r = e^{i L}, where sine and cosine are too large for any number:
-/// sin L = (r - 1/r)/(2i), cos L = (r + 1/r)/2, all times r or r^2.
+/// The same for so large an Im L > 0 that sine and cosine overflow, by r = e^{i L}: sin L = (r - 1/r)/(2i) and
+/// cos L = (r + 1/r)/2, with numerator and denominator multiplied by r or r^2.
 ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.real.precision();
   const ComplexInterval one{Interval(1L, bits), Interval(bits)}, r = exp(times_i(rate)), square = r * r;
@@ -124,12 +124,12 @@ ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exa
   const ComplexInterval faded = exp(-(Interval(distance, rate.real.precision()) * rate));
   const double swing = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
   if (swing > fast_swing) return whole_line_of_fast_swing(kernel, rate) * faded;
-  // Real where the rate is.
+  // For a real rate the result is real.
   if (swing < -fast_swing) return conj(whole_line_of_fast_swing(kernel, conj(rate))) * faded;
   return whole_line_from_load(kernel, rate) * faded;
 }
 
-/// psi of the pole at i rate, mirrored to the right.
+/// psi of the pole at i rate, reflected to Re z >= 0.
 double angle_of_pole(const ComplexInterval& rate) {
   const std::complex<double> pole(std::fabs(mpfr_get_d(rate.imag.lower(), MPFR_RNDN)),
                                   mpfr_get_d(rate.real.lower(), MPFR_RNDN));
