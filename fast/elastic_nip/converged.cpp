@@ -161,8 +161,8 @@ struct ConvergedElasticNip::Implementation {
     const double shear = contact.traction(beyond ? std::max(0.0, 2 * contact.half_length - e) : e).shear;
     return beyond ? -shear : shear;
   }
-  /// An error that can be seen, dimensionless: the expansions know nothing of the sign's change in the middle. Where they
-  /// are as wrong as there, twice that.
+  /// An error that can be seen, dimensionless: the expansions know nothing of the sign's change in the middle. Where
+  /// they are as wrong as there, twice that.
   [[nodiscard]] double shear_error_seen() const {
     return 2 * std::fabs(shear_of(ladder.last(), half_length()));
   }
@@ -365,8 +365,8 @@ Estimate ConvergedElasticNip::slip(double y) const {
 
 std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const InnerPoint> points) const {
   const auto& [units, surface, ladder, given_length, inner_field, creeps] = *implementation_;
-  std::vector<InnerPlace> places;
-  for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
+  std::vector<SheetPoint> places;
+  for (const InnerPoint& point : points) places.push_back(checked_point(point, units.length));
   auto stresses = implementation_->field().at(places);
   for (InnerStresses& here : stresses) here = in_unit(units.pressure, here);
   return stresses;

@@ -447,8 +447,8 @@ Estimate ConvergedViscoelasticNip::slip(double y) const {
 std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
     std::span<const InnerPoint> points) const {
   const auto& [units, radius, sheet, ladder, strains] = *implementation_;
-  std::vector<InnerPlace> places;
-  for (const InnerPoint& point : points) places.push_back(checked_place(point, units.length));
+  std::vector<SheetPoint> places;
+  for (const InnerPoint& point : points) places.push_back(checked_point(point, units.length));
   auto stresses = implementation_->field().at(places);
   for (InnerStresses& here : stresses) here = in_unit(units.pressure, here);
   return stresses;

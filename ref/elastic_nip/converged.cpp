@@ -179,7 +179,7 @@ std::vector<InnerStresses> ConvergedElasticNip::inner_stresses(std::span<const I
   std::vector<InnerStresses> stresses;
   for (const InnerPoint& point : points)
     stresses.push_back(
-        field.at(checked_place(point, to_float(Exact(units.length))), true, to_float(Exact(units.pressure))));
+        field.at(checked_point(point, to_float(Exact(units.length))), true, to_float(Exact(units.pressure))));
   return stresses;
 }
 

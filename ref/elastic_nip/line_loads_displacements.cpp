@@ -136,15 +136,15 @@ std::vector<Enclosure> shear_borders(const LineLoadSolution& solution, int digit
   std::vector<Enclosure> borders;
   const auto& loads = solution.shear_loads;
   if (!loads.empty()) borders.push_back(exact_zero(digits));
-  std::optional<std::size_t> told;
+  std::optional<std::size_t> last_with_sign;
   int last_sign = 0;
   for (std::size_t k = 0; k < loads.size(); ++k) {
     const Interval force = interval_of(loads[k]);
     const int sign = mpfr_sgn(force.lower()) > 0 ? 1 : mpfr_sgn(force.upper()) < 0 ? -1 : 0;
     if (sign == 0) continue;
-    if (told && sign != last_sign)
-      borders.push_back(between_widths(solution, loads.size(), *told + 1, k, digits));
-    told = k;
+    if (last_with_sign && sign != last_sign)
+      borders.push_back(between_widths(solution, loads.size(), *last_with_sign + 1, k, digits));
+    last_with_sign = k;
     last_sign = sign;
   }
   return borders;

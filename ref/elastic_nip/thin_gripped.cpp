@@ -25,7 +25,7 @@ using data::BadInput;
 
 constexpr int samples_of_a_fit = 5;
 
-/// Of the arithmetic that results of so many digits are told in.
+/// The working digits for results of this many digits.
 int digits_of_fits(int digits) { return digits + 30; }
 
 struct ContactNumbers {
@@ -128,7 +128,7 @@ class LongContacts {
   Float a0_, a1_, q0_, q1_, r_;
 };
 
-/// What longer contacts of one sheet are told from, whatever their length.
+/// The solved contacts from which all longer contacts of the same sheet are extrapolated.
 struct ShorterContacts {
   Float poisson;
   GripWaves waves;
@@ -141,8 +141,8 @@ struct ShorterKey {
   auto operator<=>(const ShorterKey&) const = default;
 };
 
-/// The second wave is felt less the longer they are; where the first hardly fades it takes digits
-/// to tell it.
+/// The lengths are a compromise: the longer the contacts, the smaller is the effect of the second wave; but where the
+/// first wave decays slowly, more digits are needed to separate it.
 ShorterContacts solve_shorter(const ShorterKey& key) {
   const WorkingDigits working(digits_of_fits(key.digits));
   const Float poisson(key.poisson);

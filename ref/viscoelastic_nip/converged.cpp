@@ -291,7 +291,7 @@ std::vector<InnerStresses> ConvergedViscoelasticNip::inner_stresses(
   const ContactField field = implementation_->field();
   std::vector<InnerStresses> stresses;
   for (const InnerPoint& point : points)
-    stresses.push_back(field.at(checked_place(point, units.length), false, units.pressure));
+    stresses.push_back(field.at(checked_point(point, units.length), false, units.pressure));
   return stresses;
 }
 

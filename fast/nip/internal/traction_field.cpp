@@ -224,7 +224,7 @@ std::pair<std::size_t, std::size_t> TractionField::panels_of(bool right,
   return {before(std::min(blocks.begin, of_side)), before(std::min(blocks.end, of_side))};
 }
 
-SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const InnerPlace& place) const {
+SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const SheetPoint& place) const {
   SheetStresses sum{};
   for (const double face : {1.0, -1.0}) {
     const double d = 1 - face * place.depth;
@@ -238,11 +238,11 @@ SheetStresses TractionField::half_planes(const ContactBlocks::Range& near, const
   return sum;
 }
 
-SheetStresses TractionField::at(const InnerPlace& place) const {
+SheetStresses TractionField::at(const SheetPoint& place) const {
   return half_planes(sheet_part_.near(place.alpha), place) + sheet_part_.at(place.alpha, place.depth);
 }
 
-std::vector<SheetStresses> TractionField::at(std::span<const InnerPlace> places) const {
+std::vector<SheetStresses> TractionField::at(std::span<const SheetPoint> places) const {
   std::vector<SheetStresses> result(places.size());
   const bool many = places.size() >= many_places;
   SheetPartInCells cells(sheet_part_, blocks_);

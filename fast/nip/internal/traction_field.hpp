@@ -10,8 +10,8 @@
 
 namespace nipref::fast {
 
-/// A place inside the sheet, in half-thicknesses: along it from the middle of the contact, and -1 <= depth <= 1.
-struct InnerPlace {
+/// A point inside the sheet, in half-thicknesses: along it from the middle of the contact, and -1 <= depth <= 1.
+struct SheetPoint {
   double alpha, depth;
 };
 
@@ -29,9 +29,9 @@ class TractionField {
   /// `symmetric`: the pressure is even about the middle and the shear odd.
   TractionField(double half_length, bool symmetric, const FaceTractions& traction);
 
-  [[nodiscard]] SheetStresses at(const InnerPlace& place) const;
+  [[nodiscard]] SheetStresses at(const SheetPoint& place) const;
   /// The same at many places.
-  [[nodiscard]] std::vector<SheetStresses> at(std::span<const InnerPlace> places) const;
+  [[nodiscard]] std::vector<SheetStresses> at(std::span<const SheetPoint> places) const;
   /// An estimate of the rounding over the largest traction, for a single place or for one of many. It is larger than
   /// what was found at random places of contacts of all lengths. Most rounding is that of sums of values of both signs
   /// and of the sum of the shears along the contact.
@@ -69,11 +69,11 @@ class TractionField {
   /// The range of one side's panels, counted from its end, in the blocks.
   [[nodiscard]] std::pair<std::size_t, std::size_t> panels_of(bool right,
                                                               const ContactBlocks::Range& blocks) const;
-  [[nodiscard]] SheetStresses half_planes(const ContactBlocks::Range& near, const InnerPlace& place) const;
+  [[nodiscard]] SheetStresses half_planes(const ContactBlocks::Range& near, const SheetPoint& place) const;
 
   /// The place itself or, if the tractions are symmetric, its mirror image at alpha >= 0; and whether the shear stress
   /// there has the opposite sign.
-  [[nodiscard]] std::pair<InnerPlace, bool> folded(const InnerPlace& place) const {
+  [[nodiscard]] std::pair<SheetPoint, bool> folded(const SheetPoint& place) const {
     if (!symmetric_ || place.alpha >= 0) return {place, false};
     return {{-place.alpha, place.depth}, true};
   }

@@ -44,7 +44,7 @@ EndShear::EndShear(GripExpansion contact, double half_length, const Float& poiss
       half_length_(half_length),
       slope_(-4 * poisson * (1 - poisson) / (1 - 2 * poisson)),
       waves_(waves) {
-  // What the slope of the strip between the ends leaves, at places where the waves are still told apart.
+  // The shear less the slope of the strip between the ends, at points close enough to the end to separate the waves.
   const long count = 1 + 2 * faster_waves;
   Matrix matrix(count, count);
   Vector right(count);

@@ -15,14 +15,14 @@ struct ContactPrecision {
   int working;
 };
 
-/// A frictionless contact solved and proven, in the units of ContactFunctionals, so that its results have the
-/// digits asked for. Half lengths in half-thicknesses. The kernel is ref's I1 unless a test has another.
+/// A frictionless contact, solved and proven so that its results have the requested digits, in the units of
+/// ContactFunctionals; half lengths are in half-thicknesses. The kernel is ref's I1, except in tests.
 class SolvedContact {
  public:
   /// BadInput "digits" where most_terms do not suffice.
   static SolvedContact of_half_length(const Exact& half_length, int digits, NormalKernel kernel);
-  /// The same. `guess` is a half length that carries the load, good to a tenth; `check` may throw when it is
-  /// told what the half length is to 1e-11, before it is proven.
+  /// The same for a load. `guess` is an approximation of the half length to a tenth. `check` is called with the half
+  /// length to 1e-11 before the proof, and may throw.
   static SolvedContact of_load(const Exact& load, double guess,
                                const std::function<void(double half_length)>& check, int digits,
                                NormalKernel kernel);

@@ -12,7 +12,7 @@ struct Quadratic {
   [[nodiscard]] Interval at(const Interval& x) const { return constant + x * (linear + x * square); }
 };
 
-/// -1 or 1; 0 where an interval does not tell.
+/// The sign, -1 or 1; 0 if the interval contains 0.
 int sign(const Interval& x) {
   if (mpfr_sgn(x.lower()) > 0) return 1;
   return mpfr_sgn(x.upper()) < 0 ? -1 : 0;
@@ -20,12 +20,12 @@ int sign(const Interval& x) {
 
 bool is_zero(const Interval& x) { return mpfr_zero_p(x.lower()) != 0 && mpfr_zero_p(x.upper()) != 0; }
 
-/// What meets every condition f >= 0: the number of least size is 0 or a root of one of them.
+/// The numbers that satisfy every condition f >= 0. The one of least magnitude is 0 or a root of one of the conditions.
 class Conditions {
  public:
   void require(Quadratic f) { all_.push_back(std::move(f)); }
 
-  /// Nothing where that is not known.
+  /// The number of least magnitude, or none if there is none; nothing if the intervals do not decide.
   [[nodiscard]] std::optional<std::optional<Interval>> least() const {
     if (all_.empty()) return std::nullopt;
     const Interval zero(all_.front().constant.precision());
@@ -52,8 +52,8 @@ class Conditions {
     return best;
   }
 
-  /// The nearest roots on both sides of `chosen`, which is least(): beyond a root, all of them being simple, its
-  /// condition is not met. Where chosen is a root itself, nothing is met on its other side.
+  /// The range of numbers around `chosen`, which is least(), that satisfy all conditions. It ends at the nearest
+  /// roots on both sides, since all roots are simple. If `chosen` is a root itself, the range begins there.
   [[nodiscard]] std::optional<ThesisCreepRange> around(const Interval& chosen) const {
     std::optional<Interval> below, above;
     for (const Quadratic& condition : all_) {
@@ -64,7 +64,7 @@ class Conditions {
         const int side = sign(root - chosen);
         if (side == 0) return std::nullopt;
         std::optional<Interval>& nearest = side < 0 ? below : above;
-        // Of two that are not told apart, all of both.
+        // If the intervals of two roots overlap, the bound covers both.
         const auto nearer = [&](const Interval& other) {
           return side < 0 ? larger(root, other) : -larger(-root, -other);
         };
@@ -85,12 +85,13 @@ class Conditions {
     if (mpfr_greater_p(b.upper(), a.upper()) != 0) mpfr_set(&result.get()->right, b.upper(), MPFR_RNDU);
     return result;
   }
-  /// Whether x, which meets a condition as one of its roots does, is told to be that root.
+  /// Whether x is the same interval as the root.
   static bool is_root(const Interval& x, const Interval& root) {
     return mpfr_equal_p(x.lower(), root.lower()) != 0 && mpfr_equal_p(x.upper(), root.upper()) != 0;
   }
 
-  /// All conditions but one, whose root x is.
+  /// Whether x satisfies all conditions except number `but`, of which it is a root; nothing if the intervals do not
+  /// decide.
   [[nodiscard]] std::optional<bool> met(const Interval& x, std::size_t but) const {
     bool is_known = true;
     for (std::size_t k = 0; k < all_.size(); ++k) {

@@ -21,11 +21,11 @@ Float largest_difference(const FloatStresses& a, const FloatStresses& b) {
 
 }  // namespace
 
-/// A place where the slopes are 0 and how well it is known.
+/// A point where the gradient is 0.
 struct ContactField::Peak {
-  Place place;
-  Float unsure;
-  Float missed;  ///< of the largest shear, where samples alone are known
+  SheetPoint point;
+  Float point_error;
+  Float shear_error;  ///< error of the largest shear where the point is that of the best sample
 };
 
 ContactField::ContactField(const FieldSource& coarse, const FieldSource& fine, const Float& scale,
@@ -39,33 +39,33 @@ ContactField::ContactField(const FieldSource& coarse, const FieldSource& fine, c
       uncertainty_(uncertainty),
       digits_(digits) {}
 
-InnerStresses ContactField::at(const Place& place, bool symmetric, const Float& unit) const {
-  const FloatStresses value = fine_.at(place.alpha, place.depth);
-  const Float error = 2 * largest_difference(value, coarse_.at(place.alpha, place.depth)) +
+InnerStresses ContactField::at(const SheetPoint& point, bool symmetric, const Float& unit) const {
+  const FloatStresses value = fine_.at(point.alpha, point.depth);
+  const Float error = 2 * largest_difference(value, coarse_.at(point.alpha, point.depth)) +
                       scale_ * power_of_ten(-digits_ - 2) + uncertainty_;
   const auto estimated = [&](const Float& x) -> Estimate {
     return {to_real(unit * x), to_real(unit * error), digits_};
   };
-  const bool no_shear = place.depth == 0 || (symmetric && place.alpha == 0);
+  const bool no_shear = point.depth == 0 || (symmetric && point.alpha == 0);
   return {estimated(value.across), estimated(value.along),
           no_shear ? Estimate(exact_zero(digits_)) : estimated(value.shear)};
 }
 
-/// As far as nothing is singular: the nearer end, half of the contact or of the sheet.
-Float ContactField::reach(const Place& place) const {
-  const Float to_end = hypot(half_length_ - abs(place.alpha - middle_), 1 - place.depth);
+/// The distance over which the field is smooth: to the nearer end, but at most half the contact or half the sheet.
+Float ContactField::smooth_radius(const SheetPoint& point) const {
+  const Float to_end = hypot(half_length_ - abs(point.alpha - middle_), 1 - point.depth);
   return std::min({Float(1), half_length_, to_end});
 }
 
-ContactField::Place ContactField::best_sample(bool symmetric) const {
+SheetPoint ContactField::best_sample(bool symmetric) const {
   const Float reach = std::min(Float(1), half_length_);
-  Place best{middle_, 1};
+  SheetPoint best{middle_, 1};
   Float largest = -1;
-  const auto look = [&](const Place& place) {
-    const Float here = shear_of(rough_.at(place.alpha, place.depth));
-    if (!(here > largest)) return false;
-    largest = here;
-    best = place;
+  const auto is_better = [&](const SheetPoint& point) {
+    const Float shear = shear_of(rough_.at(point.alpha, point.depth));
+    if (!(shear > largest)) return false;
+    largest = shear;
+    best = point;
     return true;
   };
   constexpr int across = 10;
@@ -73,26 +73,26 @@ ContactField::Place ContactField::best_sample(bool symmetric) const {
   const Float deepest = std::min(Float(1), 2.5 * reach);
   for (int i = symmetric ? 0 : -steps; i <= steps; ++i) {
     const Float alpha = middle_ + half_length_ * sin(pi() * i / (2 * steps));
-    for (int j = 0; j <= across; ++j) look({alpha, 1 - deepest * j / across});
+    for (int j = 0; j <= across; ++j) is_better({alpha, 1 - deepest * j / across});
   }
   const auto moved = [&](const Float& along, const Float& inwards) {
     const Float alpha = best.alpha + along, depth = std::min(Float(1), best.depth + inwards);
-    return look({symmetric ? abs(alpha) : alpha, abs(depth)});
+    return is_better({symmetric ? abs(alpha) : alpha, abs(depth)});
   };
-  for (Float step = reach / across; step > std::max(this->reach(best), 1e-6 * reach) / 2000;) {
+  for (Float step = reach / across; step > std::max(smooth_radius(best), 1e-6 * reach) / 2000;) {
     if (!(moved(step, 0) || moved(-step, 0) || moved(0, step) || moved(0, -step))) step /= 2;
   }
   return best;
 }
 
-/// Slopes by central differences of fourth order with a step that balances what they leave out with the field's
-/// digits; on a face along it alone.
-ContactField::Peak ContactField::peak(const InnerField& field, const Place& near) const {
-  const Float reach = this->reach(near);
+/// The gradient is computed by central differences of fourth order, with a step that balances their truncation error
+/// with the field's digits. On a face only the derivative along it is used.
+ContactField::Peak ContactField::peak(const InnerField& field, const SheetPoint& near) const {
+  const Float reach = smooth_radius(near);
   const bool on_face = near.depth == 1;
   const Float step = reach * pow(Float(10), -(digits_ + guard) / Float(5)) / 4;
-  const auto value = [&](const Place& at) { return shear_of(field.at(at.alpha, at.depth)); };
-  Place at = near;
+  const auto value = [&](const SheetPoint& at) { return shear_of(field.at(at.alpha, at.depth)); };
+  SheetPoint at = near;
   Float change = reach;
   for (int round = 0; round < 12; ++round) {
     const Float middle = value(at);
@@ -115,7 +115,7 @@ ContactField::Peak ContactField::peak(const InnerField& field, const Place& near
       to_y = (mixed * x.slope - x.curvature * y.slope) / determinant;
     }
     const Float now = hypot(to_x, to_y);
-    // No maximum with slopes of 0 where the samples have theirs.
+    // The gradient has no zero near the best sample.
     if (!(now < reach / 20) || (!on_face && at.depth + to_y > 1 - 3 * step))
       return {near, reach / 100, middle * 1e-6};
     at = {at.alpha + to_x, at.depth + to_y};
@@ -126,23 +126,23 @@ ContactField::Peak ContactField::peak(const InnerField& field, const Place& near
 }
 
 GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Float& length) const {
-  const Place sample = best_sample(symmetric);
+  const SheetPoint sample = best_sample(symmetric);
   const Peak coarse = peak(coarse_, sample);
   Peak fine = peak(fine_, sample);
-  // What lies on a line of symmetry does so exactly.
-  if (symmetric && abs(fine.place.alpha) < fine.unsure) fine.place.alpha = 0;
-  if (abs(fine.place.depth) < fine.unsure) fine.place.depth = 0;
-  Estimate value = at(fine.place, symmetric, unit).maximum_shear();
-  value.error = to_real(to_float(value.error) + unit * fine.missed);
-  const auto place = [&](const Float& here, const Float& other, const Float& in_unit) -> Estimate {
-    return {to_real(in_unit * here),
-            to_real(in_unit * (2 * abs(here - other) + fine.unsure + power_of_ten(-digits_ - 2))), digits_};
+  // A maximum that is on a line of symmetry within its error is exactly on it.
+  if (symmetric && abs(fine.point.alpha) < fine.point_error) fine.point.alpha = 0;
+  if (abs(fine.point.depth) < fine.point_error) fine.point.depth = 0;
+  Estimate value = at(fine.point, symmetric, unit).maximum_shear();
+  value.error = to_real(to_float(value.error) + unit * fine.shear_error);
+  const auto coordinate = [&](const Float& by_fine, const Float& by_coarse, const Float& in_unit) -> Estimate {
+    const Float error = 2 * abs(by_fine - by_coarse) + fine.point_error + power_of_ten(-digits_ - 2);
+    return {to_real(in_unit * by_fine), to_real(in_unit * error), digits_};
   };
-  return {value, place(fine.place.alpha, coarse.place.alpha, length),
-          place(fine.place.depth, coarse.place.depth, 1)};
+  return {value, coordinate(fine.point.alpha, coarse.point.alpha, length),
+          coordinate(fine.point.depth, coarse.point.depth, 1)};
 }
 
-ContactField::Place checked_place(const InnerPoint& point, const Float& length) {
+SheetPoint checked_point(const InnerPoint& point, const Float& length) {
   if (!std::isfinite(point.y) || abs(point.y / length) > farthest_inside)
     throw data::BadInput("y", point.y,
                          "must be within 450 sheet thicknesses of the middle on the reference path");

@@ -6,7 +6,7 @@
 
 namespace nipref::ref {
 
-/// Farthest from the middle of a contact that stresses inside are given, half-thicknesses.
+/// The largest distance from the middle of a contact at which stresses inside are computed, half-thicknesses.
 inline constexpr double farthest_inside = 900;
 
 /// A solved contact of which the field is computed, in half-thicknesses and any unit of stress.
@@ -15,37 +15,41 @@ struct FieldSource {
   InnerField::Tractions tractions;
 };
 
-/// The stresses inside the sheet of a contact that is known twice, from its tractions: nothing is proven. Values are the
-/// finer's, errors twice the largest distance of both fields' stresses at the place, to which add a hundredth of the last
-/// digit of `scale` and `uncertainty`.
+/// A point inside the sheet, in half-thicknesses: alpha along the sheet, and -1 <= depth <= 1.
+struct SheetPoint {
+  Float alpha, depth;
+};
+
+/// The stresses inside the sheet from the tractions of two solutions of a contact, a coarse and a fine one. The
+/// values are those of the fine solution. The error is estimated, not proven: twice the largest difference of the two
+/// solutions' stresses at the point, plus a hundredth of the last digit of `scale`, plus `uncertainty`.
 class ContactField {
  public:
-  /// scale: about the pressure in the middle. uncertainty: of the field by what both solutions lack alike.
+  /// `scale` is about the pressure in the middle, `uncertainty` the error that both solutions have in common.
   ContactField(const FieldSource& coarse, const FieldSource& fine, const Float& scale,
                const Float& uncertainty, int digits);
 
-  /// A place: along the sheet, half-thicknesses, and -1 <= depth <= 1.
-  struct Place {
-    Float alpha, depth;
-  };
-  /// In units of stress. `symmetric`: the pressure is even, the shear odd about alpha = 0.
-  [[nodiscard]] InnerStresses at(const Place& place, bool symmetric, const Float& unit) const;
-  /// By samples as fine as the contact is short, steps around their best and Newton's steps for where the slopes, by
-  /// differences, are 0. `length`: unit of length.
+  /// The stresses at a point, times the unit of stress. `symmetric`: the pressure is even and the shear odd about
+  /// alpha = 0.
+  [[nodiscard]] InnerStresses at(const SheetPoint& point, bool symmetric, const Float& unit) const;
+  /// The maximum is located by samples whose spacing scales with the contact, by a search around the best sample, and
+  /// by Newton's method for the zero of the gradient, which is computed by differences. `length` is the unit of
+  /// length.
   [[nodiscard]] GreatestShear greatest(bool symmetric, const Float& unit, const Float& length) const;
 
  private:
   struct Peak;
-  [[nodiscard]] Float reach(const Place& place) const;
-  [[nodiscard]] Place best_sample(bool symmetric) const;
-  [[nodiscard]] Peak peak(const InnerField& field, const Place& near) const;
+  [[nodiscard]] Float smooth_radius(const SheetPoint& point) const;
+  [[nodiscard]] SheetPoint best_sample(bool symmetric) const;
+  [[nodiscard]] Peak peak(const InnerField& field, const SheetPoint& near) const;
 
   InnerField coarse_, fine_, rough_;
   Float middle_, half_length_, scale_, uncertainty_;
   int digits_;
 };
 
-/// BadInput unless the depth is from -1 to 1 and y is within 450 sheet thicknesses; length: half a thickness.
-ContactField::Place checked_place(const InnerPoint& point, const Float& length);
+/// The point in half-thicknesses, where `length` is half a thickness. BadInput unless the depth is from -1 to 1 and y
+/// is within 450 sheet thicknesses.
+SheetPoint checked_point(const InnerPoint& point, const Float& length);
 
 }  // namespace nipref::ref

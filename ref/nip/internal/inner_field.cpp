@@ -21,10 +21,10 @@ struct SineAndCosine {
 double nats_of(int digits) { return digits * std::numbers::ln10; }
 
 /// 1/(1 + e^{-pi sinh t}).
-struct UnitPlace {
+struct UnitPoint {
   Float from_left, from_right, slope;
 
-  explicit UnitPlace(const Float& t) {
+  explicit UnitPoint(const Float& t) {
     const Float growth = exp(pi() * sinh(t));
     from_right = 1 / (1 + growth);
     from_left = growth * from_right;
@@ -32,51 +32,53 @@ struct UnitPlace {
   }
 };
 
-/// u from `start` over `length`; where d is shorter than that u = d sinh w, w even.
-class Way {
+/// The substitution that maps (0, 1) to the range of u from `start` over `length`. It is linear, unless `scale`
+/// (which is d inside the sheet) is below the length: then u = scale sinh w with w linear.
+class Substitution {
  public:
-  Way(Float start, Float length, const Float& bend) : start_(std::move(start)), length_(std::move(length)) {
-    is_bent_ = bend < length_;
-    if (!is_bent_) return;
-    bend_ = bend;
-    first_ = asinh(start_ / bend);
-    last_ = asinh((start_ + length_) / bend);
-    // Of their difference, which may cancel.
-    span_ = 2 * asinh(length_ / (2 * bend * cosh((first_ + last_) / 2)));
+  Substitution(Float start, Float length, const Float& scale)
+      : start_(std::move(start)), length_(std::move(length)) {
+    is_linear_ = !(scale < length_);
+    if (is_linear_) return;
+    scale_ = scale;
+    first_ = asinh(start_ / scale);
+    last_ = asinh((start_ + length_) / scale);
+    // last_ - first_, without its cancellation.
+    span_ = 2 * asinh(length_ / (2 * scale * cosh((first_ + last_) / 2)));
   }
 
   struct Point {
     Float from_start, to_end, slope;
   };
   [[nodiscard]] Point at(const Float& from_left, const Float& from_right) const {
-    if (!is_bent_) return {length_ * from_left, length_ * from_right, length_};
+    if (is_linear_) return {length_ * from_left, length_ * from_right, length_};
     const Float after = span_ * from_left / 2, before = span_ * from_right / 2;
-    return {2 * bend_ * cosh(first_ + after) * sinh(after), 2 * bend_ * cosh(last_ - before) * sinh(before),
-            bend_ * span_ * cosh(first_ + 2 * after)};
+    return {2 * scale_ * cosh(first_ + after) * sinh(after), 2 * scale_ * cosh(last_ - before) * sinh(before),
+            scale_ * span_ * cosh(first_ + 2 * after)};
   }
   [[nodiscard]] const Float& start() const { return start_; }
 
  private:
   Float start_, length_;
-  bool is_bent_;
-  Float bend_, first_, last_, span_;
+  bool is_linear_;
+  Float scale_, first_, last_, span_;
 };
 
-/// 1 or -1 where a source is on the left or the right of the place.
-enum Side { left_of_place = 1, right_of_place = -1 };
+/// The sign of u = alpha - alpha' for a traction on the left or the right of the point.
+enum Side { left_of_point = 1, right_of_point = -1 };
 
 }  // namespace
 
-struct InnerField::Place {
-  Float from_left, from_right;  ///< of the contact's ends, negative outside
+struct InnerField::FacePoint {
+  Float from_left, from_right;  ///< distances from the contact's ends, negative outside
   Float distance;               ///< d >= 0
   int face;                     ///< x = 1 or -1
   bool is_inside;
 
-  /// Of a unit source at u = side * way.
-  void add(const FaceTraction& here, const Float& way, Side side, const Float& weight,
+  /// Adds the stresses of a traction at |alpha - alpha'| = `gap`, times a weight.
+  void add(const FaceTraction& here, const Float& gap, Side side, const Float& weight,
            FloatStresses& sum) const {
-    const Float u = side == left_of_place ? way : -way;
+    const Float u = side == left_of_point ? gap : -gap;
     const Float square = u * u + distance * distance;
     const Float along = (distance * here.pressure + u * here.shear) * weight / (square * square);
     const Float share = along * distance;
@@ -87,9 +89,9 @@ struct InnerField::Place {
 };
 
 struct InnerField::Segment {
-  Way way;
-  bool left, right;                 ///< where there are sources
-  Float beyond_left, beyond_right;  ///< how much farther the contact goes on there than the segment
+  Substitution range;
+  bool left, right;                 ///< on which sides of the point there are tractions
+  Float beyond_left, beyond_right;  ///< length of the contact beyond the segment on each side
 };
 
 InnerField::InnerField(const Float& middle, const Float& half_length, Tractions tractions,
@@ -104,36 +106,36 @@ const std::vector<InnerField::UnitNode>& InnerField::level(int number) const {
     const auto made = static_cast<int>(levels_.size());
     auto nodes = std::make_unique<std::vector<UnitNode>>();
     const double step = std::ldexp(1 / fineness_.fineness, -made);
-    // Far enough for the end itself, on a face: there the shear over the distance is as 1/sqrt.
+    // Enough for a point at the contact's end on a face, where the integrand is singular like 1/sqrt.
     const double last = std::asinh(2 * (nats_of(fineness_.digits) + 4) / std::numbers::pi);
     const int stride = made == 0 ? 1 : 2;
     for (int i = made == 0 ? 0 : 1; i * step < last; i += stride) {
-      const UnitPlace place(Float(step) * i);
-      nodes->push_back({place.from_left, place.from_right, place.slope});
-      if (i > 0) nodes->push_back({place.from_right, place.from_left, place.slope});
+      const UnitPoint at(Float(step) * i);
+      nodes->push_back({at.from_left, at.from_right, at.slope});
+      if (i > 0) nodes->push_back({at.from_right, at.from_left, at.slope});
     }
     levels_.push_back(std::move(nodes));
   }
   return *levels_[static_cast<std::size_t>(number)];
 }
 
-/// Level after level until the sum hardly changes.
-void InnerField::add_segment(const Segment& segment, const Place& place, FloatStresses& sum) const {
+/// Adds the integral over a segment, with finer and finer levels until it has converged.
+void InnerField::add_segment(const Segment& segment, const FacePoint& point, FloatStresses& sum) const {
   const Float enough = fineness_.scale * pow(Float(10), -fineness_.digits);
   FloatStresses total, before;
   for (int number = 0; number < most_levels; ++number) {
     for (const UnitNode& node : level(number)) {
-      const Way::Point point = segment.way.at(node.from_left, node.from_right);
-      const Float way = segment.way.start() + point.from_start, weight = node.slope * point.slope;
+      const Substitution::Point at = segment.range.at(node.from_left, node.from_right);
+      const Float gap = segment.range.start() + at.from_start, weight = node.slope * at.slope;
       if (segment.left) {
-        const Float from_end = segment.beyond_left + point.to_end;
-        const Float other = place.is_inside ? place.from_right + way : point.from_start;
-        place.add(tractions_(from_end, other), way, left_of_place, weight, total);
+        const Float from_end = segment.beyond_left + at.to_end;
+        const Float other = point.is_inside ? point.from_right + gap : at.from_start;
+        point.add(tractions_(from_end, other), gap, left_of_point, weight, total);
       }
       if (segment.right) {
-        const Float from_end = segment.beyond_right + point.to_end;
-        const Float other = place.is_inside ? place.from_left + way : point.from_start;
-        place.add(tractions_(other, from_end), way, right_of_place, weight, total);
+        const Float from_end = segment.beyond_right + at.to_end;
+        const Float other = point.is_inside ? point.from_left + gap : at.from_start;
+        point.add(tractions_(other, from_end), gap, right_of_point, weight, total);
       }
     }
     const Float factor = std::ldexp(2 / fineness_.fineness, -number) / pi();
@@ -150,34 +152,36 @@ void InnerField::add_segment(const Segment& segment, const Place& place, FloatSt
 
 FloatStresses InnerField::half_plane(const Float& alpha, const Float& depth, int face) const {
   const Float from_middle = alpha - middle_;
-  Place place{half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false};
-  const Float near = std::min(place.from_left, place.from_right),
-              far = std::max(place.from_left, place.from_right);
-  const bool more_right = place.from_right > place.from_left;
-  place.is_inside = near >= 0;
+  FacePoint point{half_length_ + from_middle, half_length_ - from_middle, 1 - face * depth, face, false};
+  const Float near = std::min(point.from_left, point.from_right),
+              far = std::max(point.from_left, point.from_right);
+  const bool more_right = point.from_right > point.from_left;
+  point.is_inside = near >= 0;
   FloatStresses sum;
   const Float size = abs(near);
-  const Float bend = place.distance > 0 ? place.distance : size > 0 ? size : far;
-  if (!place.is_inside) {
-    add_segment({Way(size, far - size, bend), !more_right, more_right, 0, 0}, place, sum);
+  const Float scale = point.distance > 0 ? point.distance : size > 0 ? size : far;
+  if (!point.is_inside) {
+    add_segment({Substitution(size, far - size, scale), !more_right, more_right, 0, 0}, point, sum);
     return sum;
   }
   if (near > 0) {
-    add_segment({Way(0, near, bend), true, true, place.from_left - near, place.from_right - near}, place,
-                sum);
-    if (place.distance == 0) {
-      const FaceTraction here = tractions_(place.from_left, place.from_right);
+    add_segment({Substitution(0, near, scale), true, true, point.from_left - near, point.from_right - near},
+                point, sum);
+    if (point.distance == 0) {
+      const FaceTraction here = tractions_(point.from_left, point.from_right);
       sum.across -= here.pressure;
       sum.along -= here.pressure;
       sum.shear += face * here.shear;
     }
   }
-  if (far > near) add_segment({Way(near, far - near, bend), !more_right, more_right, 0, 0}, place, sum);
+  if (far > near)
+    add_segment({Substitution(near, far - near, scale), !more_right, more_right, 0, 0}, point, sum);
   return sum;
 }
 
-/// By the double exponential rule on all of the contact. With t = tanh((pi/2) sinh x) and |Im x| < 1/2 |Im t| < 0.94, so
-/// that e^{i z A t} has grown e^{0.94 z A}, of which e^{-2z} takes its part.
+/// The tractions at the nodes of the double exponential rule over the contact. With t = tanh((pi/2) sinh x) and |Im
+/// x| < 1/2, |Im t| < 0.94. In this strip e^{i z A t} is at most e^{0.94 z A}, which the factor e^{-2z} compensates
+/// in part.
 const std::vector<InnerField::Charge>& InnerField::charges() const {
   if (!charges_.empty()) return charges_;
   const double nats = nats_of(fineness_.digits + 2), A = static_cast<double>(half_length_);
@@ -186,17 +190,17 @@ const std::vector<InnerField::Charge>& InnerField::charges() const {
   const double last = std::asinh((nats + 8) / std::numbers::pi);
   const int half = static_cast<int>(std::ceil(last / step));
   for (int i = -half; i <= half; ++i) {
-    const UnitPlace place(Float(step) * i);
-    const Float length = 2 * half_length_, weight = length * place.slope * step;
-    const FaceTraction here = tractions_(length * place.from_left, length * place.from_right);
+    const UnitPoint at(Float(step) * i);
+    const Float length = 2 * half_length_, weight = length * at.slope * step;
+    const FaceTraction here = tractions_(length * at.from_left, length * at.from_right);
     charges_.push_back(
-        {half_length_ * (place.from_left - place.from_right), {weight * here.pressure, weight * here.shear}});
+        {half_length_ * (at.from_left - at.from_right), {weight * here.pressure, weight * here.shear}});
   }
   return charges_;
 }
 
-/// On panels of length 2: Gauss's rule gains a factor of 4.45 with each node for the poles of 1/D at 1.125 +- 2.106 i,
-/// after it has resolved the waves.
+/// Gauss rules on panels of length 2. Once it resolves the waves, each further node reduces the error by a factor of
+/// 4.45, because of the poles of 1/D at 1.125 +- 2.106 i.
 const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const {
   const double A = static_cast<double>(half_length_), off = std::fabs(static_cast<double>(alpha - middle_));
   const int doublings = std::max(0, static_cast<int>(std::ceil(std::log2(off / (A + 0.5)))));
@@ -218,7 +222,7 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
       wave.sinh_part = s * over;
       wave.cosh_part = c * over;
       for (const Charge& charge : charges()) {
-        const SineAndCosine at(wave.z * charge.place);
+        const SineAndCosine at(wave.z * charge.from_middle);
         wave.cosine.pressure += at.cosine * charge.weighted.pressure;
         wave.sine.pressure += at.sine * charge.weighted.pressure;
         wave.cosine.shear += at.cosine * charge.weighted.shear;
@@ -230,14 +234,14 @@ const std::vector<InnerField::Wave>& InnerField::waves(const Float& alpha) const
   return made;
 }
 
-void InnerField::add_beside(const Float& alpha, const Float& s, FloatStresses& sum) const {
+void InnerField::add_sheet_rest(const Float& alpha, const Float& s, FloatStresses& sum) const {
   const Float from_middle = alpha - middle_;
   const Float upper = 1 - s, lower = 1 + s;
   for (const Wave& wave : waves(alpha)) {
     const Float &z = wave.z, &a = wave.sinh_part, &b = wave.cosh_part;
     const Float growth = exp(s * z), inverse = 1 / growth;
     const Float C = (growth + inverse) / 2, S = (growth - inverse) / 2;
-    // Of the half-planes below either face.
+    // The half-planes of both faces.
     const Float near = wave.fall * growth, far = wave.fall * inverse;
     const Float z_near = z * upper * near, z_far = z * lower * far;
     const Float even = near + far, odd = near - far, z_even = z_near + z_far, z_odd = z_near - z_far;
@@ -265,7 +269,7 @@ FloatStresses InnerField::at(const Float& alpha, const Float& depth) const {
   sum.across += lower.across;
   sum.along += lower.along;
   sum.shear += lower.shear;
-  add_beside(alpha, depth, sum);
+  add_sheet_rest(alpha, depth, sum);
   return sum;
 }
 

@@ -8,7 +8,7 @@
 
 namespace nipref::ref {
 
-/// Pressure, and shear along the sheet.
+/// The pressure, and the shear traction along the sheet.
 struct FaceTraction {
   Float pressure, shear;
 };
@@ -18,47 +18,50 @@ struct FloatStresses {
   Float across, along, shear;
 };
 
-/// How finely a field is computed: stresses to about 10^-digits of `scale`. Fields that differ in `fineness`, 1 or more,
-/// share no node.
+/// The accuracy of a field: the error of its stresses is about 10^-digits of `scale`. Fields with a different
+/// `fineness`, 1 or more, have no node in common.
 struct FieldFineness {
   int digits;
   double fineness;
   Float scale;
 };
 
-/// The stresses inside the sheet between the faces x = +-1 under the same tractions on both, between two ends, in
+/// The stresses inside the sheet -1 <= x <= 1 under the same tractions on both faces of a contact, in
 /// half-thicknesses and the tractions' unit. (thesis 3.19, 4.3, 4.14 as integrals over the contact)
 ///
-/// Each face's part is that of a half-plane (Flamant),
+/// The part of each face is the field of a half-plane (Flamant),
 ///
 ///     sigma = -(2/pi) int (d p + u q)/r^4 (d^2, u^2, -+ d u) d alpha',    u = alpha - alpha', r^2 = u^2 + d^2
 ///
-/// d the distance from the face, by the double exponential rule in w, u = d sinh w, both sides of the place together:
-/// nearer than the nearer end its integrand is analytic whatever d, and at d = 0 it is the principal value.
+/// where d is the distance from the face. It is integrated by the double exponential rule in w, u = d sinh w, over
+/// both sides of the point together. Up to the nearer end this integrand is analytic for every d, and for d = 0 the
+/// integral is the principal value.
 ///
-/// What is left are the symbols of the sheet without those of both half-planes, which fall like z^2 e^(-2z), times the
-/// tractions' Fourier transforms, by Gauss's rule in z. Neither needs the kernels of sheet/field.hpp.
+/// The rest consists of the sheet's symbols less those of both half-planes, which decrease like z^2 e^(-2z), times
+/// the tractions' Fourier transforms. It is integrated by a Gauss rule in z. Neither part uses the kernels of
+/// sheet/field.hpp.
 class InnerField {
  public:
-  /// Continuous and 0 at the ends, analytic between; distances from the left end and from the right one, > 0.
+  /// Tractions that are 0 at the ends and analytic between them, as functions of the distances from the left and the
+  /// right end, > 0.
   using Tractions = std::function<FaceTraction(const Float& from_left, const Float& from_right)>;
 
   InnerField(const Float& middle, const Float& half_length, Tractions tractions, FieldFineness fineness);
 
-  /// -1 <= depth <= 1.
+  /// The stresses at a point, -1 <= depth <= 1.
   [[nodiscard]] FloatStresses at(const Float& alpha, const Float& depth) const;
 
  private:
-  /// Of the double exponential rule on 0 .. 1, one level's nodes beside those of the levels before.
+  /// A node of the double exponential rule on (0, 1). Each level has only the nodes that the levels before it lack.
   struct UnitNode {
     Float from_left, from_right, slope;
   };
-  /// A place on one of the faces' lines.
-  struct Place;
-  /// |alpha - alpha'| from `start` on; sources on both sides of the place or on one of them.
+  /// A point relative to one of the faces.
+  struct FacePoint;
+  /// A range of |alpha - alpha'|, with tractions on both sides of the point or on one side.
   struct Segment;
   struct Charge {
-    Float place;  ///< from the middle
+    Float from_middle;
     FaceTraction weighted;
   };
   /// One node of Gauss's rule: z, its weight over pi, 2 sinh z/D and 2 cosh z/D with D = sinh 2z + 2z, e^-z and the
@@ -69,9 +72,9 @@ class InnerField {
   };
 
   [[nodiscard]] const std::vector<UnitNode>& level(int number) const;
-  void add_segment(const Segment& segment, const Place& place, FloatStresses& sum) const;
+  void add_segment(const Segment& segment, const FacePoint& point, FloatStresses& sum) const;
   [[nodiscard]] FloatStresses half_plane(const Float& alpha, const Float& depth, int face) const;
-  void add_beside(const Float& alpha, const Float& depth, FloatStresses& sum) const;
+  void add_sheet_rest(const Float& alpha, const Float& depth, FloatStresses& sum) const;
   [[nodiscard]] const std::vector<Charge>& charges() const;
   [[nodiscard]] const std::vector<Wave>& waves(const Float& alpha) const;
 
@@ -80,7 +83,7 @@ class InnerField {
   FieldFineness fineness_;
   mutable std::vector<std::unique_ptr<std::vector<UnitNode>>> levels_;
   mutable std::vector<Charge> charges_;
-  mutable std::map<int, std::vector<Wave>> waves_;  ///< by how far off they are good, see waves()
+  mutable std::map<int, std::vector<Wave>> waves_;  ///< by the distance up to which they suffice, see waves()
 };
 
 }  // namespace nipref::ref

@@ -24,7 +24,7 @@ FaceTractions ellipse(double half_length, double friction) {
 }
 
 /// Of line loads, e = A x^4, for places that are not near the face.
-SheetStresses by_line_loads(double half_length, const FaceTractions& traction, const InnerPlace& at) {
+SheetStresses by_line_loads(double half_length, const FaceTractions& traction, const SheetPoint& at) {
   const GaussRule rule = gauss_legendre(300);
   SheetStresses sum{};
   for (const bool right : {false, true}) {
@@ -60,7 +60,7 @@ TEST_CASE("the field is the sum of those of line loads") {
     const TractionField field(half_length, false, traction);
     for (const double depth : {0.0, -0.4, 1 - std::min(0.1 * half_length, 0.5)}) {
       for (const double share : {0.0, 0.37, -1.1}) {
-        const InnerPlace at{share * half_length, depth};
+        const SheetPoint at{share * half_length, depth};
         worst = std::max(worst, distance(field.at(at), by_line_loads(half_length, traction, at)));
       }
     }
@@ -76,12 +76,12 @@ TEST_CASE(
     const TractionField field(half_length, false, ellipse(half_length, 0.1 / std::max(1.0, half_length)));
     const double span = std::max(half_length, 1.0);
     double worst = 0;
-    const auto look = [&](const std::vector<InnerPlace>& places, std::size_t step) {
+    const auto look = [&](const std::vector<SheetPoint>& places, std::size_t step) {
       const auto together = field.at(places);
       for (std::size_t i = 0; i < places.size(); i += step)
         worst = std::max(worst, distance(together[i], field.at(places[i])));
     };
-    std::vector<InnerPlace> columns, crowd;
+    std::vector<SheetPoint> columns, crowd;
     for (int i = 0; i < 20; ++i) {
       for (int j = 0; j < 30; ++j) columns.push_back({1.3 * span * std::sin(i * 1.7), std::cos(j * 2.3 + i)});
     }
@@ -100,7 +100,7 @@ TEST_CASE("on the faces the field is the tractions, at the ends of panels and of
     CAPTURE(y);
     const FaceTraction here = traction(y >= 0, half_length - std::fabs(y));
     for (const double face : {1.0, -1.0}) {
-      const SheetStresses at = field.at(InnerPlace{y, face});
+      const SheetStresses at = field.at(SheetPoint{y, face});
       CHECK(std::fabs(at.across + here.pressure) < 2e-12);
       CHECK(std::fabs(at.shear - face * here.shear) < 2e-12);
     }
@@ -114,7 +114,7 @@ TEST_CASE(
   double largest = 0, at = 0;
   for (int i = 1; i < 2000; ++i) {
     const double depth = i * 1e-3;
-    const SheetStresses s = field.at(InnerPlace{0, 1 - depth * half_length});
+    const SheetStresses s = field.at(SheetPoint{0, 1 - depth * half_length});
     const double shear = std::fabs(s.across - s.along) / 2;
     if (shear > largest) {
       largest = shear;
@@ -135,7 +135,7 @@ TEST_CASE("under a long smooth pressure the stress across is the pressure throug
   const TractionField field(half_length, false, traction);
   const double peak = traction(true, half_length).pressure;
   for (const double depth : {-1.0, -0.5, 0.0, 0.7}) {
-    const SheetStresses s = field.at(InnerPlace{0, depth});
+    const SheetStresses s = field.at(SheetPoint{0, depth});
     CHECK(s.across / peak == doctest::Approx(-1).epsilon(2e-3));
     CHECK(std::fabs(s.along / peak) < 2e-3);
     CHECK(std::fabs(s.shear / peak) < 1e-12);
@@ -147,7 +147,7 @@ TEST_CASE("many places have the field of each, by series or not") {
     for (const bool symmetric : {true, false}) {
       CAPTURE(half_length);
       const TractionField field(half_length, symmetric, ellipse(half_length, symmetric ? 0.5 : 0.3));
-      std::vector<InnerPlace> places{{1e300, 0.2}, {-half_length, 1}, {half_length, -1}};
+      std::vector<SheetPoint> places{{1e300, 0.2}, {-half_length, 1}, {half_length, -1}};
       for (int i = -30; i <= 30; ++i) {
         for (int j = 0; j < 12; ++j)
           places.push_back({(half_length + 3) * std::sin(0.05 * i + 0.01 * j), std::cos(0.27 * j)});
