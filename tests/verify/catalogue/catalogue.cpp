@@ -11,6 +11,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
+#include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/support/random.hpp>
 
 using namespace nipref;
@@ -234,6 +235,14 @@ TEST_CASE("arguments are matched by name") {
   const auto parsed = verify::parse_arguments(vs, {{"poisson", "0.25"}, {"eta", "0x1p-1"}, {"alpha", "0.1"}});
   CHECK(parsed.text == std::vector<std::string>{"0.1", "0x1p-1", "1", "0.25"});
   CHECK(parsed.nearest(vs) == Point{0.1, 0.5, 1, 0.25});
+}
+
+TEST_CASE("a point gives its numbers by the names of the arguments, and no number for any other name") {
+  const Point numbers{0.1, 0.5, 1, 0.25};
+  const verify::NamedPoint point(verify::find_quantity("vs").arguments, numbers);
+  CHECK(point["eta"] == 0.5);
+  CHECK(point["poisson"] == 0.25);
+  CHECK_THROWS_AS(point["poison"], std::logic_error);
 }
 
 TEST_CASE("arguments that do not fit a double are for ref only") {
