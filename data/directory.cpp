@@ -67,4 +67,6 @@ std::filesystem::path scenes_directory() { return data_directory() / "scenes"; }
 
 std::filesystem::path statements_directory() { return data_directory() / "statements"; }
 
+std::filesystem::path templates_directory() { return data_directory() / "templates"; }
+
 }  // namespace nipref::data

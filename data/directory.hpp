@@ -23,4 +23,7 @@ namespace nipref::data {
 /// What the seeds say in words.
 [[nodiscard]] std::filesystem::path statements_directory();
 
+/// Templates of pages, texts and drawings.
+[[nodiscard]] std::filesystem::path templates_directory();
+
 }  // namespace nipref::data

@@ -13,16 +13,16 @@
 #include <nipref/verify/cli/bench_all.hpp>
 #include <nipref/verify/cli/drawing.hpp>
 #include <nipref/verify/cli/interruption.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/cli/output_file.hpp>
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
-#include <nipref/verify/report/page.hpp>
+#include <nipref/verify/report/render.hpp>
 #include <nipref/verify/seeds/render.hpp>
 
 namespace nipref::verify {
@@ -104,7 +104,6 @@ std::vector<Figure> all_figures(Progress& progress) {
 
 Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) {
   Report report;
-  report.version = version_text();
   report.command = command_of(line);
   report.seed = seed_option(line);
   // Before the audit, which would build ref's nodes: their cost is measured.
@@ -119,7 +118,6 @@ Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) 
   report.tables_fall_short = fall_short(report.tables);
   check_statements(report, progress);
   report.golden = sample_all_golden(progress);
-  report.interrupted = interrupted();
   return report;
 }
 
@@ -145,9 +143,8 @@ std::optional<std::string> older_report(const CommandLine& line) {
 }
 
 /// Says where it is and how large.
-std::string write_page(const fs::path& folder, const Report& report, const std::string& answer,
-                       Progress& progress) {
-  const std::string page = report_page(report, all_figures(progress), drawn_by_gnuplot);
+std::string write_page(const fs::path& folder, const std::string& answer) {
+  const std::string page = report_page(answer, drawn_by_gnuplot);
   const fs::path file = folder / "index.html";
   write_output_file((folder / "report.json").string(), answer);
   write_output_file(file.string(), page);
@@ -178,7 +175,13 @@ Json report_json(const Report& report) {
           {"claims", claims_json(report.claims)},
           {"limits", limits_json(report.limits)},
           {"errata", errata_json(report.errata)},
-          {"golden", golden_json(report.golden)}};
+          {"golden", golden_json(report.golden)},
+          {"golden_values", golden_values_json(report.golden)},
+          {"quantities", quantities_json(report.quantities)},
+          {"figures", json_list(report.figures, figure_json)},
+          {"times", {{"plots", speed_plots_json(report.speed.rows)}}},
+          {"summary", summary_json(report)},
+          {"comparison", report.comparison ? comparison_json(*report.comparison) : Json()}};
 }
 
 int report_verb(const CommandLine& line, std::ostream& out) {
@@ -188,15 +191,17 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   Report report = collected(line, audits, progress);
-  const std::string answer =
-      line.json || folder || older ? answer_text("report", report_json(report), line.no_times) : "";
-  if (older) report.comparison = compare_reports(*older, answer);
-  const std::string page = folder ? write_page(*folder, report, answer, progress)
-                                  : "nipref report -o DIR writes all of it as DIR/index.html";
+  if (folder) report.figures = all_figures(progress);
+  if (older)
+    report.comparison = compare_reports(*older, answer_text("report", report_json(report), line.no_times));
+  const Json found = report_json(report);
+  const std::string answer = answer_text("report", found, line.no_times);
+  const std::string page =
+      folder ? write_page(*folder, answer) : "nipref report -o DIR writes all of it as DIR/index.html";
   if (line.json) {
     out << answer;
   } else {
-    out << report_text(report, page);
+    out << report_text(answer_text("report", found), page);
     if (report.comparison) out << "\n" << comparison_text(*report.comparison, 10);
     out << interruption_text();
   }

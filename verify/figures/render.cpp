@@ -6,25 +6,8 @@
 namespace nipref::verify {
 namespace {
 
-std::string_view name(Mark mark) {
-  switch (mark) {
-    case Mark::line:
-      return "line";
-    case Mark::dots:
-      return "dots";
-    case Mark::marked_line:
-      return "marked-line";
-    case Mark::points:
-      return "points";
-    case Mark::bars:
-      return "bars";
-    case Mark::ranges:
-      return "ranges";
-    case Mark::star:
-      return "star";
-  }
-  return "";
-}
+/// In the order of Mark.
+constexpr const char* mark_names[] = {"line", "dots", "marked-line", "points", "bars", "ranges", "star"};
 
 std::string panel_name(const Panel& panel) {
   return (panel.contours ? panel.contours->label + ", " : "") + panel.y.label + " against " + panel.x.label;
@@ -38,7 +21,7 @@ Json numbers_json(const std::vector<double>& values) {
 Json series_json(const Series& series) {
   return {{"label", series.label},
           {"role", series.role},
-          {"mark", name(series.mark)},
+          {"mark", mark_names[static_cast<std::size_t>(series.mark)]},
           {"x", numbers_json(series.x)},
           {"y", numbers_json(series.y)},
           {"low", numbers_json(series.low)},
@@ -53,13 +36,6 @@ Json contours_json(const Contours& contours) {
           {"y", numbers_json(contours.y)},
           {"values", numbers_json(contours.values)},
           {"step", contours.step}};
-}
-
-Json panel_json(const Panel& panel) {
-  return {{"x_axis", axis_json(panel.x)},
-          {"y_axis", axis_json(panel.y)},
-          {"series", json_list(panel.series, series_json)},
-          {"contours", panel.contours ? contours_json(*panel.contours) : Json()}};
 }
 
 std::string contours_csv(const std::string& panel, const Contours& contours) {
@@ -87,6 +63,14 @@ std::string figure_csv(const Figure& figure) {
     if (panel.contours) text += contours_csv(panel_name(panel), *panel.contours);
   }
   return text;
+}
+
+Json panel_json(const Panel& panel) {
+  return {{"x_axis", axis_json(panel.x)},
+          {"y_axis", axis_json(panel.y)},
+          {"equal_scales", panel.equal_scales},
+          {"series", json_list(panel.series, series_json)},
+          {"contours", panel.contours ? contours_json(*panel.contours) : Json()}};
 }
 
 Json figure_json(const Figure& figure) {

@@ -3,6 +3,7 @@
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/template.hpp>
 
 namespace nipref::verify {
 
@@ -10,6 +11,7 @@ namespace nipref::verify {
 /// is what contours are of, which have neither.
 std::string figure_csv(const Figure& figure);
 
+Json panel_json(const Panel& panel);
 Json figure_json(const Figure& figure);
 
 /// Title, parameters, the command that draws it, and what is in it.
@@ -19,8 +21,8 @@ std::string figure_text(const Figure& figure);
 /// colour-blind readers tell apart), in dashes and in symbols; roles in how they are drawn.
 std::string gnuplot_script(const Figure& figure);
 
-/// The same of one panel without a caption, small enough for a page: readable at half the width of a sheet of paper and
-/// on a telephone.
-std::string gnuplot_script(const Panel& panel);
+/// The same of what figure_json gives; of what panel_json gives a drawing without a caption, small enough for a page:
+/// readable at half the width of a sheet of paper and on a telephone.
+std::string gnuplot_script(const TemplateData& drawing);
 
 }  // namespace nipref::verify

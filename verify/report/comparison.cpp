@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,9 +13,6 @@ namespace nipref::verify {
 namespace {
 
 using nlohmann::json;
-
-constexpr double errors_differ = 1.1;
-constexpr double times_differ = 1.25;
 
 constexpr std::array<std::pair<Change, std::string_view>, 7> change_names{{{Change::worse, "worse"},
                                                                            {Change::slower, "slower"},
@@ -45,158 +40,153 @@ std::string text_at(const json& row, const std::string& key) {
   return row[key].is_string() ? row[key].get<std::string>() : row[key].dump();
 }
 
-/// Puts together a comparison.
-class Comparer {
- public:
-  Comparer(const json& older, const json& newer) : older_(older), newer_(newer) {}
-
-  using Rows = std::function<void(const std::string& what, const json& before, const json& now)>;
-
-  /// Pairs the rows of a list by what identifies them; tells which are new or gone.
-  void pair(const std::string& path, const std::string& part, const std::vector<std::string>& keys,
-            const Rows& compare) {
-    const auto before = by_name(list_at(older_, path), keys), now = by_name(list_at(newer_, path), keys);
-    if (!older_.contains(json::json_pointer(path)) && !now.empty()) {
-      add(Change::appeared, fmt::format("{}: all {}, which the older report does not have", part, now.size()),
-          "", "");
-      return;
-    }
-    for (const auto& [id, row] : now) {
-      const std::string what = part + " " + id;
-      const auto old = before.find(id);
-      if (old == before.end()) {
-        add(Change::appeared, what, "", "");
-      } else {
-        compare(what, *old->second, *row);
-      }
-    }
-    for (const auto& [id, row] : before) {
-      if (!now.contains(id)) add(Change::gone, part + " " + id, "", "");
-    }
-  }
-
-  void add(Change change, std::string what, std::string before, std::string now) {
-    items_.push_back({change, std::move(what), std::move(before), std::move(now)});
-  }
-
-  /// A truth value, true being good; true if it differs.
-  bool verdict(const std::string& what, const json& before, const json& now, const std::string& key) {
-    const std::string was = text_at(before, key), is = text_at(now, key);
-    if (was == is) return false;
-    add(is == "true" ? Change::better : Change::worse, what + ", " + key, was, is);
-    return true;
-  }
-
-  /// A positive number, smaller being better.
-  void size(const std::string& what, const json& before, const json& now, const std::string& key,
-            double differs) {
-    const auto was = number_at(before, key), is = number_at(now, key);
-    if (!was || !is || std::max(*was, *is) <= differs * std::min(*was, *is)) return;
-    add(*is < *was ? Change::better : Change::worse, what, fmt::format("{:.4g}", *was),
-        fmt::format("{:.4g}", *is));
-  }
-
-  std::vector<ChangedItem> items() {
-    std::ranges::stable_sort(items_, {}, &ChangedItem::change);
-    return std::move(items_);
-  }
-
- private:
-  static std::map<std::string, const json*> by_name(const json& rows, const std::vector<std::string>& keys) {
-    std::map<std::string, const json*> named;
-    for (const json& row : rows) {
-      std::string id;
-      for (const std::string& key : keys) id += (id.empty() ? "" : ", ") + text_at(row, key);
-      named.emplace(id, &row);
-    }
-    return named;
-  }
-
-  const json &older_, &newer_;
-  std::vector<ChangedItem> items_;
+/// How a value of a row is compared with the older one.
+enum class Measure {
+  verdict,  ///< true is good
+  word,     ///< neither is better
+  error,    ///< smaller is better
+  speed,    ///< a ratio to the time of others: larger is quicker
+  cells     ///< how many of a table's cells have each verdict
 };
 
-/// The number of quantities whose largest errors are of other points.
-std::size_t compare_audits(Comparer& comparer) {
-  std::size_t other_points = 0;
-  comparer.pair("/audit/rows", "audit", {"quantity"},
-                [&](const std::string& what, const json& before, const json& now) {
-                  const bool same_points = text_at(before, "points") == text_at(now, "points");
-                  other_points += !same_points;
-                  if (!comparer.verdict(what, before, now, "kept") && same_points)
-                    comparer.size(what + ", largest error, ulp", before, now, "max_error_ulp", errors_differ);
-                });
-  return other_points;
+struct Column {
+  const char* key;
+  Measure measure;
+  const char* title = "";             ///< after the name of the row
+  double differs = 1;                 ///< numbers do whose ratio is larger
+  const char* where_equal = nullptr;  ///< compared only where this member of both rows is the same
+};
+
+/// A list of the report, what identifies its rows, and what is compared: a row ends at the first column that has changed.
+struct Part {
+  const char* path;
+  const char* name;
+  std::vector<const char*> keys;
+  std::vector<Column> columns;
+};
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all{
+      {"/audit/rows",
+       "audit",
+       {"quantity"},
+       {{"kept", Measure::verdict, ", kept"},
+        {"max_error_ulp", Measure::error, ", largest error, ulp", 1.1, "points"}}},
+      {"/audit/scenes",
+       "random contacts",
+       {"kind"},
+       {{"kept", Measure::verdict, ", kept"},
+        {"median_overestimate", Measure::error, ", statement over error, median", 1.1, "scenes"}}},
+      {"/audit/contacts",
+       "hard case",
+       {"system", "length_over_thickness", "poisson", "unknowns"},
+       {{"kept", Measure::verdict, ", kept"}}},
+      {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", Measure::speed, "", 1.25}}},
+      {"/bench/error_ratios", "error,", {"what"}, {{"met", Measure::verdict, ", met"}}},
+      {"/tables/tables", "table", {"id"}, {{"cells", Measure::cells, ", cells: "}}},
+      {"/claims", "claim", {"id"}, {{"verdict", Measure::word}}},
+      {"/limits", "limit", {"name"}, {{"approached", Measure::verdict, ", approached"}}},
+      {"/errata", "erratum", {"id"}, {{"settled", Measure::verdict, ", settled"}}},
+      {"/golden", "golden", {"quantity"}, {{"kept", Measure::verdict, ", kept"}}}};
+  return all;
 }
 
-void compare_contacts(Comparer& comparer) {
-  comparer.pair("/audit/scenes", "random contacts", {"kind"},
-                [&](const std::string& what, const json& before, const json& now) {
-                  comparer.verdict(what, before, now, "kept");
-                  if (text_at(before, "scenes") != text_at(now, "scenes")) return;
-                  comparer.size(what + ", statement over error, median", before, now, "median_overestimate",
-                                errors_differ);
-                });
-  comparer.pair("/audit/contacts", "hard case", {"system", "length_over_thickness", "poisson", "unknowns"},
-                [&](const std::string& what, const json& before, const json& now) {
-                  comparer.verdict(what, before, now, "kept");
-                });
+std::map<std::string, const json*> by_name(const json& rows, const std::vector<const char*>& keys) {
+  std::map<std::string, const json*> named;
+  for (const json& row : rows) {
+    std::string id;
+    for (const char* key : keys) id += (id.empty() ? "" : ", ") + text_at(row, key);
+    named.emplace(id, &row);
+  }
+  return named;
 }
 
-void compare_speed(Comparer& comparer) {
-  const auto compare = [&](const std::string& what, const json& before, const json& now) {
-    const auto was = number_at(before, "ratio"), is = number_at(now, "ratio");
-    if (!was || !is || std::max(*was, *is) <= times_differ * std::min(*was, *is)) return;
-    comparer.add(*is < *was ? Change::slower : Change::quicker, what, fmt::format("{:.3g}", *was),
-                 fmt::format("{:.3g}", *is));
-  };
-  comparer.pair("/bench/times/ratios", "speed,", {"what"}, compare);
-  comparer.pair("/bench/error_ratios", "error,", {"what"},
-                [&](const std::string& what, const json& before, const json& now) {
-                  comparer.verdict(what, before, now, "met");
-                });
-}
-
-/// How many cells of a table have each verdict.
-std::map<std::string, long> verdict_counts(const json& table) {
-  std::map<std::string, long> counts;
-  for (const json& cell : list_at(table, "/cells")) ++counts[text_at(cell, "verdict")];
-  return counts;
+long cells_with(const json& table, const char* verdict) {
+  return std::ranges::count_if(list_at(table, "/cells"),
+                               [&](const json& cell) { return text_at(cell, "verdict") == verdict; });
 }
 
 /// Matches are good, what is unexplained is not; the others are neither.
-Change change_of_count(const std::string& verdict, long difference) {
-  if (verdict == "match") return difference > 0 ? Change::better : Change::worse;
-  if (verdict == "unexplained") return difference < 0 ? Change::better : Change::worse;
-  return Change::changed;
+std::vector<ChangedItem> changed_cells(const std::string& what, const json& before, const json& now) {
+  std::vector<ChangedItem> items;
+  for (const char* verdict : {"match", "misprint", "seed-error", "unexplained"}) {
+    const long was = cells_with(before, verdict), is = cells_with(now, verdict);
+    const std::string_view name = verdict;
+    const bool is_judged = name == "match" || name == "unexplained";
+    const Change change = !is_judged                        ? Change::changed
+                          : (name == "match") == (is > was) ? Change::better
+                                                            : Change::worse;
+    if (was != is) items.push_back({change, what + verdict, std::to_string(was), std::to_string(is)});
+  }
+  return items;
 }
 
-void compare_tables(Comparer& comparer) {
-  comparer.pair(
-      "/tables/tables", "table", {"id"}, [&](const std::string& what, const json& before, const json& now) {
-        std::map<std::string, long> was = verdict_counts(before), is = verdict_counts(now);
-        for (const std::string verdict : {"match", "misprint", "seed-error", "unexplained"}) {
-          if (was[verdict] != is[verdict])
-            comparer.add(change_of_count(verdict, is[verdict] - was[verdict]), what + ", cells: " + verdict,
-                         std::to_string(was[verdict]), std::to_string(is[verdict]));
-        }
-      });
+std::optional<ChangedItem> changed_number(const Column& column, const std::string& what, const json& before,
+                                          const json& now) {
+  const auto was = number_at(before, column.key), is = number_at(now, column.key);
+  if (!was || !is || std::max(*was, *is) <= column.differs * std::min(*was, *is)) return std::nullopt;
+  const bool is_speed = column.measure == Measure::speed;
+  const Change change = is_speed ? (*is < *was ? Change::slower : Change::quicker)
+                                 : (*is < *was ? Change::better : Change::worse);
+  const int digits = is_speed ? 3 : 4;
+  return ChangedItem{change, what, fmt::format("{:.{}g}", *was, digits), fmt::format("{:.{}g}", *is, digits)};
 }
 
-void compare_statements(Comparer& comparer) {
-  comparer.pair("/claims", "claim", {"id"},
-                [&](const std::string& what, const json& before, const json& now) {
-                  const std::string was = text_at(before, "verdict"), is = text_at(now, "verdict");
-                  if (was != is) comparer.add(Change::changed, what, was, is);
-                });
-  const auto same_verdict = [&](const char* key) {
-    return [&comparer, key](const std::string& what, const json& before, const json& now) {
-      comparer.verdict(what, before, now, key);
-    };
-  };
-  comparer.pair("/limits", "limit", {"name"}, same_verdict("approached"));
-  comparer.pair("/errata", "erratum", {"id"}, same_verdict("settled"));
-  comparer.pair("/golden", "golden", {"quantity"}, same_verdict("kept"));
+/// What a column has to say of two rows.
+std::vector<ChangedItem> changed(const Column& column, const std::string& row, const json& before,
+                                 const json& now) {
+  const std::string what = row + column.title, was = text_at(before, column.key),
+                    is = text_at(now, column.key);
+  switch (column.measure) {
+    case Measure::verdict:
+    case Measure::word: {
+      const Change change = column.measure == Measure::word ? Change::changed
+                            : is == "true"                  ? Change::better
+                                                            : Change::worse;
+      return was == is ? std::vector<ChangedItem>{} : std::vector{ChangedItem{change, what, was, is}};
+    }
+    case Measure::cells:
+      return changed_cells(what, before, now);
+    default: {
+      const auto item = changed_number(column, what, before, now);
+      return item ? std::vector{*item} : std::vector<ChangedItem>{};
+    }
+  }
+}
+
+/// Adds what has changed in the rows of a part, and which are new or gone. Gives the number of rows with numbers that are of
+/// other points.
+std::size_t compare(const Part& part, const json& older, const json& newer, std::vector<ChangedItem>& items) {
+  const auto before = by_name(list_at(older, part.path), part.keys),
+             now = by_name(list_at(newer, part.path), part.keys);
+  const std::string name = std::string(part.name) + " ";
+  if (!older.contains(json::json_pointer(part.path)) && !now.empty()) {
+    items.push_back({Change::appeared,
+                     fmt::format("{}: all {}, which the older report does not have", part.name, now.size()),
+                     "", ""});
+    return 0;
+  }
+  std::size_t of_other_points = 0;
+  for (const auto& [id, row] : now) {
+    const auto old = before.find(id);
+    if (old == before.end()) {
+      items.push_back({Change::appeared, name + id, "", ""});
+      continue;
+    }
+    for (const Column& column : part.columns) {
+      const bool comparable = column.where_equal == nullptr ||
+                              text_at(*old->second, column.where_equal) == text_at(*row, column.where_equal);
+      of_other_points += !comparable;
+      const auto found =
+          comparable ? changed(column, name + id, *old->second, *row) : std::vector<ChangedItem>{};
+      items.insert(items.end(), found.begin(), found.end());
+      if (!found.empty()) break;
+    }
+  }
+  for (const auto& [id, row] : before) {
+    if (!now.contains(id)) items.push_back({Change::gone, name + id, "", ""});
+  }
+  return of_other_points;
 }
 
 std::string version_of(const json& report) {
@@ -222,24 +212,43 @@ bool is_report(const std::string& text) {
 
 ReportComparison compare_reports(const std::string& older, const std::string& newer) {
   const json before = json::parse(older), now = json::parse(newer);
-  Comparer comparer(before, now);
   ReportComparison comparison{version_of(before), "", {}};
-  if (const std::size_t other = compare_audits(comparer); other > 0)
+  std::size_t of_other_points = 0;
+  for (const Part& part : parts()) of_other_points += compare(part, before, now, comparison.items);
+  std::ranges::stable_sort(comparison.items, {}, &ChangedItem::change);
+  if (of_other_points > 0)
     comparison.note = fmt::format(
-        "of {} quantities other points were looked at: their largest errors are not compared", other);
-  compare_contacts(comparer);
-  compare_speed(comparer);
-  compare_tables(comparer);
-  compare_statements(comparer);
-  comparison.items = comparer.items();
+        "of {} quantities or kinds of contacts other points were looked at: their errors are not compared",
+        of_other_points);
   return comparison;
 }
 
+namespace {
+
+/// "2 worse, 0 slower, 1 better, ..."
 std::string counts_text(const ReportComparison& comparison) {
   std::string text;
   for (const auto& [change, name] : change_names)
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", comparison.count(change), name);
   return text;
+}
+
+}  // namespace
+
+Json comparison_json(const ReportComparison& comparison) {
+  return {
+      {"older", comparison.older},
+      {"note", Json::unless_empty(comparison.note)},
+      {"counts", json_list(change_names,
+                           [&](const auto& named) {
+                             return Json{{"change", named.second}, {"count", comparison.count(named.first)}};
+                           })},
+      {"items", json_list(comparison.items, [](const ChangedItem& item) {
+         return Json{{"change", name(item.change)},
+                     {"what", item.what},
+                     {"before", Json::unless_empty(item.before)},
+                     {"now", Json::unless_empty(item.now)}};
+       })}};
 }
 
 std::string comparison_text(const ReportComparison& comparison, std::size_t most_items) {

@@ -1,6 +1,9 @@
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -33,8 +36,8 @@ bool is_report(const std::string& json);
 /// gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
-/// "2 worse, 0 slower, 1 better, ..."
-std::string counts_text(const ReportComparison& comparison);
+/// What the page shows.
+Json comparison_json(const ReportComparison& comparison);
 
 /// The counts, then a line for each item, of those many at most.
 std::string comparison_text(const ReportComparison& comparison, std::size_t most_items);

@@ -1,72 +1,132 @@
-#include <array>
-#include <utility>
+#include <fmt/format.h>
 
-#include <nipref/verify/report/internal/sections.hpp>
-#include <nipref/verify/report/page.hpp>
+#include <algorithm>
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+#include <nipref/verify/support/template.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
 
-Markup contents() {
-  constexpr std::array<std::pair<const char*, const char*>, 12> entries{{{"headline", "At a glance"},
-                                                                         {"accuracy", "Accuracy"},
-                                                                         {"speed", "Speed"},
-                                                                         {"contacts", "Contacts"},
-                                                                         {"tables", "Tables"},
-                                                                         {"figures", "Figures"},
-                                                                         {"claims", "Claims"},
-                                                                         {"limits", "Limits"},
-                                                                         {"errata", "Errata"},
-                                                                         {"hard-cases", "Hard cases"},
-                                                                         {"golden", "Golden values"},
-                                                                         {"reproduce", "Reproduce"}}};
-  Markup items;
-  for (const auto& [id, title] : entries) items += element("li", link_to(id, title));
-  return element("nav", {{"aria-label", "Contents"}}, element("ul", items));
+using Keys = std::vector<const char*>;
+
+TemplateData* row_like(TemplateData& rows, const TemplateData& row, const Keys& keys) {
+  const auto found = std::ranges::find_if(rows, [&](const TemplateData& one) {
+    return std::ranges::all_of(keys, [&](const char* key) { return one.at(key) == row.at(key); });
+  });
+  return found == rows.end() ? nullptr : &*found;
 }
 
-Markup head() {
-  return element("head", empty_element("meta", {{"charset", "utf-8"}}) +
-                             empty_element("meta", {{"name", "viewport"},
-                                                    {"content", "width=device-width, initial-scale=1"}}) +
-                             element("title", "nipref report") + element("style", Markup::raw(style_sheet)));
+/// Adds to each row the members of that row of `more` which has the same keys.
+void join(TemplateData& rows, TemplateData& more, const Keys& keys) {
+  for (TemplateData& row : rows) {
+    if (const TemplateData* const other = row_like(more, row, keys)) row.update(*other);
+  }
+}
+
+/// Rows with the same keys, as `rows` of one, in the order of the first.
+TemplateData grouped(const TemplateData& rows, const Keys& keys) {
+  TemplateData groups = TemplateData::array();
+  for (const TemplateData& row : rows) {
+    TemplateData* group = row_like(groups, row, keys);
+    if (group == nullptr) {
+      TemplateData empty{{"rows", TemplateData::array()}};
+      for (const char* key : keys) empty[key] = row[key];
+      group = &groups.emplace_back(std::move(empty));
+    }
+    (*group)["rows"].push_back(row);
+  }
+  return groups;
+}
+
+/// As RFC 3986 has it, the spaces and line breaks, of which gnuplot writes many, as single spaces.
+std::string percent_encoded(const std::string& svg) {
+  constexpr std::string_view plain = "!'()*+,-./:;=?@_|$[]";
+  std::string url;
+  for (const char letter : svg) {
+    const auto byte = static_cast<unsigned char>(letter);
+    if (std::isspace(byte) != 0) {
+      if (!url.empty() && url.back() != ' ') url += ' ';
+    } else if ((std::isalnum(byte) != 0 && byte < 128) || plain.find(letter) != std::string_view::npos) {
+      url += letter;
+    } else {
+      url += fmt::format("%{:02X}", byte);
+    }
+  }
+  return url;
+}
+
+/// Draws the plot of each, from several threads.
+void draw_all(const std::vector<TemplateData*>& drawn, const Drawer& draw) {
+  parallel_for(drawn.size(),
+               [&](std::size_t i) {
+                 const auto svg = draw(gnuplot_script(drawn[i]->at("plot")));
+                 (*drawn[i])["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
+                 drawn[i]->erase("plot");
+               },
+               {});
+}
+
+/// The rows that have a plot.
+std::vector<TemplateData*> plotted(TemplateData& rows) {
+  std::vector<TemplateData*> found;
+  for (TemplateData& row : rows) {
+    if (row.contains("plot") && !row["plot"].is_null()) found.push_back(&row);
+  }
+  return found;
+}
+
+/// The answer in the order of the page.
+TemplateData arranged(const std::string& answer, const Drawer& draw) {
+  TemplateData page = TemplateData::parse(answer);
+  TemplateData& rows = page["audit"]["rows"];
+  join(rows, page["quantities"], {"quantity"});
+  join(page["golden"], page["golden_values"], {"quantity"});
+  join(page["tables"]["tables"], page["summary"]["tables"], {"id"});
+  TemplateData& ways = page["ways"] = grouped(page["bench"]["rows"], {"quantity", "range"});
+  if (page.contains("times")) join(ways, page["times"]["plots"], {"quantity", "range"});
+  for (TemplateData& figure : page["figures"])
+    figure = {{"id", figure["id"]},
+              {"title", figure["title"]},
+              {"parameters", figure["parameters"]},
+              {"plot", figure}};
+  for (TemplateData& table : page["tables"]["tables"]) {
+    for (TemplateData& cell : table["cells"]) cell["judged"] = cell["verdict"] != "input";
+    table["rows"] = grouped(table["cells"], {"row"});
+    table["columns"] = table["rows"].empty() ? TemplateData() : table["rows"].front()["rows"];
+  }
+  std::vector<TemplateData*> all = plotted(rows);
+  std::ranges::copy(plotted(ways), std::back_inserter(all));
+  std::ranges::copy(plotted(page["figures"]), std::back_inserter(all));
+  draw_all(all, draw);
+  TemplateData drawn = TemplateData::array();
+  std::ranges::copy_if(rows, std::back_inserter(drawn),
+                       [](const TemplateData& row) { return row.contains("picture"); });
+  page["subjects"] = grouped(drawn, {"subject"});
+  for (TemplateData& subject : page["subjects"]) subject["count"] = subject["rows"].size();
+  for (TemplateData& row : rows) row.erase("picture");
+  for (TemplateData& one : ways) one["drawn"] = one.contains("picture");
+  for (const char* list : {"subjects", "ways"}) {
+    if (!page[list].empty()) page[list].front()["first"] = true;
+  }
+  return page;
 }
 
 }  // namespace
 
-Markup section(const std::string& id, const std::string& title, const Markup& content) {
-  return element("section", {{"aria-labelledby", id}}, element("h2", {{"id", id}}, title) + content);
+std::string report_page(const std::string& answer, const Drawer& draw) {
+  return filled(template_text("report.html"), arranged(answer, draw), escaped_for_html);
 }
 
-Markup verdict_mark(bool kept) {
-  return kept ? element("span", {{"class", "good"}}, "\u2713 kept")
-              : element("span", {{"class", "bad"}}, "\u2717 BROKEN");
-}
-
-Markup met_mark(bool met) {
-  return met ? element("span", {{"class", "good"}}, "\u2713 met")
-             : element("span", {{"class", "bad"}}, "\u2717 MISSED");
-}
-
-std::string report_page(const Report& report, const std::vector<Figure>& figures, const Drawer& draw) {
-  Plots plots;
-  const Markup compared = report.comparison ? comparison_section(*report.comparison) : Markup();
-  const Markup main = compared + headline_section(report) + accuracy_section(report, plots) +
-                      speed_section(report, plots) + contacts_section(report) + tables_section(report) +
-                      figures_section(figures, plots) + claims_section(report) + limits_section(report) +
-                      errata_section(report) + hard_cases_section(report) + golden_section(report) +
-                      reproduce_section(report);
-  const std::size_t first_line = report.version.find('\n');
-  const std::string built =
-      report.version.substr(0, first_line) + ", " +
-      report.version.substr(first_line + 1, report.version.find('\n', first_line + 1) - first_line - 1);
-  const Markup body =
-      element("header", element("h1", "nipref: a verification reference for rolling contact") +
-                            element("p", {{"class", "soft"}}, built)) +
-      contents() + element("main", main);
-  const std::string page =
-      "<!DOCTYPE html>\n" + element("html", {{"lang", "en"}}, head() + element("body", body)).html();
-  return plots.filled(page, draw);
+std::string report_text(const std::string& answer, const std::string& where_more_is) {
+  TemplateData data = TemplateData::parse(answer);
+  data["page"] = where_more_is;
+  return folded(filled(template_text("report.txt"), data, [](const std::string& text) { return text; }));
 }
 
 }  // namespace nipref::verify

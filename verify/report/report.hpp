@@ -7,6 +7,7 @@
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/replay/replay.hpp>
@@ -26,7 +27,6 @@ struct GoldenSample {
 
 /// All that a report tells, computed in one run.
 struct Report {
-  std::string version;  ///< what was built, from and with what, and what it runs on: a few lines
   std::string command;  ///< that asked for it, as words of a shell
   std::string seed;     ///< of the random scenes
   std::vector<AuditResult> quantities;
@@ -40,7 +40,7 @@ struct Report {
   std::vector<LimitRow> limits;
   std::vector<SettledErratum> errata;
   std::vector<GoldenSample> golden;
-  bool interrupted = false;                         ///< it holds what was finished by then
+  std::vector<Figure> figures = {};                 ///< where a page is asked for
   std::optional<ReportComparison> comparison = {};  ///< with an older report
 
   /// Whether nothing falls short, but for ratios of times, which depend on the machine: these if `strict` alone.
@@ -61,8 +61,5 @@ struct SeedError {
 /// How wrong the seeds are by their methods: contact length and rolling resistance of the thesis by its line loads, the
 /// span ratio of Brock's first table of 2013 by its formula. Those whose tables are there.
 std::vector<SeedError> seed_errors(const std::vector<Replay>& tables);
-
-/// One screen of 80 columns: what was built, a line or two for each part, and where more is.
-std::string report_text(const Report& report, const std::string& where_more_is);
 
 }  // namespace nipref::verify

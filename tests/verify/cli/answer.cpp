@@ -138,6 +138,7 @@ TEST_CASE("a report's answer is as the schema has it, its parts as the verbs wou
                                   {{"what", 2, 3}}};
   verify::Report all;
   all.command = "nipref report --json";
+  all.seed = "1";
   all.quantities = {kept, broken};
   all.hard_cases = {contact};
   all.speed = speed;

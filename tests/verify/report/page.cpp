@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
@@ -14,11 +16,14 @@
 #include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/drawing.hpp>
 #include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/figures/figures.hpp>
 #include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/report/page.hpp>
+#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/support/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/scratch_file.hpp"
@@ -45,7 +50,6 @@ BenchRow timed(const char* method, double nanoseconds, std::optional<double> err
 const Report& small_report() {
   static const Report report = [] {
     Report small;
-    small.version = "nipref 0\ncommit: abc, today\nlibraries: none\nruns on: a machine\n";
     small.command = "nipref report -o 'a & b'";
     small.seed = "1";
     for (const char* name : {"I1", "root.re", "rolling.index"})
@@ -66,17 +70,14 @@ const Report& small_report() {
     small.errata = settle_all({formula_errata().front()});
     small.golden = {
         {read_golden(golden_path(find_quantity("I1"))), {.path = "I1.csv", .quantity = "I1", .rows = 3}}};
+    const std::vector<FigurePlan> plans = figures();
+    small.figures = {compute(*std::ranges::find(plans, "thesis-9", &FigurePlan::id))};
     return small;
   }();
   return report;
 }
 
-std::vector<Figure> one_figure() {
-  for (const FigurePlan& plan : figures()) {
-    if (plan.id == "thesis-9") return {compute(plan)};
-  }
-  return {};
-}
+std::string answer_of(const Report& report) { return answer_text("report", report_json(report)); }
 
 /// Three quantities, one group of ways, one figure.
 constexpr std::size_t plots_of_small_report = 5;
@@ -86,7 +87,7 @@ std::optional<std::string> empty_drawing(const std::string&) {
 }
 
 const std::string& small_page() {
-  static const std::string page = report_page(small_report(), one_figure(), empty_drawing);
+  static const std::string page = report_page(answer_of(small_report()), empty_drawing);
   return page;
 }
 
@@ -144,7 +145,7 @@ std::string fault_of(const std::string& page) {
   if (!page.starts_with(doctype)) return "no document type";
   for (std::size_t at = doctype.size(); at < page.size(); ++at) {
     const std::string near = page.substr(at, 60);
-    if (page[at] == '&' && std::ranges::none_of(std::array{"&amp;", "&lt;", "&gt;", "&quot;"},
+    if (page[at] == '&' && std::ranges::none_of(std::array{"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"},
                                                 [&](const char* known) { return near.starts_with(known); }))
       return "a stray &: " + near;
     if (page[at] != '<') continue;
@@ -207,9 +208,45 @@ TEST_CASE("all plots are in the report's page, each with words that stand for it
   for (const std::string& words : instead) CHECK(words.size() > 40);
 }
 
+TEST_CASE("a plot stands in the report's page as a picture, encoded as RFC 3986 has it") {
+  const std::string page = report_page(answer_of(small_report()), [](const std::string&) {
+    return "<a b='#1'>\n\n  5 % \u00b7 \"x\"&\n</a>";
+  });
+  CHECK(in_page(page, "src=\"data:image/svg+xml,%3Ca b='%231'%3E 5 %25 %C2%B7 %22x%22%26 %3C/a%3E\""));
+}
+
+TEST_CASE("what the templates of a report name is there: a name that is not would leave a gap") {
+  std::set<std::string> known{"each",    "key",      "value",  "page",        "subjects", "ways",
+                              "first",   "count",    "rows",   "columns",     "judged",   "drawn",
+                              "picture", "g",        "g2",     "g3",          "g4",       "e1",
+                              "percent", "percent2", "signed", "two_digits",  "off",      "decimal",
+                              "shell",   "good",     "bad",    "interrupted", "message"};
+  Report report = small_report();
+  report.comparison = ReportComparison{"abc", "", {{Change::slower, "speed", "100", "70"}}};
+  report.witness = {true, {{0.25, true, 1e-6, 1e-6, 1e-5}}};
+  const std::function<void(const nlohmann::json&)> add_names = [&](const nlohmann::json& value) {
+    for (const auto& [name, member] : value.items()) {
+      if (value.is_object()) known.insert(name);
+      if (member.is_structured()) add_names(member);
+    }
+  };
+  add_names(nlohmann::json::parse(answer_of(report)));
+  for (const char* name : {"report.html", "report.txt"}) {
+    const std::string text = template_text(name);
+    for (std::size_t at = text.find("{{"); at != std::string::npos; at = text.find("{{", at + 2)) {
+      std::string tag = text.substr(at + 2, text.find("}}", at) - at - 2);
+      tag.erase(0, tag.find_first_not_of("#^/{"));
+      if (tag.starts_with('!') || tag == ".") continue;
+      CAPTURE(tag);
+      std::istringstream parts(tag);
+      for (std::string part; std::getline(parts, part, '.');) CHECK(known.contains(part));
+    }
+  }
+}
+
 TEST_CASE("without gnuplot the report's page says so in the place of each plot, and the rest stands") {
   const std::string page =
-      report_page(small_report(), one_figure(), [](const std::string&) { return std::nullopt; });
+      report_page(answer_of(small_report()), [](const std::string&) { return std::nullopt; });
   CHECK(fault_of(page) == "");
   CHECK_FALSE(in_page(page, "<img "));
   CHECK(times_in_page(page, "Not drawn: gnuplot") == plots_of_small_report);
@@ -225,7 +262,7 @@ TEST_CASE("the report's page tells what the report holds") {
   CHECK(in_page(page, "<a href=\"#brock2013-1\"><b>47 % low</b></a>"));
   CHECK(in_page(page, "Boost &lt;ooura&gt;"));
   CHECK(in_page(page, "elastic nip &lt;converged&gt;"));
-  CHECK(in_page(page, "nipref report -o 'a &amp; b'"));
+  CHECK(in_page(page, "nipref report -o &apos;a &amp; b&apos;"));
   CHECK(in_page(page, "\u2717 MISSED"));
   std::size_t left_out = 0, unexplained = 0;
   for (const AuditResult& result : small_report().quantities) left_out += result.left_out;
@@ -246,21 +283,21 @@ TEST_CASE("the report's page tells what the report holds") {
 TEST_CASE("what became of an older report stands at the top of the page") {
   Report report = small_report();
   report.comparison = ReportComparison{"abc, yesterday", "", {{Change::slower, "speed, a < b", "100", "70"}}};
-  const std::string page = report_page(report, {}, empty_drawing);
+  const std::string page = report_page(answer_of(report), empty_drawing);
   CHECK(fault_of(page) == "");
   CHECK(page.find("speed, a &lt; b") < page.find("id=\"headline\""));
 }
 
 TEST_CASE("the report's text is one screen of 80 columns") {
   Report report = small_report();
-  std::istringstream lines(plain(report_text(report, "somewhere")));
+  std::istringstream lines(plain(report_text(answer_of(report), "somewhere")));
   std::size_t count = 0;
   for (std::string line; std::getline(lines, line); ++count) {
     CAPTURE(line);
     CHECK(line.size() <= 80);
   }
   CHECK(count <= 30);
-  const std::string text = plain(report_text(report, "somewhere"));
+  const std::string text = plain(report_text(answer_of(report), "somewhere"));
   CHECK(in_page(text, "audit      all 3 quantities kept; closest to its promise: "));
   CHECK(in_page(text, "1 of 2 promised ratios met"));
   CHECK(in_page(text, "short      1 missed promises: 0 of 3 quantities, 1 of 2 ratios"));
@@ -271,7 +308,7 @@ TEST_CASE("the report's text is one screen of 80 columns") {
   CHECK_FALSE(report.kept(true));  // a ratio of times is
   report.quantities[0].allowance_used = 1.5;
   CHECK_FALSE(report.kept(false));
-  CHECK(in_page(plain(report_text(report, "")),
+  CHECK(in_page(plain(report_text(answer_of(report), "")),
                 "2 of 3 quantities kept; closest to its promise: I1 with 150 %"));
 }
 
@@ -281,7 +318,7 @@ TEST_CASE(
     MESSAGE("skipped: gnuplot or chromium is not installed");
     return;
   }
-  std::string page = report_page(small_report(), one_figure(), drawn_by_gnuplot);
+  std::string page = report_page(answer_of(small_report()), drawn_by_gnuplot);
   CHECK(fault_of(page) == "");
   CHECK(page.size() < 1'000'000);
   // What the browser makes of it is told by its title: widths of the page on a telephone, and pictures that it shows.

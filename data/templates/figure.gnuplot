@@ -1,0 +1,73 @@
+{{! Draws a figure, or one panel of a page, as SVG. Labels differ in colour, in dashes and in symbols; roles in how they are
+    drawn. gnuplot's own error bars would put a white disc below each point: bars are vectors. }}
+set encoding utf8
+{{#id}}
+set terminal svg noenhanced size {{width}},{{height}} font "Helvetica,14" background "#ffffff"
+set key outside right top Left reverse samplen 4 spacing 1.1
+set multiplot layout {{rows}},{{columns}} title "{{id}}: {{title}}\n{{#notes}}{{.}}\n{{/notes}}nipref figures {{id}}" font "Helvetica,15"
+{{/id}}
+{{^id}}
+set terminal svg noenhanced size 480,{{#long_key}}400{{/long_key}}{{^long_key}}330{{/long_key}} font "Helvetica,13" background "#ffffff"
+set key below center {{#long_key}}vertical maxrows 3{{/long_key}}{{^long_key}}horizontal{{/long_key}} Left reverse samplen 2 width -2
+set offsets graph 0, graph 0, graph 0.08, graph 0
+{{/id}}
+set grid lc rgb "#dddddd" lw 0.5
+{{#panels}}
+{{#series}}
+$series{{number}} << END
+{{{points}}}END
+{{/series}}
+set xlabel "{{x_axis.label}}"
+set ylabel "{{y_axis.label}}"
+set format "%g"
+unset logscale
+{{#x_axis.logarithmic}}
+set logscale x
+{{/x_axis.logarithmic}}
+{{#y_axis.logarithmic}}
+set logscale y
+{{/y_axis.logarithmic}}
+{{^y_axis.logarithmic}}
+{{^id}}
+set yrange [0:]
+{{/id}}
+{{/y_axis.logarithmic}}
+unset title
+set size {{#equal_scales}}ratio -1{{/equal_scales}}{{^equal_scales}}noratio{{/equal_scales}}
+{{#contours}}
+$grid << END
+{{{points}}}END
+set title "{{label}}"
+set contour base
+unset surface
+set cntrparam levels incremental -10,{{step}},10
+set table $contours
+splot $grid using 1:2:3 with lines
+unset table
+unset contour
+set surface
+set xrange [{{x_first}}:{{x_last}}]
+set yrange [{{y_first}}:{{y_last}}]
+{{/contours}}
+plot \
+{{#plots}}
+  {{#contours_drawn}}$contours using 1:($3 > 1e-9 ? $2 : NaN) with lines lw 1.2 dt 1 lc rgb "#D55E00" notitle, \
+  $contours using 1:($3 < -1e-9 ? $2 : NaN) with lines lw 1.2 dt (8,5) lc rgb "#0072B2" notitle, \
+  $contours using 1:(abs($3) <= 1e-9 ? $2 : NaN) with lines lw 2.2 dt 1 lc rgb "#000000" notitle, \
+  $contours using 1:2:(sprintf("%g", abs($3) < 1e-9 ? 0 : $3)) every 60::25 with labels font ",11" \
+  {{/contours_drawn}}{{#line}}{{data}} with lines lw 2 dt {{dashes}} lc rgb "{{colour}}" \
+  {{/line}}{{#dots}}{{data}} with points pt 7 ps 0.2 lc rgb "{{colour}}" \
+  {{/dots}}{{#marked-line}}{{data}} with linespoints lw 1 dt 1 pt {{open}} ps 0.6 pi {{every}} lc rgb "{{colour}}" \
+  {{/marked-line}}{{#points}}{{data}} with points pt {{open}} ps 1 lw 1.3 lc rgb "{{colour}}" \
+  {{/points}}{{#bars}}{{^legend}}{{data}} using 1:3:(0):($4-$3) with vectors nohead lw 1 dt 1 lc rgb "{{colour}}" notitle, \
+  {{/legend}}{{data}}{{^legend}} using 1:2{{/legend}} with points pt {{filled}} ps 0.55 lc rgb "{{colour}}" \
+  {{/bars}}{{#ranges}}{{data}}{{^legend}} using 1:3:(0):($4-$3){{/legend}} with vectors nohead lw 6 dt 1 lc rgb "#999999" \
+  {{/ranges}}{{#star}}{{data}} with points pt 3 ps 1.2 lw 1.5 lc rgb "{{colour}}" \
+  {{/star}}{{#label_key}}{{data}} with linespoints lw 2 dt {{dashes}} pt {{open}} lc rgb "{{colour}}" \
+  {{/label_key}}{{#legend}}title "{{.}}"{{/legend}}{{^legend}}notitle{{/legend}}{{#more}}, \{{/more}}
+{{/plots}}
+
+{{/panels}}
+{{#id}}
+unset multiplot
+{{/id}}
