@@ -110,11 +110,7 @@ bool Graded::kept() const {
 
 std::optional<double> promise_option(const CommandLine& line) {
   const auto text = line.option("promise");
-  if (!text) return std::nullopt;
-  const double promise = parse_real("promise", *text);
-  if (promise <= 0)
-    throw data::BadInput("promise", *text, "must be a number > 0, units in the last place of the scale");
-  return promise;
+  return text ? std::optional(parse_real("promise", *text)) : std::nullopt;
 }
 
 std::string graded_text(const Graded& graded) {

@@ -32,11 +32,6 @@ struct Chosen {
   const Quantity* quantity;
 };
 
-double time_limit_option(const CommandLine& line) {
-  const auto text = line.option("time-limit");
-  return text ? parse_real("time-limit", *text) : Plugin{}.time_limit;
-}
-
 /// Of a bare function: the option, or the word after the file.
 const Quantity& quantity_of_symbol(const CommandLine& line) {
   const auto option = line.option("quantity");
@@ -49,7 +44,7 @@ const Quantity& quantity_of_symbol(const CommandLine& line) {
 }
 
 Plugin plugin_of(const CommandLine& line, const std::string& file) {
-  Plugin plugin{file, {}, time_limit_option(line)};
+  Plugin plugin{file, {}, parse_real("time-limit", line.option_or_usual("time-limit"))};
   if (const auto symbol = line.option("symbol")) {
     plugin.function = {*symbol, quantity_of_symbol(line).arguments.size(), line.has("thread-safe")};
   } else {
@@ -154,8 +149,6 @@ Graded graded_kernel(const CommandLine& line, const Plugin& plugin, const Chosen
 void refuse_what_is_wrong(const CommandLine& line) {
   refuse_option(line, "column", "has no effect on kernels: must be left out");
   static_cast<void>(max_slowdown_option(line));
-  static_cast<void>(promise_option(line));
-  static_cast<void>(points_option(line));
   if (const auto older = line.option("against")) static_cast<void>(kernels_of(plugin_of(line, *older)));
 }
 

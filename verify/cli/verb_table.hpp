@@ -1,15 +1,15 @@
 #pragma once
 #include <optional>
-#include <span>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 
 namespace nipref::verify {
 
-/// The numbers that an option may have, limits included.
+/// The numbers that an option may have, including both limits; empty limits: any number > 0.
 struct NumberRange {
   std::string least, most;
   bool whole = true;
@@ -18,42 +18,42 @@ struct NumberRange {
 struct OptionText {
   std::string name;
   std::string meaning;  ///< with the unit; with the domain where neither a range nor choices can express it
-  std::string letter = {};  ///< "o" where -o is short for it
-  std::string usual = {};   ///< the default; empty where `meaning` describes it
-  std::optional<NumberRange> range = {};
-  std::vector<std::string> choices = {};
+  std::string letter;   ///< "o" where -o is short for it
+  std::string usual;    ///< the default; empty where `meaning` describes it
+  std::optional<NumberRange> range;
+  std::vector<std::string> choices;
 };
 
 /// The meaning with the domain and the default.
 std::string help_of(const OptionText& option);
 
-/// BadInput naming the option if `value` is outside its range or none of its choices.
+/// BadInput that names the option if `value` is outside its range or none of its choices.
 void check_option(const OptionText& option, const std::string& value);
 
 /// "-o,--output"
 std::string names_of(const OptionText& option);
 
-/// What a verb takes, and what its help says.
+/// A verb of the command line, its options and its help, as defined in verbs.toml.
 struct VerbText {
   std::string name;
-  int (*run)(const CommandLine& line, std::ostream& out);  ///< returns the exit status
+  int (*run)(const CommandLine& line, std::ostream& out);  ///< writes the result, returns the exit status
   std::string meaning;
-  std::string words;  ///< what the words that are no name=value pairs are called; empty: there are none
-  std::string meaning_of_words;     ///< and what they are
+  std::string words;  ///< name of the words that are no name=value pairs; empty if the verb has none
+  std::string meaning_of_words;
   std::vector<OptionText> options;  ///< --name value, or name=value
   std::vector<OptionText> flags;
   std::vector<std::string> examples;
-  bool takes_assignments = false;  ///< name=value pairs that are no options
+  bool takes_assignments;  ///< whether it takes name=value pairs that are no options
 };
 
 /// What the program is.
 std::string_view program_meaning();
-/// What its exit statuses say.
+/// What its exit statuses mean.
 std::string_view exit_statuses();
 
-std::span<const VerbText> verbs();
+const std::vector<VerbText>& verbs();
 
-/// The one called `name`. BadInput, with the nearest names, if there is none.
+/// The verb called `name`. BadInput, with the nearest names, if there is none.
 const VerbText& find_verb(const std::string& name);
 
 /// The option of this name. Null if the verb has none.
