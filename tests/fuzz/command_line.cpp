@@ -6,8 +6,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/options.hpp>
-#include <nipref/verify/cli/solve_sweep.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 
 #include "reading.hpp"

@@ -2,7 +2,7 @@
 #include <nipref/verify/catalogue/axes.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
-#include <nipref/verify/cli/shard.hpp>
+#include <nipref/verify/cli/run_folder.hpp>
 
 #include "reading.hpp"
 

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {

@@ -1,39 +1,85 @@
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <vector>
 
-#include <nipref/verify/cli/audit_works.hpp>
+#include <nipref/verify/audit/internal/work.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
-#include <nipref/verify/cli/shard.hpp>
+#include <nipref/verify/support/internal/progress.hpp>
 
 namespace nipref::verify {
+
+/// Audits of whole contacts: the hard cases and random scenes.
+struct ContactAudits {
+  std::vector<ContactAudit> hard_cases;
+  std::vector<SceneTally> scenes;
+
+  [[nodiscard]] bool kept() const { return all_kept(hard_cases) && all_kept(scenes); }
+};
+
+struct Audited {
+  std::vector<AuditResult> quantities;
+  ContactAudits contacts;
+};
+
+/// The JSON of an audit, by itself and within a report.
+Json audits_json(const Audited& audited, fast::Accuracy accuracy);
+
+/// The audit that a command line asks for, divided into blocks.
+class AuditWorks {
+ public:
+  /// Reads --points, or one of --density, --quick and --thorough, and --seed and --rtol. BadInput for anything wrong
+  /// in the command line. `keeps_points` as for QuantityWork.
+  AuditWorks(const CommandLine& line, bool keeps_points);
+
+  [[nodiscard]] std::vector<BlockWork*> all() const;
+  /// The text, in lines, that identifies a run: this program, the command, and the inputs of each work.
+  [[nodiscard]] std::string fingerprint() const;
+
+  /// The findings of the first `finished` works, and those of contacts as far as they go.
+  [[nodiscard]] Audited found(std::size_t finished) const;
+  /// Prints the findings in the form that the command line asks for, and returns the exit status.
+  int answer(const CommandLine& line, std::ostream& out, std::size_t finished) const;
+
+ private:
+  std::vector<std::string> words_;
+  fast::Accuracy accuracy_;
+  std::vector<std::unique_ptr<QuantityWork>> quantities_;
+  std::unique_ptr<HardCasesWork> hard_cases_;  ///< null if contacts are not audited
+  std::unique_ptr<ScenesWork> scenes_;         ///< null if contacts are not audited
+};
+
+/// The command line in a fingerprint. JsonMisfit if the text is no fingerprint.
+CommandLine command_of_fingerprint(const std::string& fingerprint);
 
 struct BlockAt {
   std::size_t work, block;
 };
 
-/// The blocks of an audit, handed out and taken back: with --out in a folder, in which it goes on where it was.
+/// Hands out the blocks of an audit and takes back their findings. With --out they are kept in a folder, from which a
+/// later process continues.
 class AuditRun {
  public:
-  /// BadInput for whatever is wrong in the command line or the folder.
+  /// BadInput for anything wrong in the command line or the folder.
   explicit AuditRun(const CommandLine& line, bool keeps_points = false);
 
   [[nodiscard]] const std::vector<BlockWork*>& works() const { return all_; }
-  /// One that is not there, each once, in order; nothing when all have been handed out.
+  /// The next block without findings; nothing when all have been handed out.
   std::optional<BlockAt> next();
-  /// Keeps what was found in one that was handed out. OutputError if the folder does not take it.
+  /// Stores the findings of a block that was handed out. OutputError if they cannot be written to the folder.
   void keep(BlockAt at, const BlockFindings& found);
-  /// Does one block after the other, each on all cores, until all are done or the process is interrupted.
+  /// Computes one block after the other, each on all cores, until all are done or the process is interrupted.
   void do_blocks(Progress& progress);
 
-  /// What was found in the works that are finished.
+  /// The findings of the works that are finished.
   [[nodiscard]] Audited found() const { return works_.found(finished()); }
 
-  /// Of a shard or an interrupted run in a folder what it did, with status 0: launchers end all ranks when one gives
-  /// another. Otherwise what was found in the works that are finished.
+  /// Prints the findings of the finished works. For a shard, or an interrupted run in a folder, prints what this
+  /// process did and returns status 0, because launchers end all ranks when one of them returns another status.
   int answer(std::ostream& out) const;
 
  private:
@@ -47,7 +93,7 @@ class AuditRun {
   std::optional<ShardFile> file_;
   std::optional<BlocksThere> there_;      ///< at the start
   std::vector<std::size_t> blocks_done_;  ///< of each work
-  BlockAt at_{0, 0};                      ///< what is looked at next
+  BlockAt at_{0, 0};                      ///< the block to be considered next
   std::size_t done_ = 0;
 };
 

@@ -4,13 +4,12 @@
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/audit_works.hpp>
-#include <nipref/verify/cli/changed.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/golden_points.hpp>
-#include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/house.hpp>
 #include <nipref/verify/cli/machine.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/sha256.hpp>
 #include <nipref/verify/support/text.hpp>
 

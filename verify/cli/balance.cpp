@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/render.hpp>

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/bench_against.hpp>
-#include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/cli/bench.hpp>
+#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/support/internal/or_dash.hpp>
 #include <nipref/verify/support/text_table.hpp>
 

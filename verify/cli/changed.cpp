@@ -3,9 +3,8 @@
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/changed.hpp>
 #include <nipref/verify/cli/house.hpp>
-#include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/cli/programs.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -8,15 +8,15 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using data::BadInput;
 
-/// `nipref help eval` means `nipref eval --help`, `nipref help scene` means `nipref list scene`, and `nipref I1 alpha=0.73`
-/// means `nipref eval I1 alpha=0.73`.
+/// `nipref help eval` means `nipref eval --help`, `nipref help scene` means `nipref list scene`, and `nipref I1
+/// alpha=0.73` means `nipref eval I1 alpha=0.73`.
 std::vector<std::string> as_meant(std::vector<std::string> words) {
   if (words.empty()) return words;
   if (words.size() == 2 && words.front() == "help" && words.back() == "scene") return {"list", "scene"};

@@ -1,27 +1,33 @@
 #pragma once
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/closest_name.hpp>
+#include <nipref/data/scene/file.hpp>
+#include <nipref/fast/number/accuracy.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/quantity.hpp>
 
 namespace nipref::verify {
 
-/// A command line taken apart. Values are text; those of options are in the domain that the table of verbs has for them.
+/// A parsed command line. Values are text; those of options are in the domains that verbs.toml gives them.
 struct CommandLine {
   std::string verb;
-  std::vector<std::string> words;  ///< names of quantities, tables or files
-  Assignments
-      assignments;  ///< name=value pairs that are no options: arguments of a quantity, keys of a scene
-  std::map<std::string, std::string>
-      options;  ///< path, digits, rtol, points, density, form, given as --name value or as name=value
-  std::set<std::string> flags;  ///< list, quick, quiet, ...: those that are given
+  std::vector<std::string> words = {};  ///< names of quantities, tables or files
+  Assignments assignments = {};         ///< arguments of a quantity or keys of a scene, name=value
+  std::map<std::string, std::string> options = {};  ///< given as --name value or as name=value
+  std::set<std::string> flags = {};
   bool json = false;
-  bool no_times = false;            ///< only with json
-  std::optional<std::string> help;  ///< set if help was asked for: the text to print
-  bool version = false;             ///< asked for instead of a verb
+  bool no_times = false;                 ///< only with json
+  std::optional<std::string> help = {};  ///< the help text, if help is asked for
+  bool version = false;                  ///< the version is asked for instead of a verb
 
   /// The option's text, or nothing.
   [[nodiscard]] std::optional<std::string> option(const std::string& name) const;
@@ -31,11 +37,65 @@ struct CommandLine {
   [[nodiscard]] bool has(const std::string& flag) const;
 };
 
-/// Whether the answer shall be JSON, for command lines too that cannot be taken apart.
+/// Whether JSON is asked for, also by a command line that cannot be parsed.
 bool asks_for_json(int argc, const char* const* argv);
 
-/// `help VERB` is taken for `VERB --help`, and a quantity's name at the front for eval of it. BadInput in one
-/// line for an unknown verb, an unknown or repeated option, and whatever else cannot be read.
+/// Parses the command line. `help VERB` means `VERB --help`, and a quantity's name as the first word means eval.
+/// BadInput for an unknown verb, an unknown or repeated option, and anything else that cannot be parsed.
 CommandLine parse_command_line(int argc, const char* const* argv);
+
+// Options that several verbs have. Without the option the functions return its default in verbs.toml.
+
+fast::Accuracy accuracy_option(const CommandLine& line);
+/// 0 if it is not given and has no default; "1e4" is a whole number too.
+std::size_t points_option(const CommandLine& line);
+/// The number of random scenes that an audit of contacts draws.
+std::size_t scenes_option(const CommandLine& line);
+/// The text from which random arguments are drawn.
+std::string seed_option(const CommandLine& line);
+
+/// The scene that a verb's only word names: a file or, if there is no such file, an example.
+struct SceneRequest {
+  data::SceneText scene;
+  std::optional<int> digits;  ///< of ref; nothing: by fast
+};
+SceneRequest scene_request(const CommandLine& line);
+
+/// The slowdown that --max-slowdown allows, 0.1 for "10%" or "0.1"; nothing if the option is not given.
+std::optional<double> max_slowdown_option(const CommandLine& line);
+
+/// Nothing if it is not given and has no default.
+std::optional<int> digits_option(const CommandLine& line);
+/// Of every so many rows one is checked.
+std::size_t every_option(const CommandLine& line);
+
+/// Throws BadInput with the reason `why` if this option or flag is given.
+void refuse_option(const CommandLine& line, const std::string& name, const std::string& why);
+
+/// The quantities of the catalogue, and the groups outside it, that the words name, each once; all of them if there
+/// are no words.
+struct Selection {
+  std::vector<const Quantity*> quantities;
+  std::vector<std::string_view> groups;
+
+  [[nodiscard]] bool has(std::string_view group) const;
+};
+/// BadInput for words that are neither a quantity nor one of `groups`.
+Selection selection(const CommandLine& line, const std::vector<std::string_view>& groups);
+
+/// Keeps the rows whose `id` is one of the words, all of them if there are none. BadInput naming `what` for a word that
+/// is no row's.
+template <class Rows, class Id>
+void select_by_id(Rows& rows, const std::vector<std::string>& words, std::string_view what, Id id) {
+  if (words.empty()) return;
+  std::vector<std::string_view> ids;
+  for (const auto& row : rows) ids.push_back(row.*id);
+  for (const std::string& word : words) {
+    if (std::ranges::find(ids, word) == ids.end())
+      throw data::BadInput(what, word,
+                           data::did_you_mean(word, ids) + "must be one of those that are listed without it");
+  }
+  std::erase_if(rows, [&](const auto& row) { return std::ranges::find(words, row.*id) == words.end(); });
+}
 
 }  // namespace nipref::verify

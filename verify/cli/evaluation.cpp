@@ -9,8 +9,8 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/internal/met.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/evaluation.hpp>
-#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/drawing.hpp>
-#include <nipref/verify/cli/output_file.hpp>
-#include <nipref/verify/cli/select_by_id.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figures.hpp>
 #include <nipref/verify/figures/render.hpp>

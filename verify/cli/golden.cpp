@@ -7,11 +7,9 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/machine.hpp>
-#include <nipref/verify/cli/options.hpp>
-#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/golden/checksums.hpp>
 #include <nipref/verify/golden/render.hpp>

@@ -5,13 +5,10 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/interruption.hpp>
-#include <nipref/verify/cli/keep_worst.hpp>
 #include <nipref/verify/cli/machine.hpp>
-#include <nipref/verify/cli/options.hpp>
-#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>

@@ -11,9 +11,9 @@
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/graded.hpp>
-#include <nipref/verify/cli/options.hpp>
 #include <nipref/verify/grade/plugin.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>

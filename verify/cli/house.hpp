@@ -2,6 +2,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace nipref::verify {
 
@@ -14,5 +15,13 @@ const Arrows& room_arrows();
 /// For each room, which of its subjects may include which; "" is the room's own folder. A test compares these arrows
 /// with every include and with the tables of the README.
 const std::map<std::string, Arrows>& subject_arrows();
+
+/// Paths from the top of the tree of what differs from a revision of git's, new files too, in the tree that holds the
+/// current folder. BadInput naming "since" if git does not know the revision, or there is no such tree.
+std::vector<std::string> changed_files(const std::string& revision);
+
+/// The subjects of the catalogue whose quantities the files have a part in, by the arrows of the house; "contacts"
+/// where whole contacts are computed from them.
+std::set<std::string> touched_subjects(const std::vector<std::string>& files);
 
 }  // namespace nipref::verify

@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/keep_worst.hpp>
-#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/golden/make.hpp>
 

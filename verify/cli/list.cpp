@@ -4,8 +4,8 @@
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/text.hpp>

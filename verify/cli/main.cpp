@@ -1,8 +1,8 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/cli/answer.hpp>
 #include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/program.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace {

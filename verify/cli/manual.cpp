@@ -9,13 +9,14 @@
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/manual.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// For roff, which takes a hyphen for one that is to be read, and a dot or an apostrophe at a line's start for a command.
+/// For roff, which takes a hyphen for one that is to be read, and a dot or an apostrophe at a line's start for a
+/// command.
 std::string roff(std::string_view text) {
   std::string escaped;
   for (char before = '\n'; const char letter : text) {

@@ -1,6 +1,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/cli/audit_works.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 

@@ -5,7 +5,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 
 namespace nipref::verify {
 

@@ -7,9 +7,9 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
-#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/golden_points.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 

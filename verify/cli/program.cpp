@@ -4,10 +4,8 @@
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/program.hpp>
-#include <nipref/verify/cli/standard_output.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/output_file.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 
 namespace nipref::verify {
@@ -24,7 +24,7 @@ using data::BadInput;
 constexpr auto fingerprint_name = "run.json";
 constexpr std::size_t most_gaps_told = 3;
 
-/// FNV-1a, never 0: that is "not there".
+/// The FNV-1a hash, but never 0, which stands for a missing block.
 std::uint64_t hash_of(std::string_view text) {
   std::uint64_t state = 0xcbf29ce484222325U;
   for (const char letter : text) state = (state ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
@@ -37,7 +37,7 @@ std::string text_of(const fs::path& file) {
   return text.str();
 }
 
-/// What is done to a file, or OutputError.
+/// Throws OutputError unless an operation on a file succeeded.
 void must(bool done, const fs::path& file) {
   if (!done) throw OutputError(file.string());
 }
@@ -51,7 +51,7 @@ void write_all(int descriptor, std::string_view text, const fs::path& file) {
   must(fsync(descriptor) == 0, file);
 }
 
-/// So that a name that is new in it stays there.
+/// Syncs a folder, so that a new name in it is on the disk.
 void sync_folder(const fs::path& folder) {
   const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   must(descriptor >= 0, folder);
@@ -60,7 +60,8 @@ void sync_folder(const fs::path& folder) {
   must(done, folder);
 }
 
-/// Whole, by the first of several processes that try, or not at all; `who` is unlike the others of them.
+/// Writes a file unless it exists. If several processes try at the same time, one of them writes the whole file; `who`
+/// differs between them.
 void write_once(const fs::path& file, std::string_view text, const std::string& who) {
   if (fs::exists(file)) return;
   fs::path ours = file;
@@ -77,7 +78,7 @@ void write_once(const fs::path& file, std::string_view text, const std::string& 
   sync_folder(file.parent_path());
 }
 
-/// Where the last whole line ends.
+/// The position at which the last complete line ends.
 off_t end_of_lines(int descriptor, const fs::path& file) {
   struct stat status = {};
   must(fstat(descriptor, &status) == 0, file);
@@ -190,7 +191,8 @@ void read_blocks(const fs::path& folder, const std::vector<BlockWork*>& works, B
   for (const fs::path& file : files) {
     std::ifstream stream(file, std::ios::binary);
     std::size_t number = 0;
-    for (std::string line; std::getline(stream, line) && !stream.eof();) {  // none that is not ended
+    for (std::string line;
+         std::getline(stream, line) && !stream.eof();) {  // an incomplete last line is ignored
       const std::string where = fmt::format("{}:{}", file.string(), ++number);
       try {
         const Json json = Json::parse(line);

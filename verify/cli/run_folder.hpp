@@ -2,30 +2,55 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nipref/verify/audit/internal/work.hpp>
-#include <nipref/verify/cli/shard.hpp>
 #include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
-// A run that is kept in a folder, which may be finished by any number of processes, one after the other or at once:
-// run.json says what it is a run of, and each process appends a line for each block that it finishes to a file of its own,
-// shard-3-of-8.jsonl, and syncs it. A process that is killed leaves half a line at most, which does not count.
+/// The part of this process in a run that several processes share.
+struct Shard {
+  std::size_t index = 0;  ///< from 0
+  std::size_t of = 1;
 
-/// Blocks of all work of a run that are there, each with the hash of its line but for times: 8 bytes a block.
+  /// Whether a block belongs to this process. Blocks are dealt in turn, so that slow ones are spread.
+  [[nodiscard]] bool has(std::size_t block) const { return block % of == index; }
+  bool operator==(const Shard&) const = default;
+};
+
+/// A function that returns an environment variable's text, or nothing.
+using Environment = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// The variable of this process.
+std::optional<std::string> environment(const std::string& name);
+
+/// "3/8", the third of eight, or "env", which reads the launcher's environment variables. Ranks are those of Open MPI
+/// (OMPI_COMM_WORLD_RANK and _SIZE) or of MPICH and its relatives (PMI_RANK and PMI_SIZE), otherwise the tasks of Slurm
+/// (SLURM_PROCID and SLURM_NTASKS), since MPI's launchers themselves are tasks of Slurm. Each member of an array job of
+/// Slurm (SLURM_ARRAY_TASK_ID, _MIN, _STEP and _COUNT) or of an indexed job of Kubernetes (JOB_COMPLETION_INDEX, and
+/// JOB_COMPLETIONS, which the pod's description has to set) has all the ranks. BadInput that names "shard" where no
+/// variable is set, two of them contradict each other, or one is no whole number.
+Shard parse_shard(const std::string& text, const Environment& variable = environment);
+
+// A run in a folder, which any number of processes may continue, one after the other or at the same time. run.json
+// holds the run's fingerprint. Each process appends a line for each finished block to its own file,
+// shard-3-of-8.jsonl, and syncs it. A process that is killed leaves at most an incomplete line, which is ignored.
+
+/// The blocks of a run that have findings, each with the hash of its line without times, which takes 8 bytes a block.
 class BlocksThere {
  public:
   explicit BlocksThere(const std::vector<BlockWork*>& works);
 
   [[nodiscard]] bool has(std::size_t work, std::size_t block) const { return hashes_[work][block] != 0; }
-  [[nodiscard]] std::size_t count() const;  ///< of all work
-  [[nodiscard]] std::size_t of() const;     ///< that there are
-  /// False if it is there already. BadInput naming "run" and `where` if it is there, and another one.
+  [[nodiscard]] std::size_t count() const;  ///< number of blocks with findings
+  [[nodiscard]] std::size_t of() const;     ///< number of all blocks
+  /// False if the block has findings already. BadInput that names "run" and `where` if those are different.
   bool add(std::size_t work, std::size_t block, const std::string& line, const std::string& where);
-  /// "I1 block 17, I1 blocks 20 to 29 and 7 more": what is missing, in brief; nothing if all is there.
+  /// The missing blocks in brief, "I1 block 17, I1 blocks 20 to 29 and 7 more"; empty if none is missing.
   [[nodiscard]] std::string gaps() const;
 
  private:
@@ -33,30 +58,30 @@ class BlocksThere {
   std::vector<std::vector<std::uint64_t>> hashes_;
 };
 
-/// What run.json has of these folders, which must all have the same: otherwise, or if one is no such folder, BadInput
-/// naming "run", the folder, and the first line that differs.
+/// The fingerprint in run.json, which has to be the same in all these folders. Otherwise, or if one is no such folder,
+/// BadInput that names "run", the folder, and the first line that differs.
 std::string fingerprint_of(const std::vector<std::filesystem::path>& folders);
 
-/// BadInput naming the first line in which the fingerprint of a folder differs from what it must be.
+/// BadInput that names the first line in which the fingerprint of a folder differs from the expected one.
 void refuse_other_fingerprint(const std::filesystem::path& folder, const std::string& found,
                               const std::string& expected);
 
-/// Adds every block in the folder to its work, once, whatever the order. BadInput naming file and line for what is not a
-/// block of this work, or another one than was there.
+/// Adds every block in the folder to its work, once and in any order. BadInput that names file and line for a line
+/// that is no block of this work, or that contradicts an earlier one.
 void read_blocks(const std::filesystem::path& folder, const std::vector<BlockWork*>& works,
                  BlocksThere& there);
 
-/// A shard's own file.
+/// The file of one shard.
 class ShardFile {
  public:
-  /// Makes folder, run.json and file if need be; half a line at the file's end is cut off. BadInput if the folder holds
-  /// a run of something else, or another process has the file. OutputError if something cannot be written.
+  /// Makes the folder, run.json and the file if need be, and removes an incomplete line at the file's end. BadInput
+  /// if the folder has another run, or another process uses the file. OutputError if something cannot be written.
   ShardFile(const std::filesystem::path& folder, const std::string& fingerprint, Shard shard);
   ShardFile(const ShardFile&) = delete;
   ShardFile& operator=(const ShardFile&) = delete;
   ~ShardFile();
 
-  /// Appends the block and waits until it is on the disk. OutputError if that fails.
+  /// Appends the block and syncs the file. OutputError if that fails.
   void append(const BlockWork& work, std::size_t block, const Json& found);
 
  private:

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/shard.hpp>
+#include <nipref/verify/cli/run_folder.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/support/internal/csv_field.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>

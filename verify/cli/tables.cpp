@@ -2,8 +2,7 @@
 #include <utility>
 
 #include <nipref/data/directory.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/interruption.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
@@ -14,9 +13,9 @@ namespace nipref::verify {
 namespace {
 
 /// Each once, in the order in which they are named.
-std::vector<std::string> ids_of(const TablesRequest& request) {
+std::vector<std::string> ids_of(const CommandLine& line) {
   std::vector<std::string> ids;
-  for (const std::string& name : request.ids) {
+  for (const std::string& name : line.words) {
     const std::string id = data::find_table_id(name);
     if (std::ranges::find(ids, id) == ids.end()) ids.push_back(id);
   }
@@ -70,27 +69,18 @@ bool fall_short(const std::vector<Replay>& replays) {
   });
 }
 
-int tables_verb(const TablesRequest& request, std::ostream& out) {
-  const std::vector<std::string> ids = ids_of(request);
-  if (request.list) return list_tables(ids, request.json, out);
+int tables_verb(const CommandLine& line, std::ostream& out) {
+  const std::vector<std::string> ids = ids_of(line);
+  if (line.has("list")) return list_tables(ids, line.json, out);
   stop_gently_on_interrupt();
-  Progress progress(standard_error(request.quiet));
+  Progress progress(standard_error(line.has("quiet")));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
-  if (request.json) {
+  if (line.json) {
     out << answer_text("tables", tables_json(replays));
   } else {
-    out << tables_text(replays, request.full) << interruption_text();
+    out << tables_text(replays, line.has("full")) << interruption_text();
   }
   return fall_short(replays) ? 1 : 0;
-}
-
-int tables_verb(const CommandLine& line, std::ostream& out) {
-  return tables_verb({.ids = line.words,
-                      .list = line.has("list"),
-                      .full = line.has("full"),
-                      .json = line.json,
-                      .quiet = line.has("quiet")},
-                     out);
 }
 
 }  // namespace nipref::verify

@@ -9,7 +9,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 
 namespace nipref::verify {
@@ -44,9 +43,13 @@ OptionText option_of(const std::string& key, const toml::table& table) {
   const std::vector<std::string> limits = list_of(table, "range");
   std::optional<NumberRange> range;
   if (!limits.empty()) range = {limits.at(0), limits.at(1), table["whole"].value_or(true)};
-  if (table["positive"].value_or(false)) range = {"", "", false};
-  return {table["name"].value_or(key), text_of(table, "meaning"), text_of(table, "letter"),
-          text_of(table, "default"),   std::move(range),          list_of(table, "choices")};
+  return {table["name"].value_or(key),
+          text_of(table, "meaning"),
+          text_of(table, "letter"),
+          text_of(table, "default"),
+          std::move(range),
+          table["positive"].value_or(false),
+          list_of(table, "choices")};
 }
 
 VerbText verb_of(const toml::table& table, const toml::table& options) {
@@ -70,7 +73,7 @@ VerbText verb_of(const toml::table& table, const toml::table& options) {
 
 /// "a whole number from 1 to 100", "ref, fast or both"; empty if the table has no domain for it.
 std::string domain_of(const OptionText& option) {
-  if (option.range && option.range->least.empty()) return "a number > 0";
+  if (option.positive) return "a number > 0";
   if (option.range)
     return fmt::format("a {} from {} to {}", option.range->whole ? "whole number" : "number",
                        option.range->least, option.range->most);
@@ -100,12 +103,12 @@ std::string help_of(const OptionText& option) {
 
 void check_option(const OptionText& option, const std::string& value) {
   bool allowed = option.choices.empty() || std::ranges::find(option.choices, value) != option.choices.end();
+  if (option.positive) allowed = parse_real(option.name, value) > 0;
   if (const auto& range = option.range) {
     const double number = parse_real(option.name, value);
-    allowed = range->least.empty() ? number > 0
-                                   : number >= parse_real(option.name, range->least) &&
-                                         number <= parse_real(option.name, range->most) &&
-                                         (!range->whole || number == std::floor(number));
+    allowed = number >= parse_real(option.name, range->least) &&
+              number <= parse_real(option.name, range->most) &&
+              (!range->whole || number == std::floor(number));
   }
   if (!allowed) throw BadInput(option.name, value, "must be " + domain_of(option));
 }

@@ -1,5 +1,9 @@
 #pragma once
+#include <optional>
 #include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <nipref/verify/cli/command_line.hpp>
 
@@ -24,5 +28,59 @@ int figures_verb(const CommandLine& line, std::ostream& out);
 int bench_verb(const CommandLine& line, std::ostream& out);
 int tables_verb(const CommandLine& line, std::ostream& out);
 int report_verb(const CommandLine& line, std::ostream& out);
+
+/// The numbers that an option may have, including both limits.
+struct NumberRange {
+  std::string least, most;
+  bool whole = true;
+};
+
+struct OptionText {
+  std::string name;
+  std::string meaning;  ///< with the unit; with the domain where neither a range nor choices can express it
+  std::string letter;   ///< "o" where -o is short for it
+  std::string usual;    ///< the default; empty where `meaning` describes it
+  std::optional<NumberRange> range;
+  bool positive;  ///< any number > 0 is allowed
+  std::vector<std::string> choices;
+};
+
+/// The meaning with the domain and the default.
+std::string help_of(const OptionText& option);
+
+/// BadInput that names the option if `value` is outside its range or none of its choices.
+void check_option(const OptionText& option, const std::string& value);
+
+/// "-o,--output"
+std::string names_of(const OptionText& option);
+
+/// A verb of the command line, its options and its help, as defined in verbs.toml.
+struct VerbText {
+  std::string name;
+  int (*run)(const CommandLine& line, std::ostream& out);  ///< writes the result, returns the exit status
+  std::string meaning;
+  std::string words;  ///< name of the words that are no name=value pairs; empty if the verb has none
+  std::string meaning_of_words;
+  std::vector<OptionText> options;  ///< --name value, or name=value
+  std::vector<OptionText> flags;
+  std::vector<std::string> examples;
+  bool takes_assignments;  ///< whether it takes name=value pairs that are no options
+};
+
+/// What the program is.
+std::string_view program_meaning();
+/// What its exit statuses mean.
+std::string_view exit_statuses();
+
+const std::vector<VerbText>& verbs();
+
+/// The verb called `name`. BadInput, with the nearest names, if there is none.
+const VerbText& find_verb(const std::string& name);
+
+/// The option of this name. Null if the verb has none.
+const OptionText* find_option(const VerbText& verb, std::string_view name);
+
+/// BadInput, with the nearest name, for a "--name" that the verb does not take.
+void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value);
 
 }  // namespace nipref::verify

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/cli/options.hpp>
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/program.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/mpi/ranks.hpp>

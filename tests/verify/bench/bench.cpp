@@ -14,7 +14,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
-#include <nipref/verify/cli/bench_all.hpp>
+#include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 #include "support/paths.hpp"

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/changed.hpp>
+#include <nipref/verify/cli/house.hpp>
 
 #include "support/run_nipref.hpp"
 

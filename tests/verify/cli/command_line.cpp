@@ -9,7 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/upward_text.hpp>
 
 #include "support/run_nipref.hpp"
@@ -317,6 +317,10 @@ TEST_CASE(
       CAPTURE(verb.name);
       CAPTURE(option.name);
       if (!option.usual.empty()) CHECK_NOTHROW(verify::check_option(option, option.usual));
+      if (option.positive) {
+        for (const char* const beyond : {"0", "-1", "nan"})
+          CHECK_THROWS_AS(verify::check_option(option, beyond), data::BadInput);
+      }
       if (!option.range) continue;
       ++ranges;
       CHECK_NOTHROW(verify::check_option(option, option.range->least));

@@ -3,8 +3,8 @@
 #include <string>
 
 #include <nipref/verify/cli/manual.hpp>
-#include <nipref/verify/cli/output_of.hpp>
-#include <nipref/verify/cli/verb_table.hpp>
+#include <nipref/verify/cli/programs.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 
 using namespace nipref;
 

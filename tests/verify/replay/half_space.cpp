@@ -10,7 +10,7 @@
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/replay/internal/half_space_cell.hpp>
 #include <nipref/verify/replay/internal/known_misses.hpp>
@@ -159,7 +159,7 @@ TEST_CASE("the rule of verdicts") {
 TEST_CASE("tables verb: the five tables with their numbers") {
   std::ostringstream out;
   const std::vector<std::string> ids(verify::half_space_tables().begin(), verify::half_space_tables().end());
-  CHECK(verify::tables_verb({.ids = ids, .list = false, .json = true}, out) == 0);
+  CHECK(verify::tables_verb({.verb = "tables", .words = ids, .json = true}, out) == 0);
   const auto json = nlohmann::json::parse(out.str());
   CHECK(json["summary"]["cells"] == 94);
   CHECK(json["summary"]["match"] == 45);

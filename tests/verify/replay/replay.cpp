@@ -7,7 +7,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
@@ -206,8 +206,12 @@ TEST_CASE("JSON of the replay has the shape that tools rely on") {
 }
 
 TEST_CASE("tables verb: list, replay, refusal") {
+  const auto tables = [](std::vector<std::string> ids, std::set<std::string> flags, std::ostream& out) {
+    return verify::tables_verb(
+        {.verb = "tables", .words = std::move(ids), .flags = flags, .json = flags.contains("json")}, out);
+  };
   std::ostringstream list;
-  CHECK(verify::tables_verb({.ids = {}, .list = true, .json = true}, list) == 0);
+  CHECK(tables({}, {"list", "json"}, list) == 0);
   const auto json = nlohmann::json::parse(list.str());
   CHECK(json["listed"].size() == 29);
   std::size_t rows = 0;
@@ -216,11 +220,10 @@ TEST_CASE("tables verb: list, replay, refusal") {
   }
   CHECK(rows == 224);
   std::ostringstream replay;
-  CHECK(verify::tables_verb({.ids = {"thesis-VII"}, .list = false, .json = false}, replay) == 0);
+  CHECK(tables({"thesis-VII"}, {}, replay) == 0);
   std::ostringstream third;
-  CHECK(verify::tables_verb({.ids = {"thesis-III"}, .list = false, .json = false}, third) == 0);
+  CHECK(tables({"thesis-III"}, {}, third) == 0);
   std::ostringstream nothing;
-  CHECK_THROWS_AS(verify::tables_verb({.ids = {"thesis-C"}, .list = false, .json = false}, nothing),
-                  data::BadInput);
+  CHECK_THROWS_AS(tables({"thesis-C"}, {}, nothing), data::BadInput);
   CHECK(nothing.str().empty());
 }

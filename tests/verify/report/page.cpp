@@ -16,9 +16,8 @@
 #include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/answer.hpp>
-#include <nipref/verify/cli/drawing.hpp>
-#include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/figures/figures.hpp>
 #include <nipref/verify/replay/corrected.hpp>

@@ -9,7 +9,7 @@
 
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/answer.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 
-#include <nipref/verify/cli/output_file.hpp>
-#include <nipref/verify/cli/output_of.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/programs.hpp>
 
 namespace nipref::verify {
+
 namespace {
 
 /// As one word of a shell.
@@ -49,6 +51,14 @@ ProgramOutput output_of(const std::vector<std::string>& words, std::string_view 
     text.append(buffer.data(), count);
   const int status = pclose(pipe);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text};
+}
+
+std::optional<std::string> drawn_by_gnuplot(const std::string& script) {
+  // Whatever the user has set up; by that name a script ends with its first error.
+  const ProgramOutput drawn = output_of({"gnuplot", "-d", "/dev/stdin"}, script);
+  if (drawn.status == status_not_found) return std::nullopt;
+  if (drawn.status != 0) throw std::runtime_error("gnuplot does not draw: " + script.substr(0, 1000));
+  return drawn.text;
 }
 
 }  // namespace nipref::verify

@@ -1,0 +1,106 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <nipref/verify/cli/machine.hpp>
+#include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
+
+namespace nipref::verify {
+
+OutputError::OutputError(const std::string& place)
+    : std::system_error(errno, std::generic_category(), place) {}
+
+void write_output_file(const std::string& path, std::string_view text) {
+  errno = 0;
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  if (!file.flush()) throw OutputError(path);
+}
+
+void replace_output_file(const std::string& path, std::string_view text) {
+  std::error_code error;
+  // Of a link the file that it stands for is replaced.
+  std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  if (error) target = path;
+  const std::filesystem::file_status there = std::filesystem::status(target, error);
+  if (exists(there) && !is_regular_file(there)) return write_output_file(path, text);
+  if (exists(there) && access(target.c_str(), W_OK) != 0) throw OutputError(path);
+  const std::string beside = target.string() + ".part" + std::to_string(getpid());
+  try {
+    write_output_file(beside, text);
+    if (exists(there)) std::filesystem::permissions(beside, there.permissions(), error);
+    if (std::rename(beside.c_str(), target.c_str()) != 0) throw OutputError(path);
+  } catch (const OutputError& reason) {
+    std::filesystem::remove(beside, error);
+    errno = reason.code().value();
+    throw OutputError(path);
+  }
+}
+
+namespace {
+
+[[noreturn]] void fail() { throw OutputError("standard output"); }
+
+/// open() takes the lowest descriptor that is free: this one, as those below are occupied.
+void occupy(int descriptor, int mode) {
+  if (fcntl(descriptor, F_GETFD) == -1 && errno == EBADF && open("/dev/null", mode) == -1) fail();
+}
+
+}  // namespace
+
+void occupy_standard_descriptors() {
+  occupy(STDIN_FILENO, O_RDONLY);
+  occupy(STDOUT_FILENO, O_RDONLY);  // for writing it is as good as closed
+  occupy(STDERR_FILENO, O_WRONLY);
+}
+
+bool standard_output_shows_colours() {
+  const char* const unwanted = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return (unwanted == nullptr || *unwanted == '\0') && terminal != nullptr &&
+         std::string_view(terminal) != "dumb" && isatty(STDOUT_FILENO) == 1;
+}
+
+void write_to_standard_output(std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
+    if (written == -1 && errno != EINTR) fail();
+    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  // Some file systems tell only now that there was no room.
+  if (close(STDOUT_FILENO) == -1 && errno != EINTR) fail();
+}
+
+namespace {
+
+constexpr long schema = 1;
+
+Json answer_head() { return {{"schema", schema}, {"nipref", version_json()}}; }
+
+}  // namespace
+
+std::string answer_text(std::string_view verb, const Json& members, bool no_times) {
+  Json answer = answer_head();
+  answer.set("verb", verb);
+  answer.append(members);
+  if (interrupted()) answer.set("interrupted", true);
+  return (no_times ? answer.without("times") : answer).text();
+}
+
+std::string version_answer_text() { return answer_head().text(); }
+
+std::string error_answer_text(std::string_view message, const Json& argument, const Json& value,
+                              const Json& allowed) {
+  Json answer = answer_head();
+  answer.set("error", {{"argument", argument}, {"value", value}, {"allowed", allowed}, {"message", message}});
+  return answer.text();
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,56 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/json.hpp>
+
+namespace nipref::verify {
+
+/// A file or standard output that could not be written, with the system's reason.
+class OutputError : public std::system_error {
+ public:
+  /// `place` is a file's path, or standard output; the reason is that of the last system call.
+  explicit OutputError(const std::string& place);
+};
+
+/// Writes the file's new content. OutputError if any of it could not be written.
+void write_output_file(const std::string& path, std::string_view text);
+
+/// The same, so that at any time the file has either the old content or the new one: the text is written to another
+/// file, which is then renamed. A pipe or a device is written to directly.
+void replace_output_file(const std::string& path, std::string_view text);
+
+/// Has to be called before any file is opened. If a standard descriptor is closed, the first file that is opened
+/// would get its number, and output for the user would be written into that file. Each closed descriptor is therefore
+/// opened on /dev/null, standard output in such a way that writing to it fails.
+void occupy_standard_descriptors();
+
+/// Whether standard output is a terminal that shows colours and the user wants them: NO_COLOR unset or empty
+/// (no-color.org).
+bool standard_output_shows_colours();
+
+/// Writes the text to standard output and closes it. OutputError if any of it could not be written. If the reader has
+/// closed its end, SIGPIPE ends the program as usual.
+void write_to_standard_output(std::string_view text);
+
+/// The last line of a long run's answer for people if the process was interrupted, otherwise nothing.
+inline const char* interruption_text() {
+  return interrupted() ? "\ninterrupted: above is what was finished by then\n" : "";
+}
+
+// Answers in JSON, as data/schema/nipref-1.json describes them.
+
+/// The answer of a verb. With `no_times` the members "times" are left out at any depth. If the process was interrupted,
+/// the answer has "interrupted": true and only what was finished by then.
+std::string answer_text(std::string_view verb, const Json& members, bool no_times = false);
+
+/// The answer to --version.
+std::string version_answer_text();
+
+/// The answer for an error; `message` is the line on standard error. Unknown parts are null.
+std::string error_answer_text(std::string_view message, const Json& argument = {}, const Json& value = {},
+                              const Json& allowed = {});
+
+}  // namespace nipref::verify
