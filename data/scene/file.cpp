@@ -14,6 +14,7 @@
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/sweep.hpp>
 #include <nipref/data/scene/internal/toml_table.hpp>
+#include <nipref/data/scene/internal/wanted.hpp>
 
 namespace nipref::data {
 namespace {
@@ -167,10 +168,9 @@ void refuse_what_is_swept(const TomlTable& top, const SceneOrigin& origin, const
 /// `origin` is the table's.
 Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& overrides) {
   refuse_what_is_swept(top, origin, overrides);
-  Scene scene{.title = top.text("title"),
-              .wanted = top.texts("wanted"),
-              .system = read_system(top, origin),
-              .origin = {}};
+  const std::vector<std::string> wanted = top.texts("wanted");
+  Scene scene{.title = top.text("title"), .wanted = {}, .system = read_system(top, origin), .origin = {}};
+  scene.wanted = read_wanted(wanted, scene.kind(), origin);
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
   tell_overrides(scene, overrides);
   scene.origin = std::move(origin);

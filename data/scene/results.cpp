@@ -150,10 +150,4 @@ const SceneResult* find_scene_result(std::string_view name) {
 
 const SceneResult& scene_result(ResultId id) { return results[static_cast<std::size_t>(id)]; }
 
-std::vector<std::string> names_of(const std::vector<ResultId>& ids) {
-  std::vector<std::string> names;
-  for (const ResultId id : ids) names.emplace_back(scene_result(id).name);
-  return names;
-}
-
 }  // namespace nipref::data

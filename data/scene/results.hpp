@@ -132,7 +132,4 @@ struct SceneResult {
 
 [[nodiscard]] const SceneResult& scene_result(ResultId id);
 
-/// The names by which a scene wants these results.
-[[nodiscard]] std::vector<std::string> names_of(const std::vector<ResultId>& ids);
-
 }  // namespace nipref::data

@@ -12,6 +12,7 @@
 #include <nipref/data/scene/internal/half_space_check.hpp>
 #include <nipref/data/scene/internal/profile.hpp>
 #include <nipref/data/scene/internal/require.hpp>
+#include <nipref/data/scene/internal/wanted.hpp>
 #include <nipref/data/scene/scene.hpp>
 
 namespace nipref::data {
@@ -156,77 +157,11 @@ struct SystemCheck {
   void operator()(const HalfSpaceProblem& problem) const { check_half_space_problem(problem, origin); }
 };
 
-SceneKind kind_of(const Scene& scene) {
-  return std::holds_alternative<HalfSpaceProblem>(scene.system) ? SceneKind::half_space : SceneKind::nip;
-}
-
-[[noreturn]] void refuse_wanted(const Scene& scene, std::string_view key, std::string_view value) {
-  std::vector<std::string_view> names;
-  for (const SceneResult& result : scene_results()) {
-    if (result.is_of(kind_of(scene))) names.push_back(result.name);
-  }
-  scene.origin.refuse(key, value,
-                      fmt::format("{}must be out of {}", did_you_mean(value, names), fmt::join(names, ", ")));
-}
-
-/// Refuses a result of a nip where the scene lacks what the result needs.
-struct NeedsCheck {
-  const SceneOrigin& origin;
-  const SceneResult& result;
-  const std::string& key;
-
-  void operator()(const ElasticNipProblem& problem) const { check(problem, problem.friction); }
-  void operator()(const ViscoelasticNipProblem& problem) const { check(problem, Friction::none); }
-  void operator()(const HalfSpaceProblem&) const {}
-
- private:
-  template <class Problem>
-  void check(const Problem& problem, Friction friction) const {
-    if (result.needs == Needs::shear && friction == Friction::none)
-      origin.refuse(key, result.name, "must be left out: without friction there is no shear");
-    if (result.needs == Needs::line_load_creep &&
-        (friction == Friction::none || std::holds_alternative<ConvergedMethod>(problem.method))) {
-      origin.refuse(
-          key, result.name,
-          "must be left out: it is of line loads with full friction; a converged contact has one creep");
-    }
-    if (result.needs == Needs::inside && !std::holds_alternative<ConvergedMethod>(problem.method)) {
-      origin.refuse(key, result.name,
-                    "must be left out: stresses inside the sheet are those of method.kind = \"converged\"");
-    }
-    if (result.shape == Shape::field && !problem.field) {
-      origin.refuse("field", "(missing)",
-                    "must say where stresses inside the sheet are wanted: positions = [...], depths = [...]");
-    }
-    if (result.needs == Needs::converged && !std::holds_alternative<ConvergedMethod>(problem.method)) {
-      origin.refuse(
-          key, result.name,
-          "must be left out: between line loads the surface is stretched as under none, and at them "
-          "without bound; it is one of method.kind = \"converged\"");
-    }
-  }
-};
-
-/// True if a profile is among what is wanted.
-bool check_wanted(const Scene& scene) {
-  if (scene.wanted.empty()) refuse_wanted(scene, "wanted", "[]");
-  bool profile_wanted = false;
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    const std::string& name = scene.wanted[i];
-    const std::string key = fmt::format("wanted[{}]", i);
-    const SceneResult* result = find_scene_result(name);
-    if (result == nullptr || !result->is_of(kind_of(scene))) refuse_wanted(scene, key, name);
-    if (const auto* on_half_space = std::get_if<HalfSpaceProblem>(&scene.system))
-      check_half_space_wanted(*on_half_space, name, key, scene.origin);
-    if (result->needs != Needs::nothing) std::visit(NeedsCheck{scene.origin, *result, key}, scene.system);
-    if (!seen.insert(name).second) scene.origin.refuse(key, name, "must be wanted once");
-    profile_wanted = profile_wanted || result->shape == Shape::profile;
-  }
-  return profile_wanted;
-}
-
 }  // namespace
+
+SceneKind Scene::kind() const {
+  return std::holds_alternative<HalfSpaceProblem>(system) ? SceneKind::half_space : SceneKind::nip;
+}
 
 void Scene::check() const {
   const bool profile_wanted = check_wanted(*this);

@@ -83,14 +83,15 @@ struct ViscoelasticNipProblem {
 
 struct Scene {
   std::string title;
-  std::vector<std::string> wanted;  ///< names out of scene_results(), at least one, none twice
+  std::vector<ResultId> wanted;  ///< at least one, none twice
   /// Relative, 1e-13 to 0.1: of the results if the method converges, otherwise of the kernels.
   double accuracy = 1e-10;
   std::variant<ElasticNipProblem, ViscoelasticNipProblem, HalfSpaceProblem> system;
   SceneOrigin origin;
 
-  /// Throws BadInput, naming the key and its place, unless every value is in its domain and whatever is
-  /// wanted can be had.
+  [[nodiscard]] SceneKind kind() const;
+  /// Throws BadInput, naming the key and its place, unless every value is in its domain and the scene has what each wanted
+  /// result needs.
   void check() const;
 };
 

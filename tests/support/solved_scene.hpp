@@ -16,13 +16,13 @@ inline nipref::verify::SceneSolution<nipref::fast::Estimate> solved(const std::s
 }
 
 /// All that every scene of a nip can want: the stresses inside the sheet not every method has, nor what comes of shear.
-inline std::vector<std::string> all_names() {
-  std::vector<std::string> names;
+inline std::vector<nipref::data::ResultId> all_results() {
+  std::vector<nipref::data::ResultId> results;
   for (const nipref::data::SceneResult& result : nipref::data::scene_results()) {
     if (result.is_of(nipref::data::SceneKind::nip) && result.needs == nipref::data::Needs::nothing)
-      names.emplace_back(result.name);
+      results.push_back(result.id);
   }
-  return names;
+  return results;
 }
 
 inline nipref::data::ElasticNipProblem& problem_of(nipref::data::Scene& scene) {

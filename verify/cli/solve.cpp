@@ -63,16 +63,17 @@ data::Scene first_scene(const data::SceneText& text, const AxesProduct& scenes) 
 
 std::vector<SweepColumn> columns_of(const data::Scene& scene, bool by_ref) {
   std::vector<SweepColumn> columns;
-  for (const std::string& name : scene.wanted) {
-    const data::SceneResult* const what = data::find_scene_result(name);
-    if (what->shape != data::Shape::number) {
-      const char* const shape = what->shape == data::Shape::list      ? "list"
-                                : what->shape == data::Shape::profile ? "profile"
-                                                                      : "field";
-      scene.origin.refuse("wanted", name, fmt::format("must be left out with a sweep: it is a {}", shape));
+  for (const data::ResultId id : scene.wanted) {
+    const data::SceneResult& what = data::scene_result(id);
+    if (what.shape != data::Shape::number) {
+      const char* const shape = what.shape == data::Shape::list      ? "list"
+                                : what.shape == data::Shape::profile ? "profile"
+                                                                     : "field";
+      scene.origin.refuse("wanted", what.name,
+                          fmt::format("must be left out with a sweep: it is a {}", shape));
     }
-    columns.push_back({name, by_ref});
-    columns.push_back({name + "_error", by_ref});
+    columns.push_back({std::string(what.name), by_ref});
+    columns.push_back({std::string(what.name) + "_error", by_ref});
   }
   columns.push_back({"missed", true});
   columns.push_back({"warnings", true});

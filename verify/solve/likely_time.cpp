@@ -59,8 +59,8 @@ double seconds_for_places(const data::Scene& scene, const Problem& problem, doub
   constexpr double searched = 65;
   double seconds = 0, inside = 0;
   bool has_field = false, has_greatest = false;
-  for (const std::string& name : scene.wanted) {
-    const data::SceneResult& result = *data::find_scene_result(name);
+  for (const data::ResultId id : scene.wanted) {
+    const data::SceneResult& result = data::scene_result(id);
     has_field = has_field || result.shape == data::Shape::field;
     has_greatest =
         has_greatest || (result.needs == data::Needs::inside && result.shape == data::Shape::number);

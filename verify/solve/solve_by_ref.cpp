@@ -39,9 +39,9 @@ SolvedByRef solve_named(const data::Scene& scene, const data::ElasticNipProblem&
 
 void refuse_moments(const data::Scene& scene) {
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
-    if (is_moment(data::find_scene_result(scene.wanted[i])->id)) {
+    if (is_moment(scene.wanted[i])) {
       scene.origin.refuse(
-          fmt::format("wanted[{}]", i), scene.wanted[i],
+          fmt::format("wanted[{}]", i), data::scene_result(scene.wanted[i]).name,
           "must be wanted of the fast path: the reference has the eccentricity, their sum over the load, "
           "and moments of rolling line loads");
     }

@@ -28,8 +28,8 @@ data::Scene witnessed_scene(double thickness, data::Friction friction) {
                                   .method = data::ConvergedMethod{},
                                   .profile = {}};
   return {.title = "witnessed",
-          .wanted = data::names_of({ResultId::contact_length, ResultId::indentation, ResultId::creep_ratio,
-                                    ResultId::normal_displacement, ResultId::tangential_displacement}),
+          .wanted = {ResultId::contact_length, ResultId::indentation, ResultId::creep_ratio,
+                     ResultId::normal_displacement, ResultId::tangential_displacement},
           .accuracy = 1e-9,
           .system = problem,
           .origin = {}};

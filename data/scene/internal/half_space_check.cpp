@@ -90,26 +90,26 @@ void check_rule(const HalfSpaceProblem& problem, const SceneOrigin& origin) {
 
 }  // namespace
 
-void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
+void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult& result, std::string_view key,
                              const SceneOrigin& origin) {
-  const SceneResult& result = *find_scene_result(name);
   const auto is_one_of = [&result](std::initializer_list<ResultId> ids) {
     return std::ranges::find(ids, result.id) != ids.end();
   };
   if (problem.rule != ContourRule::exact &&
       is_one_of({ResultId::axis_ratio, ResultId::orientation, ResultId::approach}))
-    origin.refuse(key, name, "must be wanted of the exact method only: the other does not define it");
+    origin.refuse(key, result.name, "must be wanted of the exact method only: the other does not define it");
   if (problem.rule == ContourRule::similar_contour && result.id == ResultId::peak_pressure)
-    origin.refuse(key, name, "must be left out with similar-contour: each line has its own peak");
+    origin.refuse(key, result.name, "must be left out with similar-contour: each line has its own peak");
   if (!std::holds_alternative<RigidRollingSphere>(problem.body) &&
       is_one_of({ResultId::creep, ResultId::compressed_radius}))
-    origin.refuse(key, name, "must be wanted of a rolling sphere only");
+    origin.refuse(key, result.name, "must be wanted of a rolling sphere only");
   if (!problem.profile || result.shape != Shape::profile) return;
   const bool is_on_line = is_one_of({ResultId::pressure, ResultId::shear});
   if (is_on_line && !problem.line)
-    origin.refuse(key, name, "must be wanted with profile.direction, the angle of its line from the motion");
+    origin.refuse(key, result.name,
+                  "must be wanted with profile.direction, the angle of its line from the motion");
   if (!is_on_line && problem.line)
-    origin.refuse(key, name, "must be wanted without profile.direction: it belongs to whole lines");
+    origin.refuse(key, result.name, "must be wanted without profile.direction: it belongs to whole lines");
 }
 
 void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin) {

@@ -12,7 +12,7 @@ namespace nipref::data {
 void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin& origin);
 
 /// Refuses a result, wanted as `key`, that the problem's method does not have.
-void check_half_space_wanted(const HalfSpaceProblem& problem, const std::string& name, std::string_view key,
+void check_half_space_wanted(const HalfSpaceProblem& problem, const SceneResult& result, std::string_view key,
                              const SceneOrigin& origin);
 
 }  // namespace nipref::data

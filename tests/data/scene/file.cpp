@@ -151,7 +151,8 @@ TEST_CASE("a scene is read as it stands") {
   const ScratchFile file(good);
   const data::Scene scene = data::load_scene(file.path());
   CHECK(scene.title == "a nip");
-  CHECK(scene.wanted == std::vector<std::string>{"contact_length", "pressure"});
+  CHECK(scene.wanted ==
+        std::vector<data::ResultId>{data::ResultId::contact_length, data::ResultId::pressure});
   CHECK(scene.accuracy == 1e-8);
   const auto& problem = std::get<data::ElasticNipProblem>(scene.system);
   CHECK(problem.nip.roller_radius == 6);
@@ -217,7 +218,7 @@ TEST_CASE("overrides stand for what the file has, or add to it, and the title sa
   CHECK(std::get<data::GivenLoad>(elastic(scene).given).per_length == 200);
   CHECK(elastic(scene).friction == data::Friction::full);
   CHECK(scene.accuracy == 1e-6);
-  CHECK(scene.wanted == std::vector<std::string>{"load", "pressure"});
+  CHECK(scene.wanted == std::vector<data::ResultId>{data::ResultId::load, data::ResultId::pressure});
   CHECK(
       scene.title ==
       "a nip, with load.per_length = 2e2, with accuracy = 1e-6, with wanted = [\"load\", \"pressure\"], with "
@@ -294,8 +295,10 @@ TEST_CASE("files that cannot be read") {
 }
 
 TEST_CASE("a scene made in C++ is refused by its keys, with no file") {
-  data::Scene scene{
-      .title = "made here", .wanted = {"load"}, .system = data::ElasticNipProblem{}, .origin = {}};
+  data::Scene scene{.title = "made here",
+                    .wanted = {data::ResultId::load},
+                    .system = data::ElasticNipProblem{},
+                    .origin = {}};
   auto& problem = std::get<data::ElasticNipProblem>(scene.system);
   problem = {.nip = {6.0, 0.0, {1e5, 0.3}},
              .given = data::GivenLoad{1},

@@ -28,7 +28,7 @@ TEST_CASE("a drawn scene's text is a scene's file: what it says is read back to 
     const ScratchFile file(drawn.toml());
     const data::Scene scene = data::load_scene(file.path());
     CHECK(scene.accuracy == drawn.number("accuracy"));
-    CHECK(scene.wanted == drawn.texts("wanted"));
+    CHECK(scene.wanted == drawn.wanted());
     CHECK(scene.title.find(verify::drawn_kinds()[index]) == 0);
     if (const auto* nip = std::get_if<data::ElasticNipProblem>(&scene.system)) {
       CHECK(nip->nip.sheet_thickness == drawn.number("sheet.thickness"));

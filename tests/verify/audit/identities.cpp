@@ -34,12 +34,12 @@ void check_agree(const verify::DrawnScene& drawn, double part) {
     CAPTURE(name);
     for (const auto& result : verify::solve(variant.scene.scene()).results) {
       CAPTURE(result.what->name);
-      const auto& mine = solved.profile(result.what->name);
+      const auto& mine = solved.profile(result.what->id);
       double size = 0;
       for (const fast::Estimate& number : mine) size = std::max(size, std::fabs(number.value));
       for (std::size_t i = 0; i < mine.size(); ++i) {
         double difference = variant.back(*result.what, result.numbers[i]).value - mine[i].value;
-        if (result.what->name == "orientation") difference = std::remainder(difference, 180);
+        if (result.what->id == data::ResultId::orientation) difference = std::remainder(difference, 180);
         CHECK(std::fabs(difference) <= part * size + 1e-300);
       }
     }
@@ -49,9 +49,10 @@ void check_agree(const verify::DrawnScene& drawn, double part) {
 verify::DrawnScene nip() {
   verify::DrawnScene drawn;
   drawn.set("title", std::string("a nip"));
-  drawn.set("wanted",
-            std::vector<std::string>{"contact_length", "load", "indentation", "creep_ratio", "peak_pressure",
-                                     "pressure", "shear", "normal_displacement", "tangential_displacement"});
+  drawn.set_wanted({data::ResultId::contact_length, data::ResultId::load, data::ResultId::indentation,
+                    data::ResultId::creep_ratio, data::ResultId::peak_pressure, data::ResultId::pressure,
+                    data::ResultId::shear, data::ResultId::normal_displacement,
+                    data::ResultId::tangential_displacement});
   drawn.set("accuracy", 1e-11);
   drawn.set("roller.radius", 6.0);
   drawn.set("sheet.thickness", 0.25);
@@ -68,9 +69,10 @@ verify::DrawnScene nip() {
 verify::DrawnScene die() {
   verify::DrawnScene drawn;
   drawn.set("title", std::string("a die"));
-  drawn.set("wanted", std::vector<std::string>{"span_along", "span_across", "span_ratio", "normal_force",
-                                               "peak_pressure", "axis_ratio", "orientation", "approach",
-                                               "critical_speed", "span", "compliance", "coupling"});
+  drawn.set_wanted({data::ResultId::span_along, data::ResultId::span_across, data::ResultId::span_ratio,
+                    data::ResultId::normal_force, data::ResultId::peak_pressure, data::ResultId::axis_ratio,
+                    data::ResultId::orientation, data::ResultId::approach, data::ResultId::critical_speed,
+                    data::ResultId::span, data::ResultId::compliance, data::ResultId::coupling});
   drawn.set("half_space.model", std::string("isotropic"));
   drawn.set("half_space.shear", 3.0);
   drawn.set("half_space.poisson", 0.25);
@@ -115,8 +117,10 @@ TEST_CASE("every variant of a rolling nip is the same contact, in each material'
           std::set<std::string>{"units", "given back"});
     check_agree(with_material, 1e-9);
   };
-  check_material(
-      {{"model", "standard-linear-solid"}, {"bulk", 3.0}, {"shear", 1.5}, {"relaxation_time", 0.75}});
+  check_material({{"model", "standard-linear-solid"},
+                  {"bulk", 3.0},
+                  {"shear", 1.5},
+                  {"relaxation_time", 0.75}});
   check_material({{"model", "prony"},
                   {"theta1_instantaneous", 0.5},
                   {"theta1_amplitudes", std::vector<double>{0.5, 0.25}},

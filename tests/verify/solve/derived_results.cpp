@@ -16,8 +16,15 @@ namespace {
 
 data::Scene resisting(const char* name) {
   data::Scene scene = data::load_scene(data::example_scene(name));
-  scene.wanted = {"load",           "rolling_resistance", "eccentricity",   "resistance_force", "power_loss",
-                  "leading_moment", "trailing_moment",    "leading_length", "trailing_length"};
+  scene.wanted = {data::ResultId::load,
+                  data::ResultId::rolling_resistance,
+                  data::ResultId::eccentricity,
+                  data::ResultId::resistance_force,
+                  data::ResultId::power_loss,
+                  data::ResultId::leading_moment,
+                  data::ResultId::trailing_moment,
+                  data::ResultId::leading_length,
+                  data::ResultId::trailing_length};
   return scene;
 }
 
@@ -91,14 +98,14 @@ TEST_CASE(
   CHECK_THROWS_WITH_AS((void)verify::solve_by_ref(scene, 16),
                        doctest::Contains("leading_moment: must be wanted of the fast"), data::BadInput);
   const auto fast = verify::solve(scene);
-  scene.wanted = {"eccentricity", "resistance_force", "power_loss"};
+  scene.wanted = {data::ResultId::eccentricity, data::ResultId::resistance_force, data::ResultId::power_loss};
   const auto by_ref = verify::solve_by_ref(scene, 16);
-  for (const std::string& name : scene.wanted) {
-    CAPTURE(name);
-    check_agree(fast[name].value, fast[name].error + std::stod(by_ref[name].error_text()),
-                std::stod(by_ref[name].value_text()));
-    CHECK(std::stod(by_ref[name].error_text()) < 1e-13 * std::fabs(std::stod(by_ref[name].value_text())));
-    CHECK_FALSE(by_ref[name].proven);
+  for (const data::ResultId id : scene.wanted) {
+    CAPTURE(data::scene_result(id).name);
+    check_agree(fast[id].value, fast[id].error + std::stod(by_ref[id].error_text()),
+                std::stod(by_ref[id].value_text()));
+    CHECK(std::stod(by_ref[id].error_text()) < 1e-13 * std::fabs(std::stod(by_ref[id].value_text())));
+    CHECK_FALSE(by_ref[id].proven);
   }
 }
 
@@ -107,7 +114,9 @@ namespace {
 /// With evenly spaced profiles from end to end, or the middle to an end.
 data::Scene stretching(const char* name, int points) {
   data::Scene scene = data::load_scene(data::example_scene(name));
-  scene.wanted = {"surface_strain", "slip", "tangential_displacement", "creep_ratio", "contact_length"};
+  scene.wanted = {data::ResultId::surface_strain, data::ResultId::slip,
+                  data::ResultId::tangential_displacement, data::ResultId::creep_ratio,
+                  data::ResultId::contact_length};
   const auto set = [&](auto& problem) {
     if constexpr (requires { problem.nip; }) problem.profile = data::EvenlySpaced{points};
   };
@@ -161,7 +170,7 @@ TEST_CASE("nothing slips where it sticks, and without friction the mean slip in 
     data::Scene scene = stretching(name, 2);
     const double length = verify::solve(scene)["contact_length"].value;
     const bool rolls = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
-    scene.wanted.push_back("leading_length");
+    scene.wanted.push_back(data::ResultId::leading_length);
     const double leading = verify::solve(scene)["leading_length"].value, last = rolls ? length - leading : 0;
     constexpr int parts = 400;
     std::vector<double> y;
@@ -235,7 +244,7 @@ TEST_CASE("the reference computes the strain of a place once, for itself and for
 
 TEST_CASE("between line loads there is no strain to be told") {
   data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
-  scene.wanted = {"slip"};
+  scene.wanted = {data::ResultId::slip};
   CHECK_THROWS_WITH_AS((void)verify::solve(scene),
                        doctest::Contains("slip: must be left out: between line loads"), data::BadInput);
 }

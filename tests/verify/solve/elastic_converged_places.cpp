@@ -29,12 +29,12 @@ void check_within(const fast::Estimate& number, double truth, double slack) {
   CHECK(std::fabs(number.value - truth) <= number.error + slack);
 }
 
-void check_both_paths(const data::Scene& scene, const std::string& name, int digits) {
-  CAPTURE(name);
+void check_both_paths(const data::Scene& scene, data::ResultId id, int digits) {
+  CAPTURE(data::scene_result(id).name);
   const auto fast = verify::solve(scene);
   const auto by_ref = verify::solve_by_ref(scene, digits);
-  const auto& numbers = fast.profile(name);
-  const auto& truth = by_ref.profile(name);
+  const auto& numbers = fast.profile(id);
+  const auto& truth = by_ref.profile(id);
   REQUIRE(numbers.size() == truth.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
     CHECK(std::fabs(numbers[i].value - std::stod(truth[i].value_text())) <=
@@ -57,8 +57,8 @@ TEST_CASE("a half-plane's shear has its maximum and zero where the closed form h
   const auto solution = solved(gripped_sheet(poisson, length));
   // The sheet is no half-plane by the square of its contact's length.
   const double slack = 10 * length * length * half;
-  check_within(solution["peak_shear_position"], half * std::tanh(low / 2), slack);
-  const auto& zeros = solution.profile("shear_zeros");
+  check_within(solution[data::ResultId::peak_shear_position], half * std::tanh(low / 2), slack);
+  const auto& zeros = solution.profile(data::ResultId::shear_zeros);
   REQUIRE(zeros.size() == 2);
   CHECK(zeros[0].value == 0);
   check_within(zeros[1], half * std::tanh(pi / (2 * epsilon)), slack);
@@ -70,9 +70,10 @@ TEST_CASE("both paths agree about places of the shear, which has a reversal more
     CAPTURE(length);
     const ScratchFile file(gripped_sheet(1.0 / 3, length));
     const data::Scene scene = data::load_scene(file.path());
-    for (const char* name : {"peak_pressure_position", "peak_shear_position", "shear_zeros"})
-      check_both_paths(scene, name, 20);
-    CHECK(verify::solve(scene).profile("shear_zeros").size() == (length < 1 ? 1 : 2));
+    for (const data::ResultId id : {data::ResultId::peak_pressure_position,
+                                    data::ResultId::peak_shear_position, data::ResultId::shear_zeros})
+      check_both_paths(scene, id, 20);
+    CHECK(verify::solve(scene).profile(data::ResultId::shear_zeros).size() == (length < 1 ? 1 : 2));
   }
 }
 
@@ -80,12 +81,14 @@ TEST_CASE("the shear is smaller on both sides of its peak, and changes its sign 
   const ScratchFile file(gripped_sheet(1.0 / 3, 4.0));
   data::Scene scene = data::load_scene(file.path());
   const auto solution = verify::solve(scene);
-  const double peak = solution["peak_shear_position"].value, zero = solution.profile("shear_zeros")[1].value;
+  const double peak = solution[data::ResultId::peak_shear_position].value,
+               zero = solution.profile(data::ResultId::shear_zeros)[1].value;
   problem_of(scene).profile = data::Positions{{peak - 1e-3, peak, peak + 1e-3, zero - 1e-6, zero + 1e-6}};
-  scene.wanted = {"shear", "peak_shear"};
+  scene.wanted = {data::ResultId::shear, data::ResultId::peak_shear};
   const auto beside = verify::solve(scene);
-  const auto& shear = beside.profile("shear");
-  CHECK(std::fabs(shear[1].value) == doctest::Approx(beside["peak_shear"].value).scale(0).epsilon(1e-13));
+  const auto& shear = beside.profile(data::ResultId::shear);
+  CHECK(std::fabs(shear[1].value) ==
+        doctest::Approx(beside[data::ResultId::peak_shear].value).scale(0).epsilon(1e-13));
   CHECK(std::fabs(shear[0].value) < std::fabs(shear[1].value));
   CHECK(std::fabs(shear[2].value) < std::fabs(shear[1].value));
   CHECK(shear[3].value * shear[4].value < 0);
@@ -93,43 +96,53 @@ TEST_CASE("the shear is smaller on both sides of its peak, and changes its sign 
 
 TEST_CASE("line loads have their places at centres and borders of elements, in both paths the same") {
   data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
-  scene.wanted = {"peak_pressure_position", "peak_shear_position", "shear_zeros", "contact_length",
-                  "peak_pressure",          "peak_shear",          "pressure",    "shear"};
+  scene.wanted = {data::ResultId::peak_pressure_position,
+                  data::ResultId::peak_shear_position,
+                  data::ResultId::shear_zeros,
+                  data::ResultId::contact_length,
+                  data::ResultId::peak_pressure,
+                  data::ResultId::peak_shear,
+                  data::ResultId::pressure,
+                  data::ResultId::shear};
   auto& problem = problem_of(scene);
   const auto first = verify::solve(scene);
   const auto by_ref = verify::solve_by_ref(scene, 20);
-  for (const char* name : {"peak_pressure_position", "peak_shear_position"}) {
-    CHECK(first[name].value == doctest::Approx(std::stod(by_ref[name].value_text())).scale(0).epsilon(1e-12));
-    CHECK(by_ref[name].proven);
+  for (const data::ResultId id :
+       {data::ResultId::peak_pressure_position, data::ResultId::peak_shear_position}) {
+    CHECK(first[id].value == doctest::Approx(std::stod(by_ref[id].value_text())).scale(0).epsilon(1e-12));
+    CHECK(by_ref[id].proven);
   }
-  REQUIRE(first.profile("shear_zeros").size() == by_ref.profile("shear_zeros").size());
-  problem.profile =
-      data::Positions{{first["peak_pressure_position"].value, first["peak_shear_position"].value}};
+  REQUIRE(first.profile(data::ResultId::shear_zeros).size() ==
+          by_ref.profile(data::ResultId::shear_zeros).size());
+  problem.profile = data::Positions{{first[data::ResultId::peak_pressure_position].value,
+                                     first[data::ResultId::peak_shear_position].value}};
   const auto there = verify::solve(scene);
-  CHECK(there.profile("pressure")[0].value == there["peak_pressure"].value);
-  CHECK(std::fabs(there.profile("shear")[1].value) == there["peak_shear"].value);
+  CHECK(there.profile(data::ResultId::pressure)[0].value == there[data::ResultId::peak_pressure].value);
+  CHECK(std::fabs(there.profile(data::ResultId::shear)[1].value) == there[data::ResultId::peak_shear].value);
 }
 
 TEST_CASE("a rolling contact's largest pressure is ahead, where the reference has it") {
   data::Scene scene = data::load_scene(data::example_scene("viscoelastic-comparable-memory"));
-  scene.wanted = {"peak_pressure_position", "peak_pressure", "pressure"};
-  check_both_paths(scene, "peak_pressure_position", 16);
-  const fast::Estimate place = verify::solve(scene)["peak_pressure_position"];
+  scene.wanted = {data::ResultId::peak_pressure_position, data::ResultId::peak_pressure,
+                  data::ResultId::pressure};
+  check_both_paths(scene, data::ResultId::peak_pressure_position, 16);
+  const fast::Estimate place = verify::solve(scene)[data::ResultId::peak_pressure_position];
   CHECK(place.value > 0);
   CHECK(place.error < 1e-9);
   auto& problem = std::get<data::ViscoelasticNipProblem>(scene.system);
   problem.profile = data::Positions{{place.value - 1e-3, place.value, place.value + 1e-3}};
   const auto beside = verify::solve(scene);
-  const auto& pressure = beside.profile("pressure");
-  CHECK(pressure[1].value == doctest::Approx(beside["peak_pressure"].value).scale(0).epsilon(1e-14));
+  const auto& pressure = beside.profile(data::ResultId::pressure);
+  CHECK(pressure[1].value ==
+        doctest::Approx(beside[data::ResultId::peak_pressure].value).scale(0).epsilon(1e-14));
   CHECK(pressure[0].value < pressure[1].value);
   CHECK(pressure[2].value < pressure[1].value);
 }
 
 TEST_CASE("places of the shear are refused where there is none") {
   data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
-  for (const char* name : {"peak_shear_position", "shear_zeros"}) {
-    scene.wanted = {name};
+  for (const data::ResultId id : {data::ResultId::peak_shear_position, data::ResultId::shear_zeros}) {
+    scene.wanted = {id};
     CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("without friction there is no shear"),
                          data::BadInput);
   }

@@ -33,7 +33,7 @@ data::ElasticNipProblem line_load_problem(data::Friction friction, int elements)
           .profile = data::Positions{{-0.2, -0.03, 0.0, 0.01, 0.05, 0.2}}};
 }
 
-data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<std::string>& wanted) {
+data::Scene scene_of(const data::ElasticNipProblem& problem, const std::vector<data::ResultId>& wanted) {
   return {.title = "test", .wanted = wanted, .accuracy = asked_accuracy, .system = problem, .origin = {}};
 }
 
@@ -46,20 +46,21 @@ data::ElasticNipProblem converged(data::ElasticNipProblem problem) {
 void check_is(const verify::SceneSolution<Estimate>& solution, const fast::LineLoadSolution& expected,
               const fast::LineLoadMethod& method) {
   const auto close = [](double value) { return doctest::Approx(value).epsilon(1e-9); };
-  CHECK(solution["contact_length"].value == close(expected.contact_length));
-  CHECK(solution["load"].value == close(expected.load));
-  CHECK(solution["indentation"].value == close(expected.indentation));
-  CHECK(solution["edge_displacement"].value == close(expected.edge_displacement));
-  CHECK(solution["peak_pressure"].value == close(expected.peak_pressure));
-  CHECK(solution["peak_shear"].value == close(expected.peak_shear));
-  CHECK(solution["creep_ratio"].value == close(fast::creep_ratio(quarter_inch_nip, expected, method)));
+  CHECK(solution[data::ResultId::contact_length].value == close(expected.contact_length));
+  CHECK(solution[data::ResultId::load].value == close(expected.load));
+  CHECK(solution[data::ResultId::indentation].value == close(expected.indentation));
+  CHECK(solution[data::ResultId::edge_displacement].value == close(expected.edge_displacement));
+  CHECK(solution[data::ResultId::peak_pressure].value == close(expected.peak_pressure));
+  CHECK(solution[data::ResultId::peak_shear].value == close(expected.peak_shear));
+  CHECK(solution[data::ResultId::creep_ratio].value ==
+        close(fast::creep_ratio(quarter_inch_nip, expected, method)));
   for (std::size_t i = 0; i < solution.positions.size(); ++i) {
     const double y = solution.positions[i];
-    CHECK(solution.profile("pressure")[i].value == close(fast::element_pressure(expected, y)));
-    CHECK(solution.profile("shear")[i].value == close(fast::element_shear(expected, y)));
-    CHECK(solution.profile("normal_displacement")[i].value ==
+    CHECK(solution.profile(data::ResultId::pressure)[i].value == close(fast::element_pressure(expected, y)));
+    CHECK(solution.profile(data::ResultId::shear)[i].value == close(fast::element_shear(expected, y)));
+    CHECK(solution.profile(data::ResultId::normal_displacement)[i].value ==
           close(fast::normal_displacement(quarter_inch_nip, expected, method, y)));
-    CHECK(solution.profile("tangential_displacement")[i].value ==
+    CHECK(solution.profile(data::ResultId::tangential_displacement)[i].value ==
           close(fast::tangential_displacement(quarter_inch_nip, expected, method, y)));
   }
 }
@@ -79,28 +80,28 @@ int first_kernel_beside(const fast::Work& work, const std::vector<int>& allowed)
 TEST_CASE("each name of a line-load scene is the solver's result of that name") {
   const fast::LineLoadMethod method(4, 0, fast::Accuracy(asked_accuracy));
   data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 4);
-  check_is(verify::solve(scene_of(problem, all_names())),
+  check_is(verify::solve(scene_of(problem, all_results())),
            fast::line_loads_for_load(quarter_inch_nip, method, 100), method);
   problem.given = data::GivenLength{0.2};
-  check_is(verify::solve(scene_of(problem, all_names())),
+  check_is(verify::solve(scene_of(problem, all_results())),
            fast::line_loads_for_length(quarter_inch_nip, method, 0.2), method);
 
   problem.friction = data::Friction::full;
   problem.creep_ratio = 1e-4;
-  check_is(verify::solve(scene_of(problem, all_names())),
+  check_is(verify::solve(scene_of(problem, all_results())),
            fast::gripped_line_loads_for_length(quarter_inch_nip, method, 0.2, 1e-4), method);
   problem.given = data::GivenLoad{100};
-  check_is(verify::solve(scene_of(problem, all_names())),
+  check_is(verify::solve(scene_of(problem, all_results())),
            fast::gripped_line_loads_for_load(quarter_inch_nip, method, 100, 1e-4), method);
 }
 
 TEST_CASE(
     "without a creep ratio line loads with friction take the thesis's, and carry the load that is given") {
   const fast::LineLoadMethod method(3, 0, fast::Accuracy(asked_accuracy));
-  const auto solution = verify::solve(scene_of(line_load_problem(data::Friction::full, 3), all_names()));
-  CHECK(solution["load"].value == doctest::Approx(100).epsilon(1e-9));
-  const auto expected =
-      fast::thesis_line_loads_for_length(quarter_inch_nip, method, solution["contact_length"].value);
+  const auto solution = verify::solve(scene_of(line_load_problem(data::Friction::full, 3), all_results()));
+  CHECK(solution[data::ResultId::load].value == doctest::Approx(100).epsilon(1e-9));
+  const auto expected = fast::thesis_line_loads_for_length(quarter_inch_nip, method,
+                                                           solution[data::ResultId::contact_length].value);
   REQUIRE(expected.has_value());
   check_is(solution, *expected, method);
 }
@@ -108,8 +109,8 @@ TEST_CASE(
 TEST_CASE("the error estimate of line loads is their distance to the continuous contact, and at least that") {
   for (const data::Friction friction : {data::Friction::none, data::Friction::full}) {
     const data::ElasticNipProblem problem = line_load_problem(friction, 3);
-    const auto loads = verify::solve(scene_of(problem, all_names()));
-    const auto truth = verify::solve(scene_of(converged(problem), all_names()));
+    const auto loads = verify::solve(scene_of(problem, all_results()));
+    const auto truth = verify::solve(scene_of(converged(problem), all_results()));
     for (std::size_t r = 0; r < loads.results.size(); ++r) {
       CAPTURE(std::string(loads.results[r].what->name));
       for (std::size_t i = 0; i < loads.results[r].numbers.size(); ++i) {
@@ -125,7 +126,7 @@ TEST_CASE("the error estimate of line loads is their distance to the continuous 
 TEST_CASE("more line loads come closer to the continuous contact") {
   const auto length_error = [](int elements) {
     return verify::solve(scene_of(line_load_problem(data::Friction::none, elements),
-                                  {"contact_length"}))["contact_length"]
+                                  {data::ResultId::contact_length}))[data::ResultId::contact_length]
         .error;
   };
   CHECK(length_error(40) < length_error(10) / 2);
@@ -133,7 +134,7 @@ TEST_CASE("more line loads come closer to the continuous contact") {
 }
 
 TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and so do their error estimates") {
-  const auto work_of = [](data::Friction friction, const std::vector<std::string>& wanted) {
+  const auto work_of = [](data::Friction friction, const std::vector<data::ResultId>& wanted) {
     const auto solution = verify::solve(scene_of(line_load_problem(friction, 3), wanted));
     CHECK(solution.work.kernel_evaluations[0] > 0);
     CHECK(solution.error_work.kernel_evaluations[0] > 0);
@@ -141,34 +142,38 @@ TEST_CASE("line loads evaluate only the kernels that what is wanted needs, and s
     both += solution.error_work;
     return both;
   };
-  const std::vector<std::string> normal{"contact_length", "load",     "indentation", "edge_displacement",
-                                        "peak_pressure",  "pressure", "shear",       "normal_displacement"};
+  const std::vector<data::ResultId> normal{
+      data::ResultId::contact_length, data::ResultId::load,
+      data::ResultId::indentation,    data::ResultId::edge_displacement,
+      data::ResultId::peak_pressure,  data::ResultId::pressure,
+      data::ResultId::shear,          data::ResultId::normal_displacement};
   CHECK(first_kernel_beside(work_of(data::Friction::none, normal), {1}) == 0);
-  CHECK(first_kernel_beside(work_of(data::Friction::none, all_names()), {1, 3}) == 0);
-  CHECK(first_kernel_beside(work_of(data::Friction::none, {"creep_ratio"}), {1}) == 3);
+  CHECK(first_kernel_beside(work_of(data::Friction::none, all_results()), {1, 3}) == 0);
+  CHECK(first_kernel_beside(work_of(data::Friction::none, {data::ResultId::creep_ratio}), {1}) == 3);
   CHECK(first_kernel_beside(work_of(data::Friction::full, normal), {1, 3, 6}) == 0);
 }
 
 TEST_CASE("residue terms are counted value by value, and change nothing where the elements are wide") {
   data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 3);
   problem.given = data::GivenLength{0.3};
-  const auto library = verify::solve(scene_of(problem, {"load"}));
+  const auto library = verify::solve(scene_of(problem, {data::ResultId::load}));
   problem.method = data::LineLoads{3, 3, 500};
-  const auto series = verify::solve(scene_of(problem, {"load"}));
+  const auto series = verify::solve(scene_of(problem, {data::ResultId::load}));
   CHECK(series.work.terms == 500 * series.work.kernel_evaluations[0]);
   CHECK(series.work.kernel_evaluations[0] == 6);
   CHECK(series.work.unknowns == 4);
   CHECK(series.work.systems == 1);
-  CHECK(series["load"].value == doctest::Approx(library["load"].value).epsilon(1e-8));
+  CHECK(series[data::ResultId::load].value ==
+        doctest::Approx(library[data::ResultId::load].value).epsilon(1e-8));
 }
 
 TEST_CASE("a displacement wanted at a line load is refused by its position") {
   data::ElasticNipProblem problem = line_load_problem(data::Friction::none, 1);
   problem.given = data::GivenLength{0.5};
   problem.profile = data::Positions{{0.0, 0.125}};
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"normal_displacement"})),
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {data::ResultId::normal_displacement})),
                        "profile.positions[1] = 0.125: must not be the place of a line load", data::BadInput);
-  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {"pressure"})));
+  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {data::ResultId::pressure})));
 }
 
 TEST_CASE("line loads have the same allowed contacts as the continuous one") {
@@ -176,7 +181,7 @@ TEST_CASE("line loads have the same allowed contacts as the continuous one") {
   for (const double load : {1e-200, 1e10}) {
     problem.given = data::GivenLoad{load};
     try {
-      (void)verify::solve(scene_of(problem, {"load"}));
+      (void)verify::solve(scene_of(problem, {data::ResultId::load}));
       FAIL("accepted");
     } catch (const data::BadInput& error) {
       CHECK(std::string(error.what()).starts_with("load.per_length = "));
@@ -191,13 +196,13 @@ TEST_CASE("where no creep meets the thesis's conditions, the refusal says so and
   const std::string why =
       ": no creep meets the thesis's conditions here: friction.creep_ratio must be given, or other elements";
   problem.given = data::GivenLength{0.1};
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"load"})),
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {data::ResultId::load})),
                        ("contact.length = 0.1" + why).c_str(), data::BadInput);
   problem.given = data::GivenLoad{100};
-  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {"load"})),
+  CHECK_THROWS_WITH_AS((void)verify::solve(scene_of(problem, {data::ResultId::load})),
                        ("load.per_length = 100" + why).c_str(), data::BadInput);
   problem.creep_ratio = 1e-3;
-  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {"load"})));
+  CHECK_NOTHROW((void)verify::solve(scene_of(problem, {data::ResultId::load})));
 }
 
 TEST_CASE(
@@ -205,25 +210,27 @@ TEST_CASE(
   for (const double load : {25.0, 100.0, 200.0}) {
     CAPTURE(load);
     data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
-    scene.wanted = {"creep_range", "creep_ratio"};
+    scene.wanted = {data::ResultId::creep_range, data::ResultId::creep_ratio};
     problem_of(scene).given = data::GivenLoad{load};
     const auto solution = verify::solve(scene);
     const auto by_ref = verify::solve_by_ref(scene, 20);
-    const auto& range = solution.profile("creep_range");
+    const auto& range = solution.profile(data::ResultId::creep_range);
     REQUIRE(range.size() == 3);
     CHECK(range[0].value < range[1].value);
-    CHECK(range[2].value == solution["creep_ratio"].value);
+    CHECK(range[2].value == solution[data::ResultId::creep_ratio].value);
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(range[i].value ==
-            doctest::Approx(std::stod(by_ref.profile("creep_range")[i].value_text())).scale(0).epsilon(1e-9));
-      CHECK(by_ref.profile("creep_range")[i].proven);
+            doctest::Approx(std::stod(by_ref.profile(data::ResultId::creep_range)[i].value_text()))
+                .scale(0)
+                .epsilon(1e-9));
+      CHECK(by_ref.profile(data::ResultId::creep_range)[i].proven);
     }
   }
 }
 
 TEST_CASE("a range of creep is refused where there is one creep, or none") {
   data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction"));
-  scene.wanted = {"creep_range"};
+  scene.wanted = {data::ResultId::creep_range};
   CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("a converged contact has one creep"),
                        data::BadInput);
 }

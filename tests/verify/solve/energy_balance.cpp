@@ -21,7 +21,11 @@ namespace {
 
 data::Scene rolling_scene(const data::ViscoelasticNip& nip, double length) {
   const data::ViscoelasticNipProblem problem{nip, data::GivenLength{length}, data::ConvergedMethod{}, {}};
-  return {.title = "rolled", .wanted = {"load"}, .accuracy = 1e-12, .system = problem, .origin = {}};
+  return {.title = "rolled",
+          .wanted = {data::ResultId::load},
+          .accuracy = 1e-12,
+          .system = problem,
+          .origin = {}};
 }
 
 void check_balanced(const verify::EnergyBalance& balance, double known_to) {

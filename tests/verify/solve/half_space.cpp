@@ -297,15 +297,16 @@ TEST_CASE(
     "a contact similar to the body's contours: its spans are theirs, its force their integral, by both paths") {
   data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
   auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
-  scene.wanted = {"span_along", "span_ratio",  "normal_force", "centre_along",
-                  "span",       "leading_end", "compliance"};
+  scene.wanted = {data::ResultId::span_along,   data::ResultId::span_ratio, data::ResultId::normal_force,
+                  data::ResultId::centre_along, data::ResultId::span,       data::ResultId::leading_end,
+                  data::ResultId::compliance};
   const auto fast = verify::solve(scene);
   const auto by_ref = verify::solve_by_ref(scene, 16);
-  for (const std::string& name : scene.wanted) {
-    CAPTURE(name);
-    for (std::size_t i = 0; i < fast.profile(name).size(); ++i) {
-      const fast::Estimate number = fast.profile(name)[i];
-      const ref::Estimate& truth = by_ref.profile(name)[i];
+  for (const data::ResultId id : scene.wanted) {
+    CAPTURE(data::scene_result(id).name);
+    for (std::size_t i = 0; i < fast.profile(id).size(); ++i) {
+      const fast::Estimate number = fast.profile(id)[i];
+      const ref::Estimate& truth = by_ref.profile(id)[i];
       CHECK(std::fabs(number.value - truth.to_double()) <=
             number.error + std::stod(truth.error_text()) + 1e-15 * std::fabs(number.value));
     }
@@ -328,11 +329,11 @@ TEST_CASE(
 
 TEST_CASE("a contact similar to the body's contours has no peak of its own, and no sphere rolls on one") {
   data::Scene scene = data::load_scene(data::example_scene("half-space-sliding-die-similar"));
-  scene.wanted = {"peak_pressure"};
+  scene.wanted = {data::ResultId::peak_pressure};
   CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("each line has its own peak"),
                        data::BadInput);
   scene = data::load_scene(data::example_scene("half-space-rolling-sphere"));
-  scene.wanted = {"span_along"};
+  scene.wanted = {data::ResultId::span_along};
   std::get<data::HalfSpaceProblem>(scene.system).rule = data::ContourRule::similar_contour;
   CHECK_THROWS_WITH_AS((void)verify::solve(scene), doctest::Contains("(30) is a die's"), data::BadInput);
 }

@@ -91,12 +91,14 @@ TEST_CASE(
   // Slower than it moves the solid answers with its instantaneous moduli: shear 5.4375e4, bulk 1.45e5.
   const auto problem =
       std::get<data::ViscoelasticNipProblem>(inside_example("inside-viscoelastic", {}).system);
-  for (const char* const name : {"stress_across", "stress_along", "stress_shear"})
-    CHECK(rolling.profile(name).size() == 9);
-  CHECK(std::fabs(rolling["greatest_shear_position"].value) < 0.1);
+  for (const data::ResultId id :
+       {data::ResultId::stress_across, data::ResultId::stress_along, data::ResultId::stress_shear})
+    CHECK(rolling.profile(id).size() == 9);
+  CHECK(std::fabs(rolling[data::ResultId::greatest_shear_position].value) < 0.1);
   // Leading pressure leads inside too.
   const auto lagging = verify::solve(inside_example("inside-viscoelastic", {}));
-  CHECK(lagging["greatest_shear_position"].value > rolling["greatest_shear_position"].value);
+  CHECK(lagging[data::ResultId::greatest_shear_position].value >
+        rolling[data::ResultId::greatest_shear_position].value);
   // Across the middle plane the load is carried.
   const auto contact = fast::converged_for_load(problem.nip, 100, 1e-9);
   double carried = 0;
@@ -123,7 +125,7 @@ TEST_CASE("scenes refuse what has no stresses inside the sheet") {
               {"method.trailing_elements", "5"}})
             .ends_with("wanted[2]"));
   data::Scene far = inside_example("inside-full-friction", {{"field.positions", "[1e4]"}});
-  far.wanted = {"stress_across"};
+  far.wanted = {data::ResultId::stress_across};
   CHECK_THROWS_AS(static_cast<void>(verify::solve_by_ref(far, 16)), data::BadInput);
 }
 
@@ -219,11 +221,12 @@ TEST_CASE(
                                               {"sheet.thickness", thickness},
                                               {"field.positions", "[0.067, -0.2]"},
                                               {"field.depths", "[-0.99999, 1]"}});
-    scene.wanted = {"stress_across", "stress_along", "stress_shear", "highest_stress", "maximum_shear"};
+    scene.wanted = {data::ResultId::stress_across, data::ResultId::stress_along, data::ResultId::stress_shear,
+                    data::ResultId::highest_stress, data::ResultId::maximum_shear};
     const auto fast = verify::solve(scene);
     const auto by_ref = verify::solve_by_ref(scene, 16);
-    for (const std::string& result : scene.wanted) {
-      CAPTURE(result);
+    for (const data::ResultId result : scene.wanted) {
+      CAPTURE(data::scene_result(result).name);
       const auto values = fast.profile(result);
       const auto truths = by_ref.profile(result);
       REQUIRE(truths.size() == values.size());
@@ -241,30 +244,32 @@ TEST_CASE(
     "a field is proven only where each of its numbers is: the exact zeros of the shear do not make it so") {
   data::Scene scene = inside_example("inside-thick-frictionless",
                                      {{"field.positions", "[0.035]"}, {"field.depths", "[0, 0.5]"}});
-  scene.wanted = {"stress_shear"};
+  scene.wanted = {data::ResultId::stress_shear};
   const auto by_ref = verify::solve_by_ref(scene, 16);
-  CHECK(by_ref.profile("stress_shear")[0].proven);
+  CHECK(by_ref.profile(data::ResultId::stress_shear)[0].proven);
   CHECK(verify::solution_json(by_ref).text().find("\"proven\": false") != std::string::npos);
 }
 
 TEST_CASE("the reference's largest shear is Hertz's below a thick sheet's contact, and fast's everywhere") {
   data::Scene scene = inside_example("inside-thick-frictionless", {{"sheet.thickness", "1e6"}});
-  scene.wanted = {"contact_length", "peak_pressure", "greatest_shear", "greatest_shear_position",
-                  "greatest_shear_depth"};
+  scene.wanted = {data::ResultId::contact_length, data::ResultId::peak_pressure,
+                  data::ResultId::greatest_shear, data::ResultId::greatest_shear_position,
+                  data::ResultId::greatest_shear_depth};
   const auto by_ref = verify::solve_by_ref(scene, 16);
-  const auto value = [&](const char* name) { return std::stold(by_ref[name].value_text()); };
+  const auto value = [&](data::ResultId id) { return std::stold(by_ref[id].value_text()); };
   // tau = d (1 - d/sqrt(1 + d^2)) p0 below the middle: 0.30028 p0 at 0.78615 half widths.
   const long double root = std::sqrt((std::sqrt(5.0L) - 1) / 2);
   const long double largest = root * (1 - root / std::sqrt(1 + root * root));
-  CHECK(static_cast<double>(value("greatest_shear") / value("peak_pressure")) ==
+  CHECK(static_cast<double>(value(data::ResultId::greatest_shear) / value(data::ResultId::peak_pressure)) ==
         doctest::Approx(static_cast<double>(largest)).epsilon(1e-6));
-  CHECK(static_cast<double>((1 - value("greatest_shear_depth")) * 1e6L / value("contact_length")) ==
+  CHECK(static_cast<double>((1 - value(data::ResultId::greatest_shear_depth)) * 1e6L /
+                            value(data::ResultId::contact_length)) ==
         doctest::Approx(static_cast<double>(root)).epsilon(1e-6));
-  CHECK(by_ref["greatest_shear_position"].value_text() == "0");
+  CHECK(by_ref[data::ResultId::greatest_shear_position].value_text() == "0");
   const auto fast = verify::solve(scene);
-  for (const std::string& name : scene.wanted) {
-    CAPTURE(name);
-    CHECK(covered(fast[name], {std::stod(by_ref[name].value_text()), std::stod(by_ref[name].error_text())}));
+  for (const data::ResultId id : scene.wanted) {
+    CAPTURE(data::scene_result(id).name);
+    CHECK(covered(fast[id], {std::stod(by_ref[id].value_text()), std::stod(by_ref[id].error_text())}));
   }
 }
 

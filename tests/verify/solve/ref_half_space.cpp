@@ -43,19 +43,24 @@ void check_both_paths(data::Scene scene) {
   CAPTURE(scene.title);
   auto& problem = std::get<data::HalfSpaceProblem>(scene.system);
   problem.profile = data::Positions{{-60, 0, 20, 90}};
-  scene.wanted = {"span_along",    "span_across",    "span_ratio", "normal_force", "friction_force",
-                  "peak_pressure", "critical_speed", "span",       "compliance",   "coupling"};
+  scene.wanted = {data::ResultId::span_along,     data::ResultId::span_across,
+                  data::ResultId::span_ratio,     data::ResultId::normal_force,
+                  data::ResultId::friction_force, data::ResultId::peak_pressure,
+                  data::ResultId::critical_speed, data::ResultId::span,
+                  data::ResultId::compliance,     data::ResultId::coupling};
   if (problem.rule == data::ContourRule::exact)
-    scene.wanted.insert(scene.wanted.end(), {"axis_ratio", "approach", "orientation"});
-  scene.wanted.insert(scene.wanted.end(), {"centre_along", "centre_across", "leading_end", "trailing_end"});
+    scene.wanted.insert(scene.wanted.end(),
+                        {data::ResultId::axis_ratio, data::ResultId::approach, data::ResultId::orientation});
+  scene.wanted.insert(scene.wanted.end(), {data::ResultId::centre_along, data::ResultId::centre_across,
+                                           data::ResultId::leading_end, data::ResultId::trailing_end});
   if (std::holds_alternative<data::RigidRollingSphere>(problem.body))
-    scene.wanted.insert(scene.wanted.end(), {"creep", "compressed_radius"});
+    scene.wanted.insert(scene.wanted.end(), {data::ResultId::creep, data::ResultId::compressed_radius});
   compare_both_paths(scene);
   // Along a line, where the positions are lengths.
   const double end = verify::solve(scene).profile("leading_end")[2].value;
   problem.line = 20;
   problem.profile = data::Positions{{-2 * end, -0.7 * end, 0, 0.5 * end, 0.99999 * end}};
-  scene.wanted = {"pressure", "shear"};
+  scene.wanted = {data::ResultId::pressure, data::ResultId::shear};
   compare_both_paths(scene);
 }
 
@@ -82,7 +87,7 @@ TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too")
   const auto of_sphere = [](const char* speed) {
     auto scene =
         example("half-space-sphere-normal-axis", {{"sphere.shear", "7.72e9"}, {"sliding.speed", speed}});
-    scene.wanted = {"critical_speed"};
+    scene.wanted = {data::ResultId::critical_speed};
     return number(verify::solve_by_ref(scene, 16).results[0].numbers[0].value_text());
   };
   const double shear_waves = std::sqrt(7.72e9 / 7860);
@@ -93,7 +98,7 @@ TEST_CASE("a sphere whose patch moves in it has its critical speed at rest too")
 TEST_CASE("the reference solves for the user's degrees: a direction of 30 is exactly that") {
   // Off by a rounding of 30 degrees in radians the orientation could not be known to 20 digits.
   auto scene = example("half-space-sliding-die-exact", {{"sliding.direction", "30"}});
-  scene.wanted = {"orientation"};
+  scene.wanted = {data::ResultId::orientation};
   const auto ref = verify::solve_by_ref(scene, 20);
   CHECK(std::fabs(std::strtold(ref["orientation"].value_text().c_str(), nullptr) - 30) <= 1e-18L);
 }
@@ -110,7 +115,7 @@ TEST_CASE(
   CHECK_FALSE(solved["peak_pressure"].proven);
   // Where lines differ, which of them is critical first is found by estimates.
   auto anisotropic = example("half-space-anisotropic");
-  anisotropic.wanted = {"critical_speed"};
+  anisotropic.wanted = {data::ResultId::critical_speed};
   CHECK_FALSE(verify::solve_by_ref(anisotropic, 16)["critical_speed"].proven);
 }
 

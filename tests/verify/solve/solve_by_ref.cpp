@@ -20,7 +20,7 @@ using namespace nipref;
 
 namespace {
 
-data::Scene scene_of(double thickness, const std::vector<std::string>& wanted) {
+data::Scene scene_of(double thickness, const std::vector<data::ResultId>& wanted) {
   data::ElasticNipProblem problem{.nip = data::seed::nip(thickness),
                                   .given = data::GivenLoad{100},
                                   .creep_ratio = {},
@@ -30,7 +30,8 @@ data::Scene scene_of(double thickness, const std::vector<std::string>& wanted) {
 }
 
 data::Scene line_load_scene() {
-  data::Scene scene = scene_of(0.25, {"load", "indentation", "edge_displacement"});
+  data::Scene scene =
+      scene_of(0.25, {data::ResultId::load, data::ResultId::indentation, data::ResultId::edge_displacement});
   problem_of(scene).given = data::GivenLength{0.15};
   problem_of(scene).method = data::LineLoads{5, 5};
   return scene;
@@ -50,21 +51,21 @@ void check_unsolvable(const data::Scene& scene, const std::string& start, int di
 }  // namespace
 
 TEST_CASE("the reference's converged contact lies within the error estimates of the one in double") {
-  const std::vector<std::string> wanted{"contact_length",
-                                        "leading_length",
-                                        "trailing_length",
-                                        "load",
-                                        "indentation",
-                                        "edge_displacement",
-                                        "trailing_displacement",
-                                        "rolling_resistance",
-                                        "creep_ratio",
-                                        "peak_pressure",
-                                        "peak_shear",
-                                        "pressure",
-                                        "shear",
-                                        "normal_displacement",
-                                        "tangential_displacement"};
+  const std::vector<data::ResultId> wanted{data::ResultId::contact_length,
+                                           data::ResultId::leading_length,
+                                           data::ResultId::trailing_length,
+                                           data::ResultId::load,
+                                           data::ResultId::indentation,
+                                           data::ResultId::edge_displacement,
+                                           data::ResultId::trailing_displacement,
+                                           data::ResultId::rolling_resistance,
+                                           data::ResultId::creep_ratio,
+                                           data::ResultId::peak_pressure,
+                                           data::ResultId::peak_shear,
+                                           data::ResultId::pressure,
+                                           data::ResultId::shear,
+                                           data::ResultId::normal_displacement,
+                                           data::ResultId::tangential_displacement};
   for (const auto& [thickness, friction] :
        {std::pair(1.0, data::Friction::none), std::pair(0.25, data::Friction::none),
         std::pair(0.25, data::Friction::full)}) {
@@ -105,11 +106,11 @@ TEST_CASE("the reference's line loads are those in double, with friction and wit
     }
     const auto fast = verify::solve(scene);
     const auto reference = verify::solve_by_ref(scene, 30);
-    for (const std::string& name : scene.wanted) {
-      CAPTURE(name);
-      CHECK(std::stod(reference[name].value_text()) == doctest::Approx(fast[name].value).epsilon(1e-9));
-      CHECK(std::stod(reference[name].error_text()) <= 1e-30 * std::fmax(1, std::fabs(fast[name].value)));
-      CHECK(reference[name].value_text().size() > 30);
+    for (const data::ResultId id : scene.wanted) {
+      CAPTURE(data::scene_result(id).name);
+      CHECK(std::stod(reference[id].value_text()) == doctest::Approx(fast[id].value).epsilon(1e-9));
+      CHECK(std::stod(reference[id].error_text()) <= 1e-30 * std::fmax(1, std::fabs(fast[id].value)));
+      CHECK(reference[id].value_text().size() > 30);
     }
     CHECK(reference.work.unknowns == (friction ? 11 : 6));
   }
@@ -129,11 +130,12 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
   const auto json = json_of(loads);
   CHECK(json.at("results").size() == 3);
   for (const auto& result : json.at("results")) CHECK(result.at("proven") == true);
-  CHECK(json.at("results").at("load").at("error") == loads["load"].error_text());
+  CHECK(json.at("results").at("load").at("error") == loads[data::ResultId::load].error_text());
   CHECK(verify::solution_text(loads).find(" bound ") != std::string::npos);
   CHECK(verify::solution_text(loads).find(" error ") == std::string::npos);
 
-  const data::Scene scene = scene_of(0.25, {"load", "pressure", "shear"});
+  const data::Scene scene =
+      scene_of(0.25, {data::ResultId::load, data::ResultId::pressure, data::ResultId::shear});
   const auto contact = json_of(verify::solve_by_ref(scene, 20));
   CHECK(contact.at("results").size() == 3);
   for (const auto& result : contact.at("results")) CHECK(result.at("proven") == true);
@@ -152,18 +154,18 @@ TEST_CASE("what the reference solves is proven, what fast solves is estimated, a
 
 TEST_CASE("the reference's line loads carry a given load, all of their results as in double") {
   data::Scene scene = line_load_scene();
-  scene.wanted = {"contact_length",
-                  "leading_length",
-                  "trailing_displacement",
-                  "rolling_resistance",
-                  "creep_ratio",
-                  "peak_pressure",
-                  "peak_shear",
-                  "load",
-                  "pressure",
-                  "shear",
-                  "normal_displacement",
-                  "tangential_displacement"};
+  scene.wanted = {data::ResultId::contact_length,
+                  data::ResultId::leading_length,
+                  data::ResultId::trailing_displacement,
+                  data::ResultId::rolling_resistance,
+                  data::ResultId::creep_ratio,
+                  data::ResultId::peak_pressure,
+                  data::ResultId::peak_shear,
+                  data::ResultId::load,
+                  data::ResultId::pressure,
+                  data::ResultId::shear,
+                  data::ResultId::normal_displacement,
+                  data::ResultId::tangential_displacement};
   problem_of(scene).given = data::GivenLoad{100};
   problem_of(scene).method = data::LineLoads{3, 3, 100};
   for (const bool friction : {false, true}) {
@@ -209,14 +211,14 @@ TEST_CASE("every example that takes the reference less than about a second is so
 }
 
 TEST_CASE("lengths and digits beyond the reference's solvers are refused by name") {
-  data::Scene scene = scene_of(0.005, {"load"});
+  data::Scene scene = scene_of(0.005, {data::ResultId::load});
   problem_of(scene).given = data::GivenLength{0.5};
   check_unsolvable(scene, "contact.length = 0.5: ");
-  check_unsolvable(scene_of(0.25, {"load"}), "digits = 15: ", 15);
+  check_unsolvable(scene_of(0.25, {data::ResultId::load}), "digits = 15: ", 15);
   problem_of(scene).given = data::GivenLoad{-1};
   check_unsolvable(scene, "load.per_length = -1: must be finite and > 0");
 
-  scene = scene_of(0.005, {"load"});
+  scene = scene_of(0.005, {data::ResultId::load});
   problem_of(scene).friction = data::Friction::full;
   problem_of(scene).given = data::GivenLength{0.5};
   check_unsolvable(scene, "contact.length = 0.5: ");
@@ -228,9 +230,9 @@ TEST_CASE("lengths and digits beyond the reference's solvers are refused by name
 TEST_CASE("what takes the reference more than ten seconds is known before it starts") {
   const auto seconds = [](const char* name, int digits, std::size_t places) {
     data::Scene scene = data::load_scene(data::example_scene(name));
-    scene.wanted = {"contact_length"};
+    scene.wanted = {data::ResultId::contact_length};
     if (auto* const nip = std::get_if<data::ElasticNipProblem>(&scene.system); nip != nullptr && places > 0) {
-      scene.wanted = {"stress_across"};
+      scene.wanted = {data::ResultId::stress_across};
       nip->field = {std::vector<double>(places, 0), {0.5}};
     }
     return verify::likely_seconds_by_ref(scene, digits);

@@ -79,19 +79,20 @@ TEST_CASE("frictionless contacts are within their estimates of the reference") {
   // 12.4 thicknesses: at its accuracy two levels of the expansion happened to agree.
   for (const double length : {12.412938459, 0.01, 3.0, 10.9}) {
     data::Scene scene = data::parse_scene(elastic("none", length, 1e-8), "elastic");
-    scene.wanted = {"load", "indentation", "creep_ratio", "peak_pressure"};
+    scene.wanted = {data::ResultId::load, data::ResultId::indentation, data::ResultId::creep_ratio,
+                    data::ResultId::peak_pressure};
     const auto truth = verify::solve_by_ref(scene, 18);
     for (const double accuracy : {1e-3, 1e-8, 1e-13}) {
       CAPTURE(length);
       CAPTURE(accuracy);
       scene.accuracy = accuracy;
       const auto found = verify::solve(scene);
-      for (const std::string& name : scene.wanted) {
-        CAPTURE(name);
+      for (const data::ResultId id : scene.wanted) {
+        CAPTURE(data::scene_result(id).name);
         const long double error =
-            std::fabs(static_cast<long double>(found[name].value) - std::stold(truth[name].value_text()));
-        CHECK(error <= static_cast<long double>(found[name].error));
-        CHECK(found[name].error <= 1e3 * accuracy * std::fabs(found[name].value));
+            std::fabs(static_cast<long double>(found[id].value) - std::stold(truth[id].value_text()));
+        CHECK(error <= static_cast<long double>(found[id].error));
+        CHECK(found[id].error <= 1e3 * accuracy * std::fabs(found[id].value));
       }
     }
   }

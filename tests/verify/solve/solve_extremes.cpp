@@ -178,7 +178,7 @@ TEST_CASE("a result that is no number is refused by its name") {
     fast::Estimate estimate_;
   };
   data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
-  scene.wanted = {"load"};
+  scene.wanted = {data::ResultId::load};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const fast::Estimate estimate : {fast::Estimate{infinity, 1}, {1, infinity}, {std::nan(""), 1}}) {
     try {

@@ -89,7 +89,7 @@ double draw_speed(Random& random, DrawnScene drawn) {
                       : random.chance(0.5) ? random.uniform()
                                            : 1 - random.log_uniform(1e-9, 0.5);
   drawn.set("title", "its critical speed");
-  drawn.set("wanted", data::names_of({ResultId::critical_speed}));
+  drawn.set_wanted({ResultId::critical_speed});
   try {
     return part * solve(drawn.scene())[ResultId::critical_speed].value;
   } catch (const data::BadInput&) {
@@ -97,7 +97,7 @@ double draw_speed(Random& random, DrawnScene drawn) {
   }
 }
 
-std::vector<std::string> results_of(data::ContourRule rule, Body body) {
+std::vector<ResultId> results_of(data::ContourRule rule, Body body) {
   std::vector<ResultId> wanted{ResultId::span_along,    ResultId::span_across,    ResultId::span_ratio,
                                ResultId::normal_force,  ResultId::friction_force, ResultId::peak_pressure,
                                ResultId::span,          ResultId::compliance,     ResultId::coupling,
@@ -109,7 +109,7 @@ std::vector<std::string> results_of(data::ContourRule rule, Body body) {
   if (rule == data::ContourRule::similar_contour) std::erase(wanted, ResultId::peak_pressure);
   if (rule == data::ContourRule::exact)
     wanted.insert(wanted.end(), {ResultId::axis_ratio, ResultId::orientation, ResultId::approach});
-  return data::names_of(wanted);
+  return wanted;
 }
 
 }  // namespace

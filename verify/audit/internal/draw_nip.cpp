@@ -49,27 +49,27 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
   drawn.set("profile.positions", draw_positions(random, size.length));
-  drawn.set("wanted", data::names_of({ResultId::contact_length,
-                                      ResultId::leading_length,
-                                      ResultId::trailing_length,
-                                      ResultId::load,
-                                      ResultId::indentation,
-                                      ResultId::edge_displacement,
-                                      ResultId::trailing_displacement,
-                                      ResultId::rolling_resistance,
-                                      ResultId::eccentricity,
-                                      ResultId::resistance_force,
-                                      ResultId::power_loss,
-                                      ResultId::creep_ratio,
-                                      ResultId::peak_pressure,
-                                      ResultId::peak_pressure_position,
-                                      ResultId::peak_shear,
-                                      ResultId::pressure,
-                                      ResultId::shear,
-                                      ResultId::normal_displacement,
-                                      ResultId::tangential_displacement,
-                                      ResultId::surface_strain,
-                                      ResultId::slip}));
+  drawn.set_wanted({ResultId::contact_length,
+                    ResultId::leading_length,
+                    ResultId::trailing_length,
+                    ResultId::load,
+                    ResultId::indentation,
+                    ResultId::edge_displacement,
+                    ResultId::trailing_displacement,
+                    ResultId::rolling_resistance,
+                    ResultId::eccentricity,
+                    ResultId::resistance_force,
+                    ResultId::power_loss,
+                    ResultId::creep_ratio,
+                    ResultId::peak_pressure,
+                    ResultId::peak_pressure_position,
+                    ResultId::peak_shear,
+                    ResultId::pressure,
+                    ResultId::shear,
+                    ResultId::normal_displacement,
+                    ResultId::tangential_displacement,
+                    ResultId::surface_strain,
+                    ResultId::slip});
   return drawn;
 }
 
@@ -197,10 +197,9 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
   drawn.set("material.poisson", material.poisson);
   drawn.set("friction.model", grips ? "full" : "none");
   if (grips) {
-    auto wanted = drawn.texts("wanted");
-    std::ranges::copy(data::names_of({ResultId::peak_shear_position, ResultId::shear_zeros}),
-                      std::back_inserter(wanted));
-    drawn.set("wanted", wanted);
+    auto wanted = drawn.wanted();
+    wanted.insert(wanted.end(), {ResultId::peak_shear_position, ResultId::shear_zeros});
+    drawn.set_wanted(std::move(wanted));
   }
   if (random.chance(0.5)) {
     // What is gripped cannot widen.

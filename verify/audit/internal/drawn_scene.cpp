@@ -36,6 +36,9 @@ struct TomlText {
     return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
   }
   std::string operator()(const std::string& text) const { return fmt::format("\"{}\"", text); }
+  std::string operator()(data::ResultId id) const {
+    return fmt::format("\"{}\"", data::scene_result(id).name);
+  }
   template <class Item>
   std::string operator()(const std::vector<Item>& items) const {
     std::vector<std::string> texts;

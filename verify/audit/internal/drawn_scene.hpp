@@ -14,7 +14,7 @@ namespace nipref::verify {
 /// as `solve` reads it.
 class DrawnScene {
  public:
-  using Value = std::variant<double, std::string, std::vector<double>, std::vector<std::string>>;
+  using Value = std::variant<double, std::string, std::vector<double>, std::vector<data::ResultId>>;
 
   /// "TABLE.KEY", or "KEY".
   void set(const std::string& key, Value value) { keys_.insert_or_assign(key, std::move(value)); }
@@ -28,9 +28,10 @@ class DrawnScene {
   [[nodiscard]] std::vector<double> numbers(const std::string& key) const {
     return std::get<std::vector<double>>(keys_.at(key));
   }
-  [[nodiscard]] std::vector<std::string> texts(const std::string& key) const {
-    return std::get<std::vector<std::string>>(keys_.at(key));
+  [[nodiscard]] const std::vector<data::ResultId>& wanted() const {
+    return std::get<std::vector<data::ResultId>>(keys_.at("wanted"));
   }
+  void set_wanted(std::vector<data::ResultId> results) { set("wanted", std::move(results)); }
   [[nodiscard]] std::map<std::string, Value>& keys() { return keys_; }
 
   [[nodiscard]] std::string toml() const;

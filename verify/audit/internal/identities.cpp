@@ -110,7 +110,7 @@ std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<E
                     }};
     variant.scene.remove(pair.found_key);
     variant.scene.set(pair.given_key, found.value);
-    variant.scene.set("wanted", data::names_of({pair.given}));
+    variant.scene.set_wanted({pair.given});
     return variant;
   }
   return {};

@@ -53,10 +53,10 @@ class Comparisons {
   }
 
   /// other_of(result, i), if there is one, for each number of these results.
-  void against(const std::string& name, const std::vector<std::string>& results, const auto& other_of) {
+  void against(const std::string& name, const std::vector<ResultId>& results, const auto& other_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
-      if (std::ranges::find(results, result.what->name) == results.end()) continue;
+      if (std::ranges::find(results, result.what->id) == results.end()) continue;
       for (std::size_t i = 0; i < result.numbers.size(); ++i) {
         if (const std::optional<Other> other = other_of(result, i)) compare(name, k, i, *other);
       }
@@ -189,7 +189,7 @@ bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surfac
 
 /// What takes the reference a second or ten of the scenes drawn for it only.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
-                      const std::vector<std::string>& wanted, const Solution& solved, Random& random) {
+                      const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
   const RefSurface surface(problem);
   const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
@@ -214,11 +214,11 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
                       const SceneSolvers& solvers) {
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
   if (solved[ResultId::contact_length].value > longest_by_ref * drawn.number("sheet.thickness")) return;
-  const std::vector<std::string> known =
-      data::names_of({ResultId::contact_length, ResultId::load, ResultId::indentation,
-                      ResultId::edge_displacement, ResultId::peak_pressure, ResultId::pressure,
-                      ResultId::peak_pressure_position, ResultId::surface_strain});
-  drawn.set("wanted", known);
+  const std::vector<ResultId> known{
+      ResultId::contact_length,         ResultId::load,          ResultId::indentation,
+      ResultId::edge_displacement,      ResultId::peak_pressure, ResultId::pressure,
+      ResultId::peak_pressure_position, ResultId::surface_strain};
+  drawn.set_wanted(known);
   try {
     const auto truth = solvers.ref(drawn.scene(), ref_digits);
     comparisons.against("ref", known, [&](const Solution::Result& result, std::size_t i) {
@@ -233,7 +233,7 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
 void compare_at_best(Comparisons& comparisons, DrawnScene drawn, const SceneSolvers& solvers) {
   drawn.set("accuracy", best_accuracy);
   const Solution best = solvers.fast(drawn.scene());
-  comparisons.against("the same at 1e-13", drawn.texts("wanted"), OtherOf{best});
+  comparisons.against("the same at 1e-13", drawn.wanted(), OtherOf{best});
 }
 
 void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, const Solution& solved,
@@ -241,7 +241,7 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
   for (const Variant& variant : variants_of(drawn, solved, random)) {
     try {
       const Solution other = solvers.fast(variant.scene.scene());
-      comparisons.against(variant.name, variant.scene.texts("wanted"), OtherOf{other, &variant});
+      comparisons.against(variant.name, variant.scene.wanted(), OtherOf{other, &variant});
     } catch (const data::BadInput&) {
       // At the very end of a domain the variant may be beyond it.
     }

@@ -25,9 +25,8 @@ struct PlacePoints {
 
 std::vector<double> profile_positions(const data::Scene& scene, const std::optional<data::Profile>& profile,
                                       const ProfileExtent& extent) {
-  const bool wanted = std::ranges::any_of(scene.wanted, [](const std::string& name) {
-    return data::find_scene_result(name)->shape == data::Shape::profile;
-  });
+  const bool wanted = std::ranges::any_of(
+      scene.wanted, [](ResultId id) { return data::scene_result(id).shape == data::Shape::profile; });
   return wanted ? std::visit(PlacePoints{extent}, *profile) : std::vector<double>{};
 }
 
@@ -48,7 +47,7 @@ bool is_by_line_loads(const data::Scene& scene) {
 }
 
 void refuse_result(const data::Scene& scene, std::size_t wanted) {
-  scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", scene.wanted[wanted],
+  scene.origin.refuse("wanted[" + std::to_string(wanted) + "]", data::scene_result(scene.wanted[wanted]).name,
                       "must be left out: in this scene it leaves the range of doubles");
 }
 

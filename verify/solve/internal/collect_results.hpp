@@ -63,7 +63,7 @@ template <class Number>
 typename SceneSolution<Number>::Result collect_result(const data::Scene& scene, std::size_t wanted,
                                                       const SolvedContact<Number>& contact,
                                                       const SceneSolution<Number>& solution) {
-  typename SceneSolution<Number>::Result result{data::find_scene_result(scene.wanted[wanted]), {}};
+  typename SceneSolution<Number>::Result result{&data::scene_result(scene.wanted[wanted]), {}};
   const ResultId id = result.what->id;
   switch (result.what->shape) {
     case data::Shape::number:
@@ -97,7 +97,7 @@ SceneSolution<Number> collect_results(const data::Scene& scene, const std::optio
   solution.warnings = beyond_theory(scene, contact);
   solution.positions = profile_positions(scene, profile, contact.profile_extent());
   for (std::size_t wanted = 0; wanted < scene.wanted.size(); ++wanted) {
-    if (data::find_scene_result(scene.wanted[wanted])->shape == data::Shape::field)
+    if (data::scene_result(scene.wanted[wanted]).shape == data::Shape::field)
       solution.field = field_places(scene);
     solution.results.push_back(collect_result(scene, wanted, contact, solution));
   }
