@@ -2,9 +2,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <string_view>
 #include <utility>
-#include <variant>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/line_loads.hpp>
@@ -29,68 +27,39 @@ const std::map<ResultId, double fast::LineLoadSolution::*> elastic_line_load_num
     {ResultId::peak_shear, &fast::LineLoadSolution::peak_shear},
 };
 
-/// Line loads without friction for the given load or length.
-struct SolveFrictionless {
-  const data::ElasticNip& nip;
-  const LineLoadMethod& method;
-  Work* work;
+[[noreturn]] void refuse_without_creep(const char* argument, double value) {
+  throw data::BadInput(
+      argument, value,
+      "no creep meets the thesis's conditions here: friction.creep_ratio must be given, or other elements");
+}
 
-  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
-    return fast::line_loads_for_load(nip, method, load.per_length, {}, work);
-  }
-  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
-    return fast::line_loads_for_length(nip, method, length.contact_length, work);
-  }
-};
-
-/// The same with full friction and a given creep.
-struct SolveAtCreep {
-  const data::ElasticNip& nip;
-  const LineLoadMethod& method;
-  double creep;
-  Work* work;
-
-  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
-    return fast::gripped_line_loads_for_load(nip, method, load.per_length, creep, {}, work);
-  }
-  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
-    return fast::gripped_line_loads_for_length(nip, method, length.contact_length, creep, work);
-  }
-};
-
-/// The same with the creep that meets the thesis's conditions, if there is one.
-struct SolveAtThesisCreep {
-  const data::ElasticNip& nip;
-  const LineLoadMethod& method;
-  Work* work;
-
-  fast::LineLoadSolution operator()(const data::GivenLoad& load) const {
-    auto solution = fast::thesis_line_loads_for_load(nip, method, load.per_length, {}, work);
-    if (!solution) refuse("load", load.per_length);
-    return *std::move(solution);
-  }
-  fast::LineLoadSolution operator()(const data::GivenLength& length) const {
-    auto solution = fast::thesis_line_loads_for_length(nip, method, length.contact_length, work);
-    if (!solution) refuse("contact_length", length.contact_length);
-    return *std::move(solution);
-  }
-  [[noreturn]] static void refuse(const char* argument, double value) {
-    throw data::BadInput(
-        argument, value,
-        "no creep meets the thesis's conditions here: friction.creep_ratio must be given, or "
-        "other elements");
-  }
-};
-
+/// Line loads without friction, with a given creep, or with the creep that meets the thesis's conditions.
 fast::LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const LineLoadMethod& method,
-                                   Work& work) {
-  if (problem.friction == data::Friction::none) {
-    return std::visit(SolveFrictionless{problem.nip, method, &work}, problem.given);
-  }
-  if (problem.creep_ratio) {
-    return std::visit(SolveAtCreep{problem.nip, method, *problem.creep_ratio, &work}, problem.given);
-  }
-  return std::visit(SolveAtThesisCreep{problem.nip, method, &work}, problem.given);
+                                   Work* work) {
+  const data::ElasticNip& nip = problem.nip;
+  if (problem.friction == data::Friction::none)
+    return solve_given(
+        problem.given, [&](double load) { return fast::line_loads_for_load(nip, method, load, {}, work); },
+        [&](double length) { return fast::line_loads_for_length(nip, method, length, work); });
+  if (const auto creep = problem.creep_ratio)
+    return solve_given(
+        problem.given,
+        [&](double load) { return fast::gripped_line_loads_for_load(nip, method, load, *creep, {}, work); },
+        [&](double length) {
+          return fast::gripped_line_loads_for_length(nip, method, length, *creep, work);
+        });
+  return solve_given(
+      problem.given,
+      [&](double load) {
+        auto solution = fast::thesis_line_loads_for_load(nip, method, load, {}, work);
+        if (!solution) refuse_without_creep("load", load);
+        return *std::move(solution);
+      },
+      [&](double length) {
+        auto solution = fast::thesis_line_loads_for_length(nip, method, length, work);
+        if (!solution) refuse_without_creep("contact_length", length);
+        return *std::move(solution);
+      });
 }
 
 class ElasticLineLoads : public LineLoadContact {
@@ -99,7 +68,7 @@ class ElasticLineLoads : public LineLoadContact {
       : LineLoadContact(solve_converged(problem, truth_accuracy)),
         nip_(problem.nip),
         method_(std::move(method)),
-        solution_(solve_loads(problem, method_, work_)) {}
+        solution_(solve_loads(problem, method_, &work_)) {}
 
   /// The error of a zero of the shear is its distance to the nearest zero of the continuous contact.
   [[nodiscard]] std::vector<Estimate> list(ResultId id) const override {
@@ -121,7 +90,7 @@ class ElasticLineLoads : public LineLoadContact {
   /// The continuous contact has one creep ratio, to which all three are compared.
   [[nodiscard]] std::vector<Estimate> creep_range() const {
     const auto creep = fast::thesis_creep(nip_, method_, solution_.contact_length, &work_);
-    if (!creep) SolveAtThesisCreep::refuse("contact_length", solution_.contact_length);
+    if (!creep) refuse_without_creep("contact_length", solution_.contact_length);
     const Estimate creep_of_truth = truth().number(ResultId::creep_ratio);
     return {estimate(creep->range.lower, creep_of_truth), estimate(creep->range.upper, creep_of_truth),
             estimate(creep->chosen, creep_of_truth)};
@@ -159,8 +128,8 @@ class ElasticLineLoads : public LineLoadContact {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<Estimate>> solve_line_loads(const data::ElasticNipProblem& problem,
-                                                          const data::LineLoads& loads, double accuracy) {
+SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
+                                double accuracy) {
   return std::make_unique<ElasticLineLoads>(
       problem, LineLoadMethod(loads.leading_elements, loads.residue_terms, fast::Accuracy(accuracy)));
 }

@@ -3,10 +3,9 @@
 #include <variant>
 
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/internal/fast_methods.hpp>
 #include <nipref/verify/solve/internal/linear_theory.hpp>
 #include <nipref/verify/solve/internal/loss_integral.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
@@ -51,16 +50,18 @@ EnergyBalance energy_balance(const data::Scene& scene, std::optional<int> digits
   scene.check();
   const data::ViscoelasticNipProblem& problem = rolling_problem(scene);
   EnergyBalance balance;
-  const auto solved = [&](const auto& solver, auto how_well) {
+  const auto solved = [&](const auto& solve) {
     try {
-      return solver(problem, how_well);
+      return solve();
     } catch (const data::BadInput& error) {
-      refuse_rolling(scene, problem, error);
+      refuse_given(scene, problem.given, error);
     }
   };
   const double seconds = seconds_of([&] {
-    balance = digits ? balance_of(scene, problem.nip, *solved(solve_ref_rolling, *digits))
-                     : balance_of(scene, problem.nip, *solved(solve_viscoelastic, scene.accuracy));
+    balance = digits ? balance_of(scene, problem.nip,
+                                  *solved([&] { return solve_ref_converged(problem, *digits); }))
+                     : balance_of(scene, problem.nip,
+                                  *solved([&] { return solve_converged(problem, scene.accuracy); }));
   });
   balance.title = scene.title;
   balance.seconds = seconds;

@@ -9,7 +9,7 @@
 #include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/ref_surface.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 
@@ -189,9 +189,8 @@ ref::RollingSphere roll(const RefSurface& surface, const data::HalfSpaceProblem&
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_half_space(const RefSurface& surface,
-                                                                   const data::HalfSpaceProblem& problem,
-                                                                   int digits) {
+SolvedByRef solve_ref_half_space(const RefSurface& surface, const data::HalfSpaceProblem& problem,
+                                 int digits) {
   if (problem.rule == data::ContourRule::exact)
     return std::make_unique<RefOnHalfSpace<ref::EllipticContact>>(surface, problem, digits, ellipse);
   if (std::holds_alternative<data::RigidRollingSphere>(problem.body))

@@ -1,11 +1,10 @@
 #include <map>
-#include <string_view>
 #include <utility>
-#include <variant>
 
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/ref/elastic_nip/line_loads_displacements.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/ref/viscoelastic_nip/line_loads.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -66,32 +65,90 @@ class RefLineLoads : public SolvedContact<ref::Estimate> {
   int digits_;
 };
 
+using RefViscoelasticLineLoads = ref::ViscoelasticLineLoads;
+using RefEstimate = ref::Estimate (RefViscoelasticLineLoads::*)() const;
+
+const std::map<ResultId, RefEstimate> rolling_line_load_numbers{
+    {ResultId::contact_length, &RefViscoelasticLineLoads::contact_length},
+    {ResultId::leading_length, &RefViscoelasticLineLoads::leading_length},
+    {ResultId::trailing_length, &RefViscoelasticLineLoads::trailing_length},
+    {ResultId::load, &RefViscoelasticLineLoads::load},
+    {ResultId::indentation, &RefViscoelasticLineLoads::indentation},
+    {ResultId::edge_displacement, &RefViscoelasticLineLoads::leading_displacement},
+    {ResultId::trailing_displacement, &RefViscoelasticLineLoads::trailing_displacement},
+    {ResultId::rolling_resistance, &RefViscoelasticLineLoads::rolling_resistance},
+    {ResultId::leading_moment, &RefViscoelasticLineLoads::leading_moment},
+    {ResultId::trailing_moment, &RefViscoelasticLineLoads::trailing_moment},
+    {ResultId::creep_ratio, &RefViscoelasticLineLoads::creep_ratio},
+    {ResultId::peak_pressure, &RefViscoelasticLineLoads::peak_pressure},
+    {ResultId::peak_pressure_position, &RefViscoelasticLineLoads::peak_pressure_position},
+};
+
+class RefRollingLineLoads : public SolvedContact<ref::Estimate> {
+ public:
+  RefRollingLineLoads(RefViscoelasticLineLoads solution, int digits)
+      : solution_(std::move(solution)), digits_(digits) {}
+
+  [[nodiscard]] ref::Estimate number(ResultId id) const override {
+    if (id == ResultId::peak_shear) return ref::exact_zero(digits_);
+    return (solution_.*rolling_line_load_numbers.at(id))();
+  }
+  [[nodiscard]] ref::Estimate at(ResultId id, double y) const override {
+    if (id == ResultId::shear) return ref::exact_zero(digits_);
+    if (id == ResultId::pressure) return solution_.pressure(y);
+    if (id == ResultId::normal_displacement) return solution_.normal_displacement(y);
+    return solution_.tangential_displacement(y);
+  }
+  [[nodiscard]] ProfileExtent profile_extent() const override {
+    return {-solution_.trailing_length().to_double(), solution_.leading_length().to_double()};
+  }
+  [[nodiscard]] fast::Work work() const override {
+    fast::Work work;
+    work.systems = static_cast<std::uint64_t>(solution_.systems());
+    work.unknowns = solution_.elements() + 1;
+    return work;
+  }
+
+ private:
+  RefViscoelasticLineLoads solution_;
+  int digits_;
+};
+
 ref::Grip grip_of(const data::ElasticNipProblem& problem) {
   if (problem.friction == data::Friction::none) return {};
   if (problem.creep_ratio) return {ref::Grip::Creep::given, *problem.creep_ratio};
   return {ref::Grip::Creep::thesis};
 }
 
-struct SolveRefLineLoads {
-  const data::ElasticNipProblem& problem;
-  const ref::LineLoadMethod& method;
-  int digits;
-
-  ref::LineLoadSolution operator()(const data::GivenLoad& load) const {
-    return ref::line_loads_for_load(problem.nip, method, load.per_length, digits, grip_of(problem));
-  }
-  ref::LineLoadSolution operator()(const data::GivenLength& length) const {
-    return ref::line_loads_for_length(problem.nip, method, length.contact_length, digits, grip_of(problem));
-  }
-};
-
 }  // namespace
 
-std::unique_ptr<SolvedContact<ref::Estimate>> solve_ref_line_loads(const data::ElasticNipProblem& problem,
-                                                                   const data::LineLoads& loads, int digits) {
+SolvedByRef solve_ref_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
+                                 int digits) {
   const ref::LineLoadMethod method(loads.leading_elements, loads.residue_terms);
+  const ref::Grip grip = grip_of(problem);
   return std::make_unique<RefLineLoads>(
-      problem.nip, method, std::visit(SolveRefLineLoads{problem, method, digits}, problem.given), digits);
+      problem.nip, method,
+      solve_given(
+          problem.given,
+          [&](double load) { return ref::line_loads_for_load(problem.nip, method, load, digits, grip); },
+          [&](double length) {
+            return ref::line_loads_for_length(problem.nip, method, length, digits, grip);
+          }),
+      digits);
+}
+
+SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
+                                 const data::ViscoelasticLineLoads& loads, int digits) {
+  const ref::ViscoelasticLineLoadMethod method{loads.leading_elements, loads.trailing_elements,
+                                               loads.approach_lengths, loads.residue_terms};
+  return std::make_unique<RefRollingLineLoads>(
+      solve_given(
+          problem.given,
+          [&](double load) { return RefViscoelasticLineLoads::for_load(problem.nip, method, load, digits); },
+          [&](double length) {
+            return RefViscoelasticLineLoads::for_length(problem.nip, method, length, digits);
+          }),
+      digits);
 }
 
 }  // namespace nipref::verify

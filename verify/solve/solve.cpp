@@ -5,8 +5,7 @@
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/fast_methods.hpp>
-#include <nipref/verify/solve/internal/half_space.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -14,47 +13,25 @@
 namespace nipref::verify {
 namespace {
 
-using Solved = std::unique_ptr<SolvedContact<fast::Estimate>>;
+SolvedInDouble solved(const data::ElasticNipProblem& problem, double accuracy) {
+  const auto* const loads = std::get_if<data::LineLoads>(&problem.method);
+  return loads != nullptr ? solve_line_loads(problem, *loads, accuracy) : solve_converged(problem, accuracy);
+}
+SolvedInDouble solved(const data::ViscoelasticNipProblem& problem, double accuracy) {
+  const auto* const loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
+  return loads != nullptr ? solve_line_loads(problem, *loads) : solve_converged(problem, accuracy);
+}
 
-struct SolveViscoelasticByMethod {
-  const data::ViscoelasticNipProblem& problem;
-  double accuracy;
-
-  Solved operator()(const data::ConvergedMethod&) const { return solve_viscoelastic(problem, accuracy); }
-  Solved operator()(const data::ViscoelasticLineLoads& loads) const {
-    return solve_viscoelastic_line_loads(problem, loads);
+SolvedInDouble solved(const data::Scene& scene, const data::HalfSpaceProblem& problem) {
+  return solve_half_space(scene, problem);
+}
+SolvedInDouble solved(const data::Scene& scene, const auto& nip) {
+  try {
+    return solved(nip, scene.accuracy);
+  } catch (const data::BadInput& error) {
+    refuse_given(scene, nip.given, error);
   }
-};
-
-struct SolveByMethod {
-  const data::ElasticNipProblem& problem;
-  double accuracy;
-
-  Solved operator()(const data::ConvergedMethod&) const { return solve_converged(problem, accuracy); }
-  Solved operator()(const data::LineLoads& loads) const { return solve_line_loads(problem, loads, accuracy); }
-};
-
-struct SolveSystem {
-  const data::Scene& scene;
-
-  Solved operator()(const data::ElasticNipProblem& problem) const {
-    return naming_given(problem.given, SolveByMethod{problem, scene.accuracy}, problem.method);
-  }
-  Solved operator()(const data::ViscoelasticNipProblem& problem) const {
-    return naming_given(problem.given, SolveViscoelasticByMethod{problem, scene.accuracy}, problem.method);
-  }
-  Solved operator()(const data::HalfSpaceProblem& problem) const { return solve_half_space(scene, problem); }
-
- private:
-  template <class Solve, class Method>
-  Solved naming_given(const data::Given& given, const Solve& solve, const Method& method) const {
-    try {
-      return std::visit(solve, method);
-    } catch (const data::BadInput& error) {
-      refuse_given(scene, given, error);
-    }
-  }
-};
+}
 
 /// The largest ratio of an error of the result to its allowed error.
 long double excess(const SceneSolution<fast::Estimate>::Result& result) {
@@ -82,7 +59,7 @@ SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
   SceneSolution<fast::Estimate> solution;
   const auto solve_system = [&](const auto& problem) {
-    const Solved contact = SolveSystem{scene}(problem);
+    const SolvedInDouble contact = solved(scene, problem);
     const WithDerivedResults results(scene, *contact);
     solution = collect_results(scene, problem.profile, results, scene.accuracy);
     while (!solution.missed().empty() && contact->refine()) collect_better(scene, results, solution);

@@ -8,34 +8,13 @@
 
 #include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
 #include <nipref/verify/solve/solve.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {
-
-using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;
-
-struct SolveRefByMethod {
-  const data::ElasticNipProblem& problem;
-  int digits;
-
-  SolvedByRef operator()(const data::ConvergedMethod&) const { return solve_ref_converged(problem, digits); }
-  SolvedByRef operator()(const data::LineLoads& loads) const {
-    return solve_ref_line_loads(problem, loads, digits);
-  }
-};
-
-SolvedByRef solve_named(const data::Scene& scene, const data::ElasticNipProblem& problem, int digits) {
-  try {
-    return std::visit(SolveRefByMethod{problem, digits}, problem.method);
-  } catch (const data::BadInput& error) {
-    if (error.argument() == "digits") throw;
-    refuse_given(scene, problem.given, error);
-  }
-}
 
 void refuse_moments(const data::Scene& scene) {
   for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
@@ -48,48 +27,36 @@ void refuse_moments(const data::Scene& scene) {
   }
 }
 
-SceneSolution<ref::Estimate> solve_elastic(const data::Scene& scene, const data::ElasticNipProblem& problem,
-                                           int digits) {
-  refuse_moments(scene);
-  const SolvedByRef contact = solve_named(scene, problem, digits);
-  return collect_results(scene, problem.profile, WithDerivedResults(scene, *contact),
-                         std::pow(10.0L, -digits));
+SolvedByRef solved(const data::ElasticNipProblem& problem, int digits) {
+  const auto* const loads = std::get_if<data::LineLoads>(&problem.method);
+  return loads != nullptr ? solve_ref_line_loads(problem, *loads, digits)
+                          : solve_ref_converged(problem, digits);
+}
+SolvedByRef solved(const data::ViscoelasticNipProblem& problem, int digits) {
+  const auto* const loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
+  return loads != nullptr ? solve_ref_line_loads(problem, *loads, digits)
+                          : solve_ref_converged(problem, digits);
 }
 
-SceneSolution<ref::Estimate> solve_rolling(const data::Scene& scene,
-                                           const data::ViscoelasticNipProblem& problem, int digits) {
-  const auto* loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
-  if (loads == nullptr) refuse_moments(scene);
-  const SolvedByRef solved = [&] {
+SceneSolution<ref::Estimate> solution_of(const data::Scene& scene, const data::HalfSpaceProblem& problem,
+                                         int digits) {
+  const RefSurface surface(problem);
+  surface.check_subcritical(scene.origin);
+  return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
+                         std::pow(10.0L, -digits));
+}
+SceneSolution<ref::Estimate> solution_of(const data::Scene& scene, const auto& nip, int digits) {
+  const bool is_rolling = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
+  if (!is_rolling || !is_by_line_loads(scene)) refuse_moments(scene);
+  const SolvedByRef contact = [&] {
     try {
-      return loads != nullptr ? solve_ref_rolling_line_loads(problem, *loads, digits)
-                              : solve_ref_rolling(problem, digits);
+      return solved(nip, digits);
     } catch (const data::BadInput& error) {
-      if (loads != nullptr && error.argument().ends_with(" rate")) scene.origin.refuse_as("material", error);
-      refuse_rolling(scene, problem, error);
+      refuse_given(scene, nip.given, error);
     }
   }();
-  return collect_results(scene, problem.profile, WithDerivedResults(scene, *solved),
-                         std::pow(10.0L, -digits));
+  return collect_results(scene, nip.profile, WithDerivedResults(scene, *contact), std::pow(10.0L, -digits));
 }
-
-struct SolveSystemByRef {
-  const data::Scene& scene;
-  int digits;
-
-  SceneSolution<ref::Estimate> operator()(const data::ElasticNipProblem& problem) const {
-    return solve_elastic(scene, problem, digits);
-  }
-  SceneSolution<ref::Estimate> operator()(const data::ViscoelasticNipProblem& problem) const {
-    return solve_rolling(scene, problem, digits);
-  }
-  SceneSolution<ref::Estimate> operator()(const data::HalfSpaceProblem& problem) const {
-    const RefSurface surface(problem);
-    surface.check_subcritical(scene.origin);
-    return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
-                           std::pow(10.0L, -digits));
-  }
-};
 
 }  // namespace
 
@@ -97,7 +64,8 @@ SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits) 
   scene.check();
   SceneSolution<ref::Estimate> solution;
   const double seconds = seconds_of([&] {
-    solution = std::visit(SolveSystemByRef{scene, digits}, scene.system);
+    solution =
+        std::visit([&](const auto& problem) { return solution_of(scene, problem, digits); }, scene.system);
   });
   solution.seconds = seconds;
   return solution;

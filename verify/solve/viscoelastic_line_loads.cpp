@@ -2,9 +2,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <string_view>
 #include <utility>
-#include <variant>
 
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
@@ -29,29 +27,28 @@ const std::map<ResultId, double ViscoelasticLineLoads::*> viscoelastic_line_load
     {ResultId::peak_pressure, &ViscoelasticLineLoads::peak_pressure},
 };
 
-struct SolveViscoelasticLineLoads {
-  const data::ViscoelasticNip& nip;
-  ViscoelasticLineLoadMethod method;
-  bool search;  ///< for the number of trailing elements
-
-  ViscoelasticLineLoads operator()(const data::GivenLoad& load) const {
-    return search ? fast::viscoelastic_line_loads_by_search(nip, method, load.per_length)
-                  : fast::viscoelastic_line_loads_for_load(nip, method, load.per_length);
-  }
-  ViscoelasticLineLoads operator()(const data::GivenLength& length) const {
-    const double leading_part =
-        static_cast<double>(method.leading_elements) / (method.leading_elements + method.trailing_elements);
-    return fast::viscoelastic_line_loads_for_length(nip, method, length.contact_length * leading_part);
-  }
-};
+/// Searches for the number of trailing elements for a load unless the method has it.
+ViscoelasticLineLoads solve_loads(const data::ViscoelasticNipProblem& problem,
+                                  const ViscoelasticLineLoadMethod& method, bool search) {
+  const double leading_part =
+      static_cast<double>(method.leading_elements) / (method.leading_elements + method.trailing_elements);
+  return solve_given(
+      problem.given,
+      [&](double load) {
+        return search ? fast::viscoelastic_line_loads_by_search(problem.nip, method, load)
+                      : fast::viscoelastic_line_loads_for_load(problem.nip, method, load);
+      },
+      [&](double length) {
+        return fast::viscoelastic_line_loads_for_length(problem.nip, method, length * leading_part);
+      });
+}
 
 class LineLoadViscoelastic : public LineLoadContact {
  public:
   LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
-      : LineLoadContact(solve_viscoelastic(problem, truth_accuracy)),
+      : LineLoadContact(solve_converged(problem, truth_accuracy)),
         nip_(problem.nip),
-        solution_(std::visit(SolveViscoelasticLineLoads{nip_, method_of(loads), !loads.trailing_elements},
-                             problem.given)),
+        solution_(solve_loads(problem, method_of(loads), !loads.trailing_elements)),
         method_(method_of(loads, solution_)),
         surface_(nip_, solution_, method_) {}
 
@@ -111,8 +108,8 @@ class LineLoadViscoelastic : public LineLoadContact {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<Estimate>> solve_viscoelastic_line_loads(
-    const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads) {
+SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
+                                const data::ViscoelasticLineLoads& loads) {
   return std::make_unique<LineLoadViscoelastic>(problem, loads);
 }
 

@@ -11,7 +11,7 @@
 #include <nipref/data/number/with_error.hpp>
 #include <nipref/verify/audit/internal/identities.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 namespace {

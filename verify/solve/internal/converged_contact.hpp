@@ -170,12 +170,4 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
   Inside<Contact, Path> inside_;
 };
 
-template <class Path, class Contact>
-std::unique_ptr<SolvedContact<typename Path::Number>> converged_contact(
-    Contact contact, double roller_radius, double accuracy,
-    typename ConvergedContact<Path, Contact>::WorkOf work_of) {
-  return std::make_unique<ConvergedContact<Path, Contact>>(std::move(contact), roller_radius, accuracy,
-                                                           work_of);
-}
-
 }  // namespace nipref::verify

@@ -5,7 +5,7 @@
 #include <nipref/data/problem/field_places.hpp>
 #include <nipref/fast/nip/inner_stresses.hpp>
 #include <nipref/ref/nip/inner_stresses.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 

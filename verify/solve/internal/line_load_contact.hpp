@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <nipref/verify/solve/internal/derived_results.hpp>
-#include <nipref/verify/solve/internal/fast_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 

@@ -4,7 +4,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
-#include <nipref/verify/solve/internal/ref_methods.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/ref_surface.hpp>
 
 namespace nipref::verify {

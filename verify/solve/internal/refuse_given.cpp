@@ -28,6 +28,9 @@ void refuse_given(const data::Scene& scene, const data::Given& given, const data
   const auto [key, value, argument] = std::visit(NameGiven{}, given);
   if (const auto* refused = dynamic_cast<const data::NoMaterial*>(&error))
     scene.origin.refuse_as(refused->key(), error);
+  if (error.argument() == "digits") throw data::BadInput(error);
+  if (error.argument() == "nip.material" || error.argument().ends_with(" rate"))
+    scene.origin.refuse_as("material", error);
   if (error.argument() == "residue_terms") scene.origin.refuse_as("method.residue_terms", error);
   if (error.argument() == argument) scene.origin.refuse_as(key, error);
   scene.origin.refuse(key, value, fmt::format("cannot be solved ({})", error.what()));
@@ -41,13 +44,6 @@ void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, do
       fmt::format("must be smaller: the faces of the rollers would meet, each {:.3g} into the sheet, of "
                   "which half is {:g}",
                   indentation, half_thickness));
-}
-
-void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
-                    const data::BadInput& error) {
-  if (error.argument() == "digits") throw data::BadInput(error);
-  if (error.argument() == "nip.material") scene.origin.refuse_as("material", error);
-  refuse_given(scene, problem.given, error);
 }
 
 }  // namespace nipref::verify

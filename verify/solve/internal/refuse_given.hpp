@@ -5,12 +5,9 @@
 namespace nipref::verify {
 
 /// Throws the solver's error again and names the key of the scene's load or length: Scene::check has accepted the
-/// scene, so that the solver can refuse it only because of their values.
+/// scene, so that the solver can refuse it only because of their values, the material, or the digits.
 [[noreturn]] void refuse_given(const data::Scene& scene, const data::Given& given,
                                const data::BadInput& error);
-/// The same for a rolling nip, where the error may also be about the material or the digits.
-[[noreturn]] void refuse_rolling(const data::Scene& scene, const data::ViscoelasticNipProblem& problem,
-                                 const data::BadInput& error);
 /// Refuses the scene's load or length because the rollers' faces would meet.
 [[noreturn]] void refuse_meeting_faces(const data::Scene& scene, const data::Given& given, double indentation,
                                        double half_thickness);

@@ -11,7 +11,7 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/solve/internal/counted_response.hpp>
-#include <nipref/verify/solve/internal/half_space.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
@@ -249,8 +249,7 @@ struct Roll {
 
 }  // namespace
 
-std::unique_ptr<SolvedContact<Estimate>> solve_half_space(const data::Scene& scene,
-                                                          const data::HalfSpaceProblem& problem) {
+SolvedInDouble solve_half_space(const data::Scene& scene, const data::HalfSpaceProblem& problem) {
   const CountedResponse response(problem, scene.origin);
   if (problem.rule == data::ContourRule::exact)
     return std::make_unique<Exact>(response, problem, scene.accuracy);
