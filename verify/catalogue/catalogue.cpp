@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
@@ -12,21 +12,21 @@
 namespace nipref::verify {
 namespace {
 
+/// In the order of the table; each row has one entry.
 std::vector<Quantity> gather() {
+  std::map<std::string, Quantity> entries;
+  for (auto* const group : {root_entries, kernel_entries, displacement_entries, field_entries, memory_entries,
+                            moving_load_entries, half_space_entries, transverse_half_space_entries,
+                            half_space_contact_entries, seed_sphere_entries, anisotropic_entries,
+                            material_entries, elastic_nip_entries, viscoelastic_nip_entries}) {
+    for (Quantity& entry : group()) entries.emplace(entry.name, std::move(entry));
+  }
   std::vector<Quantity> all;
-  const auto add = [&](std::string_view subject, std::initializer_list<std::vector<Quantity>> groups) {
-    for (std::vector<Quantity> group : groups) {
-      for (Quantity& quantity : group) quantity.subject = subject;
-      std::ranges::move(group, std::back_inserter(all));
-    }
-  };
-  add("sheet", {root_entries(), kernel_entries(), displacement_entries(), field_entries()});
-  add("memory", {memory_entries(), moving_load_entries()});
-  add("half_space", {half_space_entries(), transverse_half_space_entries(), half_space_contact_entries(),
-                     elliptic_contact_entries(), seed_sphere_entries(), anisotropic_entries()});
-  add("material", {material_entries()});
-  add("elastic_nip", {elastic_nip_entries()});
-  add("viscoelastic_nip", {viscoelastic_nip_entries()});
+  for (const Quantity& row : described_quantities()) {
+    all.push_back(std::move(entries.at(row.name)));
+    for (Argument& argument : all.back().arguments)
+      if (!all.back().draw) argument.hard_values = hard_values(argument.kind);
+  }
   return all;
 }
 

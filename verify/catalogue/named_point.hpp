@@ -5,10 +5,20 @@
 #include <span>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <nipref/verify/catalogue/quantity.hpp>
 
 namespace nipref::verify {
+
+/// Which of the arguments has that name. std::logic_error if none has: the fault is in the code.
+inline std::size_t argument_number(std::span<const Argument> arguments, std::string_view name) {
+  const auto found = std::ranges::find(arguments, name, &Argument::name);
+  if (found == arguments.end())
+    throw std::logic_error(fmt::format("the quantity has no argument '{}'", name));
+  return static_cast<std::size_t>(found - arguments.begin());
+}
 
 /// Numbers of a point, found by the names of the quantity's arguments: point["poisson"]. It refers to both.
 template <class Number>
@@ -17,20 +27,27 @@ class Named {
   Named(std::span<const Argument> arguments, std::span<Number> numbers)
       : arguments_(arguments), numbers_(numbers) {}
 
-  /// std::logic_error for a name that is no argument of the quantity: the fault is in the code.
-  Number& operator[](std::string_view name) const {
-    const auto found = std::ranges::find(arguments_, name, &Argument::name);
-    if (found == arguments_.end())
-      throw std::logic_error(fmt::format("the quantity has no argument '{}'", name));
-    return numbers_[static_cast<std::size_t>(found - arguments_.begin())];
+  Number& operator[](std::string_view name) const { return numbers_[argument_number(arguments_, name)]; }
+  operator Named<const Number>() const { return {arguments_, numbers_}; }
+  /// The numbers of that argument and of all after it.
+  [[nodiscard]] std::span<Number> from(std::string_view name) const {
+    return numbers_.subspan(argument_number(arguments_, name));
   }
+  [[nodiscard]] std::span<const Argument> arguments() const { return arguments_; }
 
  private:
   std::span<const Argument> arguments_;
   std::span<Number> numbers_;
 };
 
+using NamedNumbers = Named<double>;
 using NamedPoint = Named<const double>;
 using NamedExact = Named<const ref::Exact>;
+
+/// The default of an argument as a number; 0 if it has none.
+double default_number(const Argument& argument);
+
+/// A point of the defaults and the given numbers.
+Point point_of(const Quantity& quantity, const std::vector<std::pair<std::string_view, double>>& given);
 
 }  // namespace nipref::verify

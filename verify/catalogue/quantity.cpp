@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
+#include <string>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/catalogue/named_point.hpp>
 
 namespace nipref::verify {
 
@@ -37,6 +39,20 @@ std::string_view domain_of_number(ArgumentKind kind) {
 std::string domain(const Argument& argument) {
   if (argument.kind != ArgumentKind::choice) return std::string(domain_of_number(argument.kind));
   return fmt::format("{}", fmt::join(argument.choices, " or "));
+}
+
+double default_number(const Argument& argument) {
+  if (!argument.default_text) return 0;
+  if (argument.kind != ArgumentKind::choice) return std::stod(*argument.default_text);
+  return static_cast<double>(std::ranges::find(argument.choices, *argument.default_text) -
+                             argument.choices.begin());
+}
+
+Point point_of(const Quantity& quantity, const std::vector<std::pair<std::string_view, double>>& given) {
+  Point point;
+  for (const Argument& argument : quantity.arguments) point.push_back(default_number(argument));
+  for (const auto& [name, number] : given) point[argument_number(quantity.arguments, name)] = number;
+  return point;
 }
 
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy) {

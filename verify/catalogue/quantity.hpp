@@ -48,11 +48,11 @@ struct Argument {
   std::optional<std::string> default_text;  ///< none: the argument must be given
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
-  std::vector<std::string_view> choices = {};  ///< names of a choice, in the order of their numbers
+  std::vector<std::string> choices = {};  ///< names of a choice, in the order of their numbers
   /// Of a material, the keys of each choice: a user writes them with it, material=MODEL(KEY=VALUE, ...).
   std::vector<std::vector<ModelKey>> keys = {};
 
-  [[nodiscard]] std::string_view choice(double number) const {
+  [[nodiscard]] const std::string& choice(double number) const {
     return choices[static_cast<std::size_t>(number)];
   }
 };
@@ -82,7 +82,8 @@ struct SeedForm {
   std::function<double(std::span<const double> arguments)> value;
 };
 
-/// An entry of the catalogue: everything that the verbs need to know about one quantity.
+/// An entry of the catalogue: everything that the verbs need to know about one quantity. What is text or a number in it
+/// comes from quantities.toml.
 struct Quantity {
   std::string name;
   std::string definition;  ///< one line
@@ -125,7 +126,7 @@ struct Quantity {
   /// Of entries that come out of one solution: they are looked at at the same points, so that it serves them all.
   /// Empty: the entry stands alone.
   std::string family = {};
-  std::string_view subject = {};  ///< the folder of the house that it is computed in, set by the catalogue
+  std::string subject = {};  ///< the folder of the house that it is computed in
 
   std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
   std::vector<Peer> peers;

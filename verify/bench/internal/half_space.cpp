@@ -26,8 +26,11 @@ constexpr auto half_space = "half-space";
 constexpr std::size_t directions = 1000;
 constexpr double theta_deg = 45, speed = 0.3;
 
-/// The seed's graphite epoxy, as the catalogue has it; theta_deg, psi_deg, speed first.
-Point line_point(double axis, double psi_deg) { return with_epoxy({theta_deg, psi_deg, speed, axis}); }
+/// The seed's graphite epoxy, as the catalogue has it.
+Point line_point(double axis, double psi_deg) {
+  return point_of(find_quantity("ti.compliance"),
+                  {{"theta_deg", theta_deg}, {"psi_deg", psi_deg}, {"speed", speed}, {"axis", axis}});
+}
 
 std::vector<double> angles() {
   std::vector<double> all;
@@ -113,15 +116,15 @@ double bench_contour(BenchReport& report, const fast::SurfaceResponse& in_plane)
 BenchReport bench_half_space(const BenchProgress& progress) {
   BenchReport report;
   progress("lines");
+  const Quantity& transverse = find_quantity("ti.compliance");
   const Point normal = line_point(0, 0), in_plane = line_point(1, 0);
-  const auto normal_surface = transverse_surface_at(normal, 3, theta_deg, speed);
-  const auto in_plane_surface = transverse_surface_at(in_plane, 3, theta_deg, speed);
+  const auto normal_surface = transverse_surface_of({transverse.arguments, normal});
+  const auto in_plane_surface = transverse_surface_of({transverse.arguments, in_plane});
   const fast::SurfaceResponse in_plane_response = [&](Direction psi) { return in_plane_surface.along(psi); };
   bench_line(report, "isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
              [](double psi) {
                return Point{0.3, 0.5, psi};
              });
-  const Quantity& transverse = find_quantity("ti.compliance");
   bench_line(
       report, "axis normal", [&](Direction psi) { return normal_surface.along(psi); }, transverse,
       [](double psi) { return line_point(0, psi); });

@@ -17,8 +17,6 @@
 namespace nipref::verify {
 namespace {
 
-using NipArguments = std::span<const double>;
-
 // Longer ones take the reference longer than an audit has time for, until they are so long that they come from shorter ones.
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
 // Shorter ones feel their ends in the middle, in the last of the digits that come from shorter ones.
@@ -32,40 +30,23 @@ constexpr int least_digits = 16, most_digits_of_thin = 21;
 constexpr double most_direct_work = 1250, more_direct_digits = 20;
 constexpr double most_gripped_work = 300, more_gripped_digits = 5.5;
 
-constexpr std::array<NipNumber, 5> nip_numbers{{
-    {"nip.load",
-     "N R W/L^2 of an elastic nip, N = 2(1 - poisson^2)/young; as L/B -> 0 without friction pi/8, as L/B -> "
-     "infinity (L/B)/3",
-     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
-    {"nip.indentation",
-     "R d0/L^2, d0 the approach of roller and middle plane; as L/B -> 0 like ln(B/L)/8, as L/B -> infinity 1/8",
-     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
-    {"nip.creep",
-     "(R/L) creep: strain v' of the surface, without friction its mean, (2/L) v(L/2); as L/B -> infinity like L/B",
-     "(1 + L/B)/10 or the value, or with full friction beyond L/B = 7 as fast's own errors need", 8192},
-    {"nip.peak_pressure",
-     "N R p/L in the middle; as L/B -> 0 without friction 1/2, as L/B -> infinity (L/B)/2",
-     "the value, or with full friction beyond L/B = 7 as fast's own errors need", 65536},
-    {"nip.peak_shear", "N R q/L, q the largest magnitude of the shear; 0 without friction",
-     "(1 + L/B)/2 or the value, or beyond L/B = 7 as fast's own errors need", 8192},
-}};
+bool is_gripped(const NamedPoint& x) { return x["friction"] != 0; }
 
-bool is_gripped(NipArguments x) { return x[2] != 0; }
-
-data::ElasticNip unit_nip(NipArguments x) {
-  check_nip_length(x[0]);
-  return {nip_roller_radius, 1, {1, x[1]}};
+data::ElasticNip unit_nip(const NamedPoint& x) {
+  check_nip_length(x["L_over_B"]);
+  return {nip_roller_radius, 1, {1, x["poisson"]}};
 }
 
-NipEstimates nip_by_fast(NipArguments x, fast::Accuracy accuracy) {
+NipEstimates nip_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
   const data::ElasticNip nip = unit_nip(x);
+  const double length = x["L_over_B"];
   const auto contact = fast::converged_for_length(
-      nip, is_gripped(x) ? data::Friction::full : data::Friction::none, x[0], nip_accuracy(accuracy));
-  const double stress = nip.material.normal_compliance() * nip_roller_radius / x[0];
-  return {in_unit(contact.load(), stress / x[0]),
-          in_unit(contact.indentation(), nip_roller_radius / x[0] / x[0]),
-          in_unit(contact.creep_ratio(), nip_roller_radius / x[0]), in_unit(contact.peak_pressure(), stress),
-          in_unit(contact.peak_shear(), stress)};
+      nip, is_gripped(x) ? data::Friction::full : data::Friction::none, length, nip_accuracy(accuracy));
+  const double stress = nip.material.normal_compliance() * nip_roller_radius / length;
+  return {in_unit(contact.load(), stress / length),
+          in_unit(contact.indentation(), nip_roller_radius / length / length),
+          in_unit(contact.creep_ratio(), nip_roller_radius / length),
+          in_unit(contact.peak_pressure(), stress), in_unit(contact.peak_shear(), stress)};
 }
 
 struct NipResults {
@@ -135,57 +116,55 @@ NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, 
   return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
 }
 
-NipReferences nip_by_ref(NipArguments x, int digits) {
-  const NipResults results = solved_nip(unit_nip(x), x[0], is_gripped(x), digits);
-  const mpq_class length = x[0], poisson = x[1], radius = nip_roller_radius;
+NipReferences nip_by_ref(const NamedPoint& x, int digits) {
+  const NipResults results = solved_nip(unit_nip(x), x["L_over_B"], is_gripped(x), digits);
+  const mpq_class length = x["L_over_B"], poisson = x["poisson"], radius = nip_roller_radius;
   const mpq_class stress = 2 * (1 - poisson * poisson) * radius / length;
   return {in_unit(results.load, stress / length), in_unit(results.indentation, radius / (length * length)),
           in_unit(results.creep_ratio, radius / length), in_unit(results.peak_pressure, stress),
           in_unit(results.peak_shear, stress)};
 }
 
-double nip_envelope(std::size_t number, NipArguments x) {
-  if (number == 2) return (1 + x[0]) / 10;
-  return number == 4 ? (1 + x[0]) / 2 : 0;
+void keep_nip_in_domain(const NamedNumbers& x) {
+  const bool thin = x["L_over_B"] >= shortest_thin, gripped = is_gripped(x);
+  x["L_over_B"] =
+      std::clamp(x["L_over_B"], 1e-6, gripped && !thin ? longest_gripped_audited : longest_audited);
+  x["poisson"] = std::clamp(x["poisson"], -0.9, gripped && thin ? largest_long_gripped_poisson : 0.5);
 }
 
-void keep_nip_in_domain(Point& x) {
-  const bool thin = x[0] >= shortest_thin;
-  x[0] = std::clamp(x[0], 1e-6, is_gripped(x) && !thin ? longest_gripped_audited : longest_audited);
-  x[1] = std::clamp(x[1], -0.9, is_gripped(x) && thin ? largest_long_gripped_poisson : 0.5);
-}
-
-Point draw_nip(Random& random) {
+void draw_nip(Random& random, const NamedNumbers& x) {
   const bool gripped = random.chance(0.3);
   const bool thin = !gripped && random.chance(0.2);
-  const double length =
+  x["L_over_B"] =
       draw_nip_length(random, thin ? shortest_thin : 1e-6, thin ? longest_audited : longest_direct);
-  Point point{length, draw_nip_poisson(random), gripped ? 1.0 : 0.0};
-  keep_nip_in_domain(point);
-  return point;
+  x["poisson"] = draw_nip_poisson(random);
+  x["friction"] = gripped ? 1 : 0;
+  keep_nip_in_domain(x);
 }
 
 }  // namespace
 
 std::vector<Quantity> elastic_nip_entries() {
-  std::vector<Quantity> entries;
-  for (std::size_t i = 0; i < nip_numbers.size(); ++i) {
-    Quantity entry = nip_entry(nip_numbers[i], "thesis 2.2, 2.5, 5.3, 5.5, continuous form", "nip",
-                               {nip_by_fast, nip_by_ref}, i);
-    entry.arguments = {{"L_over_B", ArgumentKind::positive, {}, {}},
-                       {"poisson", ArgumentKind::poisson, {}, {}},
-                       {"friction", ArgumentKind::choice, "none", {}, {"none", "full"}}};
-    entry.audit_points = 20;
+  std::vector<Quantity> entries =
+      nip_entries({"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}, "nip",
+                  {nip_by_fast, nip_by_ref});
+  // Sizes that the value is measured against at least: this part of 1 + L/B; 0: none.
+  constexpr std::array parts{0, 0, 10, 0, 2};
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    Quantity& entry = entries[i];
     entry.most_digits = 50;
-    entry.draw = draw_nip;
-    entry.keep_off = keep_nip_in_domain;
+    set_draw(entry, draw_nip);
+    set_keep_off(entry, keep_nip_in_domain);
     // The longer a contact with full friction and the less compressible, the more is the rounding of what is solved
     // amplified: there the promise is what fast says of each. An ulp is 2^-53 of the scale or more.
-    entry.envelope = [i, promise = entry.promise, says = entry.fast_error](NipArguments x) {
-      const double least = nip_envelope(i, x);
-      return is_gripped(x) && x[0] > 7 ? std::max(least, std::ldexp(says(x, {}) / promise, 53)) : least;
+    entry.envelope = [part = parts[i], promise = entry.promise, error_of = entry.fast_error,
+                      named = of_point(entry, [](const NamedPoint& x) {
+                        return std::pair(x["L_over_B"], is_gripped(x));
+                      })](std::span<const double> x) {
+      const auto [length, gripped] = named(x);
+      const double size = part == 0 ? 0 : (1 + length) / part;
+      return gripped && length > 7 ? std::max(size, std::ldexp(error_of(x, {}) / promise, 53)) : size;
     };
-    entries.push_back(std::move(entry));
   }
   return entries;
 }

@@ -11,23 +11,18 @@
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/verify/catalogue/half_space/internal/line_entry.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
 namespace nipref::verify {
 namespace {
 
-using fast::Accuracy;
 using fast::Direction;
-using ref::Exact;
 using ref::SurfaceDirection;
 
-// Arguments: theta_deg, then psi_deg and speed where they have them, then the 21 constants row by row of the upper
-// triangle of Voigt's matrix, then the density.
+constexpr std::size_t constants = 21;
 
-constexpr std::size_t constants = 21, of_line = 3;
-
-/// Voigt's row and column of each constant.
+/// Voigt's row and column of each constant, c11 to c66: row by row of the upper triangle.
 constexpr auto places = [] {
   std::array<std::pair<std::size_t, std::size_t>, constants> all{};
   std::size_t next = 0;
@@ -36,25 +31,27 @@ constexpr auto places = [] {
   return all;
 }();
 
-data::Stiffness stiffness_at(Doubles x, std::size_t at) {
-  data::Stiffness solid{{}, x[at + constants]};
+data::Stiffness stiffness_of(const NamedPoint& x) {
+  data::Stiffness solid{{}, x["density"]};
+  const auto given = x.from("c11");
   for (std::size_t n = 0; n < constants; ++n) {
     const auto [i, k] = places[n];
-    solid.voigt[i][k] = solid.voigt[k][i] = x[at + n];
+    solid.voigt[i][k] = solid.voigt[k][i] = given[n];
   }
   return solid;
 }
 
-ref::ExactStiffness exact_stiffness_at(Exacts x, std::size_t at) {
-  Point nearest;
-  for (const Exact& argument : x) nearest.push_back(argument.approximate());
-  stiffness_at(nearest, at).check();
+ref::ExactStiffness exact_stiffness_of(const NamedExact& x) {
+  const auto given = x.from("c11");
+  data::Stiffness nearest{{}, x["density"].approximate()};
   ref::ExactStiffness solid;
-  solid.density = x[at + constants].value();
+  solid.density = x["density"].value();
   for (std::size_t n = 0; n < constants; ++n) {
     const auto [i, k] = places[n];
-    solid.voigt[i][k] = solid.voigt[k][i] = x[at + n].value();
+    nearest.voigt[i][k] = nearest.voigt[k][i] = given[n].approximate();
+    solid.voigt[i][k] = solid.voigt[k][i] = given[n].value();
   }
+  nearest.check();
   return solid;
 }
 
@@ -65,20 +62,10 @@ data::Stiffness epoxy() {
   return solid;
 }
 
-void append_stiffness_arguments(std::vector<Argument>& arguments) {
-  const data::Stiffness standard = epoxy();
-  for (const auto& [i, k] : places) {
-    arguments.push_back({fmt::format("c{}{}", i + 1, k + 1),
-                         i == k ? ArgumentKind::positive : ArgumentKind::amplitude,
-                         fmt::format("{:.15g}", standard.voigt[i][k]),
-                         {}});
-  }
-  arguments.push_back({"density", ArgumentKind::positive, fmt::format("{}", standard.density), {}});
-}
-
-void append_stiffness(Point& x, const data::Stiffness& solid) {
-  for (const auto& [i, k] : places) x.push_back(solid.voigt[i][k]);
-  x.push_back(solid.density);
+void put_stiffness(const NamedNumbers& x, const data::Stiffness& solid) {
+  const auto numbers = x.from("c11");
+  for (std::size_t n = 0; n < constants; ++n) numbers[n] = solid.voigt[places[n].first][places[n].second];
+  x["density"] = solid.density;
 }
 
 using Factor = data::Stiffness::Voigt;
@@ -113,77 +100,65 @@ data::Stiffness draw_stiffness(Random& random) {
   return squared(factor, random.log_uniform(0.5, 20));
 }
 
-bool is_physical_stiffness(Doubles x, std::size_t at) {
+/// The search's steps may leave the domain.
+void keep_physical_stiffness(const NamedNumbers& x) {
   try {
-    stiffness_at(x, at).check();
-    return true;
+    stiffness_of(x).check();
   } catch (const data::BadInput&) {
-    return false;
+    put_stiffness(x, epoxy());
   }
 }
 
-/// In x, from `at` on.
-void put_stiffness(Point& x, std::size_t at, const data::Stiffness& solid) {
-  x.resize(at);
-  append_stiffness(x, solid);
-}
-
 /// At which the line is critical; finite across the motion too.
-double largest_speed(Doubles x) {
-  return std::min(1e12, fast::rayleigh_speed(stiffness_at(x, of_line), Direction::of_degrees(x[0]),
-                                             Direction::of_degrees(x[1])));
+double largest_speed(const NamedPoint& x) {
+  return std::min(1e12, fast::rayleigh_speed(stiffness_of(x), Direction::of_degrees(x["theta_deg"]),
+                                             Direction::of_degrees(x["psi_deg"])));
 }
 
-fast::AnisotropicHalfSpace anisotropic_surface(Doubles x) {
-  return {stiffness_at(x, of_line), Direction::of_degrees(x[0]), x[2]};
+fast::AnisotropicHalfSpace anisotropic_surface(const NamedPoint& x) {
+  return {stiffness_of(x), Direction::of_degrees(x["theta_deg"]), x["speed"]};
 }
 
-double largest_answer(Doubles x) {
+double largest_answer(const NamedPoint& x) {
   const auto surface = anisotropic_surface(x);
-  const Direction psi = Direction::of_degrees(x[1]);
+  const Direction psi = Direction::of_degrees(x["psi_deg"]);
   const auto [in_line, across] = surface.shear_along(psi);
   return std::max({surface.along(psi).compliance, in_line, across});
 }
 
-template <class Fast, class RefMember>
-Quantity anisotropic_line(std::string name, std::string definition, Fast of_fast, RefMember of_ref) {
-  Quantity entry = half_space_entry(std::move(name), std::move(definition), "brock2013 (A.1)-(A.5)");
-  entry.unit = "1/stress";
-  entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}},
-                     {"psi_deg", ArgumentKind::degrees, "0", {}},
-                     {"speed", ArgumentKind::nonnegative, {}, {}}};
-  append_stiffness_arguments(entry.arguments);
-  entry.scale = "the largest of compliance, in_line and across";
-  entry.draw = [](Random& random) {
-    Point x{draw_degrees(random), draw_degrees(random), 0};
-    append_stiffness(x, draw_stiffness(random));
-    x[2] = draw_share(random) * largest_speed(x);
-    return x;
-  };
-  entry.keep_off = [](Point& x) {
-    if (!is_physical_stiffness(x, of_line)) put_stiffness(x, of_line, epoxy());
-    x[2] = std::min(x[2], nearest_critical * largest_speed(x));
-  };
-  entry.by_ref = [of_ref](Exacts x, int digits) {
-    const ref::ExactStiffness solid = exact_stiffness_at(x, of_line);
-    const auto motion = SurfaceDirection::of_degrees(x[0]), psi = SurfaceDirection::of_degrees(x[1]);
-    ref::check_subcritical(solid, x[2], motion, psi);
-    return ref::line_response(solid, x[2], motion, psi, digits).*of_ref;
-  };
-  set_fast(entry, [of_fast](Doubles x, Accuracy) {
-    return of_fast(anisotropic_surface(x), Direction::of_degrees(x[1]));
+double answer(const fast::AnisotropicHalfSpace& surface, Direction psi, double fast::LineResponse::*member) {
+  return surface.along(psi).*member;
+}
+double answer(const fast::AnisotropicHalfSpace& surface, Direction psi, double fast::ShearResponse::*member) {
+  return surface.shear_along(psi).*member;
+}
+
+template <class FastMember>
+Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure ref::LineResponse::*of_ref) {
+  Quantity entry = entry_of(
+      name,
+      [of_ref](NamedExact x, int digits) {
+        const ref::ExactStiffness solid = exact_stiffness_of(x);
+        const auto motion = SurfaceDirection::of_degrees(x["theta_deg"]),
+                   psi = SurfaceDirection::of_degrees(x["psi_deg"]);
+        ref::check_subcritical(solid, x["speed"], motion, psi);
+        return ref::line_response(solid, x["speed"], motion, psi, digits).*of_ref;
+      },
+      [of_fast](NamedPoint x) {
+        return answer(anisotropic_surface(x), Direction::of_degrees(x["psi_deg"]), of_fast);
+      },
+      largest_answer);
+  set_draw(entry, [](Random& random, NamedNumbers x) {
+    x["theta_deg"] = draw_degrees(random);
+    x["psi_deg"] = draw_degrees(random);
+    put_stiffness(x, draw_stiffness(random));
+    x["speed"] = draw_share(random) * largest_speed(x);
   });
-  entry.envelope = largest_answer;
+  set_keep_off(entry, [](NamedNumbers x) {
+    keep_physical_stiffness(x);
+    x["speed"] = std::min(x["speed"], nearest_critical * largest_speed(x));
+  });
   return entry;
-}
-
-auto member(double fast::LineResponse::*of) {
-  return [of](const fast::AnisotropicHalfSpace& surface, Direction psi) { return surface.along(psi).*of; };
-}
-
-auto member(double fast::ShearResponse::*of) {
-  return
-      [of](const fast::AnisotropicHalfSpace& surface, Direction psi) { return surface.shear_along(psi).*of; };
 }
 
 /// Near isotropic: in others the line that is critical first may be so by a bulk wave, or all but, and the reference
@@ -202,53 +177,54 @@ data::Stiffness draw_mild_stiffness(Random& random) {
 }
 
 Quantity entry_anisotropic_critical() {
-  Quantity entry = half_space_entry("anisotropic.critical", "smallest speed at which some line is critical",
-                                    "brock2013 (46), for all solids and lines, surface waves included");
-  entry.unit = "sqrt(stress/density)";
-  entry.arguments = {{"theta_deg", ArgumentKind::degrees, "0", {}}};
-  append_stiffness_arguments(entry.arguments);
-  entry.promise = 16;
-  entry.audit_points = 6;
-  entry.draw = [](Random& random) {
-    Point x{random.uniform(-90, 90)};
-    append_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
-    return x;
-  };
-  // The search's steps would leave the mild ones.
-  entry.keep_off = [](Point& x) {
-    if (!is_physical_stiffness(x, 1)) put_stiffness(x, 1, epoxy());
-  };
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::critical_speed(exact_stiffness_at(x, 1), SurfaceDirection::of_degrees(x[0]), digits).speed;
-  };
-  set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::critical_speed(stiffness_at(x, 1), Direction::of_degrees(x[0])).speed;
+  Quantity entry = entry_of(
+      "anisotropic.critical",
+      [](NamedExact x, int digits) {
+        return ref::critical_speed(exact_stiffness_of(x), SurfaceDirection::of_degrees(x["theta_deg"]),
+                                   digits)
+            .speed;
+      },
+      [](NamedPoint x) {
+        return fast::critical_speed(stiffness_of(x), Direction::of_degrees(x["theta_deg"])).speed;
+      });
+  set_draw(entry, [](Random& random, NamedNumbers x) {
+    x["theta_deg"] = draw_angle(random);
+    put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
   });
+  // The search's steps would leave the mild ones.
+  set_keep_off(entry, keep_physical_stiffness);
   return entry;
 }
 
 }  // namespace
 
+std::vector<Argument> stiffness_arguments() {
+  const data::Stiffness standard = epoxy();
+  std::vector<Argument> arguments;
+  for (const auto& [i, k] : places) {
+    arguments.push_back({fmt::format("c{}{}", i + 1, k + 1),
+                         i == k ? ArgumentKind::positive : ArgumentKind::amplitude,
+                         fmt::format("{:.15g}", standard.voigt[i][k]),
+                         {}});
+  }
+  arguments.push_back({"density", ArgumentKind::positive, fmt::format("{}", standard.density), {}});
+  return arguments;
+}
+
 std::vector<Quantity> anisotropic_entries() {
   using fast::LineResponse;
   using fast::ShearResponse;
-  const std::string general = " of a half-space of any anisotropy, C_kl in Voigt's order";
+  using Ref = ref::LineResponse;
   return {
-      anisotropic_line("anisotropic.compliance", "K" + general, member(&LineResponse::compliance),
-                       &ref::LineResponse::compliance),
-      anisotropic_line("anisotropic.coupling", "S" + general, member(&LineResponse::coupling),
-                       &ref::LineResponse::coupling),
-      anisotropic_line("anisotropic.coupling_across", "S' of shear across the line" + general,
-                       member(&LineResponse::coupling_across), &ref::LineResponse::coupling_across),
-      anisotropic_line("anisotropic.shear_compliance", "du3/dx over -H[tau], tau along the line" + general,
-                       member(&LineResponse::shear_compliance), &ref::LineResponse::shear_compliance),
-      anisotropic_line(
-          "anisotropic.shear_compliance_across", "du3/dx over -H[tau'], tau' across the line" + general,
-          member(&LineResponse::shear_compliance_across), &ref::LineResponse::shear_compliance_across),
-      anisotropic_line("anisotropic.in_line", "du/dx over -H[tau], along the line" + general,
-                       member(&ShearResponse::in_line), &ref::LineResponse::in_line),
-      anisotropic_line("anisotropic.across", "du'/dx over -H[tau'], across the line" + general,
-                       member(&ShearResponse::across), &ref::LineResponse::across),
+      anisotropic_line("anisotropic.compliance", &LineResponse::compliance, &Ref::compliance),
+      anisotropic_line("anisotropic.coupling", &LineResponse::coupling, &Ref::coupling),
+      anisotropic_line("anisotropic.coupling_across", &LineResponse::coupling_across, &Ref::coupling_across),
+      anisotropic_line("anisotropic.shear_compliance", &LineResponse::shear_compliance,
+                       &Ref::shear_compliance),
+      anisotropic_line("anisotropic.shear_compliance_across", &LineResponse::shear_compliance_across,
+                       &Ref::shear_compliance_across),
+      anisotropic_line("anisotropic.in_line", &ShearResponse::in_line, &Ref::in_line),
+      anisotropic_line("anisotropic.across", &ShearResponse::across, &Ref::across),
       entry_anisotropic_critical()};
 }
 

@@ -1,208 +1,232 @@
-// Contacts on isotropic half-spaces by the papers' rule.
+// Contacts on isotropic half-spaces: by the papers' rule, and the exact frictionless one.
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
+#include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
-#include <nipref/verify/catalogue/half_space/internal/contact_entry.hpp>
+#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/catalogue/internal/entries.hpp>
 
 namespace nipref::verify {
 namespace {
 
-using fast::Accuracy;
+using fast::Direction;
 using ref::Exact;
 
-Argument friction_argument() { return {"friction", ArgumentKind::nonnegative, {}, {}}; }
-Argument psi_argument() { return {"psi_deg", ArgumentKind::degrees, "0", {}}; }
+void keep_all(const NamedNumbers&) {}
 
-/// A sphere of curvature 1 with a span of 1 along the motion.
-fast::SlidingContact slide(Doubles x, double friction) {
-  return fast::sliding_for_span(isotropic_surface(x[0], x[1]), {1, 1}, friction, {1, 0}, 1);
-}
-
-fast::RollingSphere roll(Doubles x) {
-  return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1e-3);
-}
-
-Quantity entry_exponent() {
-  Quantity entry = contact_entry(
-      "die.exponent", "Omega: the pressure of a sliding die ends like (x+ - x)^(1 + Omega) (x - x-)^(-Omega)",
-      "brock2012 (26a)", 8);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back(friction_argument());
-  entry.arguments.push_back(psi_argument());
-  draw_isotropic(entry, nearest_critical, [](Random& random) {
-    return Point{draw_friction(random), draw_angle(random)};
+/// Points up to `largest_share` of the Rayleigh speed. `more`: draws the arguments after poisson and speed.
+template <class More>
+Quantity sampled_to(double largest_share, Quantity entry, More more,
+                    void (*keep_more)(const NamedNumbers&) = keep_all) {
+  set_draw(entry, [=](Random& random, NamedNumbers x) {
+    x["poisson"] = random.uniform(-0.5, 0.49);
+    x["speed"] = draw_share(random, 0, largest_share) * fast::isotropic_rayleigh_speed(x["poisson"]);
+    more(random, x);
   });
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::sliding_exponent(exact_isotropic_surface(x[0], x[1]), x[2], x[3], digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) {
-    return -slide(x, x[2]).along(fast::Direction::of_degrees(x[3])).leading_share;
+  set_keep_off(entry, [=](NamedNumbers x) {
+    x["poisson"] = std::clamp(x["poisson"], -0.5, 0.49);
+    x["speed"] = std::min(x["speed"], largest_share * fast::isotropic_rayleigh_speed(x["poisson"]));
+    keep_more(x);
   });
   return entry;
 }
 
+void draw_nothing(Random&, const NamedNumbers&) {}
+void draw_psi(Random& random, const NamedNumbers& x) { x["psi_deg"] = draw_angle(random); }
+void draw_sliding(Random& random, const NamedNumbers& x) { x["friction"] = draw_friction(random); }
+
+/// A sphere of curvature 1 with a span of 1 along the motion.
+fast::SlidingContact slide(const NamedPoint& x) {
+  return fast::sliding_for_span(isotropic_surface(x["poisson"], x["speed"]), {1, 1}, x["friction"], {1, 0},
+                                1);
+}
+
+fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
+  return fast::rolling_sphere_for_span(unit_isotropic(x["poisson"]), 1, x["speed"], span);
+}
+
+ref::SurfaceAnswer surface_of(const NamedExact& x) {
+  return exact_isotropic_surface(x["poisson"], x["speed"]);
+}
+
+Direction psi_of(const NamedPoint& x) { return Direction::of_degrees(x["psi_deg"]); }
+
+Quantity entry_exponent() {
+  return sampled_to(nearest_critical,
+                    entry_of(
+                        "die.exponent",
+                        [](NamedExact x, int digits) {
+                          return ref::sliding_exponent(surface_of(x), x["friction"], x["psi_deg"], digits);
+                        },
+                        [](NamedPoint x) { return -slide(x).along(psi_of(x)).leading_share; }),
+                    [](Random& random, NamedNumbers x) {
+                      draw_sliding(random, x);
+                      draw_psi(random, x);
+                    });
+}
+
 Quantity entry_die_span_ratio() {
-  Quantity entry = contact_entry(
-      "die.span_ratio", "C2 L2/(C1 L1): span across over span along a sliding die, by the papers' rule",
-      "brock2012 (34a), (35) corrected", 16);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back(friction_argument());
-  draw_isotropic(entry, nearest_critical, [](Random& random) { return Point{draw_friction(random)}; });
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::sliding_span_ratio(exact_isotropic_surface(x[0], x[1]), x[2], Exact(90.0), digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return slide(x, x[2]).span_ratio({0, 1}).value; });
+  Quantity entry =
+      sampled_to(nearest_critical,
+                 entry_of(
+                     "die.span_ratio",
+                     [](NamedExact x, int digits) {
+                       return ref::sliding_span_ratio(surface_of(x), x["friction"], Exact(90.0), digits);
+                     },
+                     [](NamedPoint x) {
+                       return slide(x).span_ratio({0, 1}).value;
+                     }),
+                 draw_sliding);
+  const char* const names[] = {"poisson", "friction", "speed"};
   entry.seed_forms = {
       {"printed", "(35) as it stands: sqrt(c_D^4 + friction^2) where friction does nothing across the motion",
-       [](Doubles x) { return die_span_ratio_as_printed(x[0], x[2], x[1]); }},
+       of_point(entry, names, die_span_ratio_as_printed)},
       {"table",
        "as Table 1 was made: (35) printed, and friction left out of Delta_1 and Q_1, roots to 5 decimals",
-       [](Doubles x) { return die_span_ratio_as_tabulated(x[0], x[2], x[1], table_root_decimals); }}};
+       of_point(entry, names, [](double poisson, double friction, double speed) {
+         return die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
+       })}};
   return entry;
 }
 
 Quantity entry_die_force() {
-  Quantity entry =
-      contact_entry("die.force", "F3 sqrt(C3)/(mu C L1^3) of a die with C1 = C2 = C, by the papers' rule",
-                    "brock2012 (36)", 32);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back(friction_argument());
-  entry.audit_points = 6;
-  draw_isotropic(entry, nearest_integrated, [](Random& random) { return Point{draw_friction(random)}; });
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::sliding_force(exact_isotropic_surface(x[0], x[1]), x[2], digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return slide(x, x[2]).force().value; });
-  return entry;
+  return sampled_to(
+      nearest_integrated,
+      entry_of(
+          "die.force",
+          [](NamedExact x, int digits) { return ref::sliding_force(surface_of(x), x["friction"], digits); },
+          [](NamedPoint x) { return slide(x).force().value; }),
+      draw_sliding);
 }
 
 Quantity entry_rolling_index() {
-  Quantity entry = contact_entry(
-      "rolling.index", "P: tractions of a rolling sphere end like sin and cos of P ln((L - 2x)/(L + 2x))",
-      "brock2012 (43b)", 16);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back(psi_argument());
-  draw_isotropic(entry, nearest_critical, [](Random& random) { return Point{draw_angle(random)}; });
   // It vanishes at nu = 1/2, at rest.
-  entry.scale = "1/10 or the value";
-  entry.envelope = [](Doubles) { return 0.1; };
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::rolling_index(exact_isotropic_surface(x[0], x[1]), x[2], digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).along(fast::Direction::of_degrees(x[2])).index; });
-  return entry;
+  return sampled_to(
+      nearest_critical,
+      entry_of(
+          "rolling.index",
+          [](NamedExact x, int digits) { return ref::rolling_index(surface_of(x), x["psi_deg"], digits); },
+          [](NamedPoint x) { return roll(x).along(psi_of(x)).index; }, [](NamedPoint) { return 0.1; }),
+      draw_psi);
 }
 
 Quantity entry_rolling_span_ratio() {
-  Quantity entry = contact_entry("rolling.span_ratio",
-                                 "L2/L1: span across over span along a rolling sphere, by the papers' rule",
-                                 "brock2012 (53b) corrected", 16);
-  entry.arguments = isotropic_arguments();
-  draw_isotropic(entry, nearest_critical, [](Random&) { return Point{}; });
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::rolling_span_ratio(exact_isotropic_surface(x[0], x[1]), Exact(90.0), digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) { return roll(x).span_ratio({0, 1}).value; });
+  Quantity entry = sampled_to(nearest_critical,
+                              entry_of(
+                                  "rolling.span_ratio",
+                                  [](NamedExact x, int digits) {
+                                    return ref::rolling_span_ratio(surface_of(x), Exact(90.0), digits);
+                                  },
+                                  [](NamedPoint x) {
+                                    return roll(x).span_ratio({0, 1}).value;
+                                  }),
+                              draw_nothing);
   entry.seed_forms = {{"printed", "(53b) as it stands: a factor c_D under its second root",
-                       [](Doubles x) { return rolling_span_ratio_as_printed(x[0], x[1]); }},
-                      {"table", "as Table 2 was made: right, but with roots to 5 decimals", [](Doubles x) {
-                         return rolling_span_ratio_as_tabulated(x[0], x[1], table_root_decimals);
-                       }}};
+                       of_point(entry, {"poisson", "speed"}, rolling_span_ratio_as_printed)},
+                      {"table", "as Table 2 was made: right, but with roots to 5 decimals",
+                       of_point(entry, {"poisson", "speed"}, [](double poisson, double speed) {
+                         return rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
+                       })}};
   return entry;
 }
 
 Quantity entry_rolling_strip() {
-  Quantity entry = contact_entry(
-      "rolling.strip",
-      "s = exp(-pi/(2P)): on a line of span L the pressure of a rolling sphere may be tension in the outermost "
-      "s L/(1 + s)",
-      "brock2012 (50)", 4);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back(psi_argument());
-  draw_isotropic(entry, nearest_critical, [](Random& random) { return Point{draw_angle(random)}; });
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::rolling_strip(exact_isotropic_surface(x[0], x[1]), x[2], digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::rolling_strip(unit_isotropic(x[0]), x[1], fast::Direction::of_degrees(x[2]));
-  });
-  return entry;
+  return sampled_to(
+      nearest_critical,
+      entry_of(
+          "rolling.strip",
+          [](NamedExact x, int digits) { return ref::rolling_strip(surface_of(x), x["psi_deg"], digits); },
+          [](NamedPoint x) {
+            return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
+          }),
+      draw_psi);
 }
 
 Quantity entry_rolling_force() {
-  Quantity entry = contact_entry(
-      "rolling.force", "F3 r0/(mu L1^3) of a rolling sphere, to first order in L1/r0", "brock2012 (54)", 32);
-  entry.arguments = isotropic_arguments();
-  entry.audit_points = 6;
-  draw_isotropic(entry, nearest_integrated, [](Random&) { return Point{}; });
   // Just below the Rayleigh speed the tractions pull in sum.
-  entry.scale = "the value, or that of tractions of one sign";
-  const auto one_sign = [](Doubles x) {
-    const fast::RollingLine line = roll(x).along({1, 0});
-    return std::numbers::pi / 6 * line.amplitude;
+  const auto force_of_one_sign = [](NamedPoint x) {
+    return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
   };
-  entry.envelope = one_sign;
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::rolling_force(exact_isotropic_surface(x[0], x[1]), digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1).force().value;
-  });
-  return entry;
+  return sampled_to(
+      nearest_integrated,
+      entry_of(
+          "rolling.force", [](NamedExact x, int digits) { return ref::rolling_force(surface_of(x), digits); },
+          [](NamedPoint x) { return roll(x, 1).force().value; }, force_of_one_sign),
+      draw_nothing);
+}
+
+/// Beyond it the creep changes its sign.
+void keep_span(const NamedNumbers& x) {
+  const fast::RollingLine line = roll(x, 1e-9).along(psi_of(x));
+  const double largest = 2e-9 / (line.span * line.shear_share * line.index);
+  x["span_over_radius"] = std::min(x["span_over_radius"], 0.99 * largest);
 }
 
 Quantity entry_rolling_creep() {
-  Quantity entry = contact_entry(
-      "rolling.creep",
-      "V0: the surface under a rolling sphere moves along its lines by du/dx = -V0 + x^2/(2 r0^2)",
-      "brock2012 (48) corrected", 16);
-  entry.arguments = isotropic_arguments();
-  entry.arguments.push_back({"span_over_radius", ArgumentKind::positive, {}, {}});
-  entry.arguments.push_back(psi_argument());
-  const auto largest_span = [](Doubles x) {
-    const double psi = x[3];
-    const fast::RollingSphere unit = fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], 1e-9);
-    const fast::RollingLine line = unit.along(fast::Direction::of_degrees(psi));
-    return 2e-9 / (line.span * line.shear_share * line.index);
-  };
-  draw_isotropic(entry, nearest_critical, [](Random& random) {
-    return Point{random.log_uniform(1e-9, 1), draw_angle(random)};
-  });
-  const auto below = entry.keep_off;
-  entry.draw = [draw = entry.draw, largest_span](Random& random) {
-    Point x = draw(random);
-    x[2] = std::min(x[2], 0.99 * largest_span(x));
-    return x;
-  };
-  entry.keep_off = [below, largest_span](Point& x) {
-    below(x);
-    x[2] = std::min(x[2], 0.99 * largest_span(x));
-  };
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::rolling_creep(exact_isotropic_surface(x[0], x[1]), x[3], x[2], digits);
-  };
-  set_fast(entry, [](Doubles x, Accuracy) {
-    return fast::rolling_sphere_for_span(unit_isotropic(x[0]), 1, x[1], x[2])
-        .along(fast::Direction::of_degrees(x[3]))
-        .creep.value;
-  });
-  entry.seed_forms = {{"printed", "(48) as it stands: P with the wrong sign",
-                       [](Doubles x) { return rolling_creep_as_printed(x[0], x[1], x[3], x[2]); }}};
+  Quantity entry = sampled_to(
+      nearest_critical,
+      entry_of(
+          "rolling.creep",
+          [](NamedExact x, int digits) {
+            return ref::rolling_creep(surface_of(x), x["psi_deg"], x["span_over_radius"], digits);
+          },
+          [](NamedPoint x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; }),
+      [](Random& random, NamedNumbers x) {
+        x["span_over_radius"] = random.log_uniform(1e-9, 1);
+        draw_psi(random, x);
+        keep_span(x);
+      },
+      keep_span);
+  entry.seed_forms = {
+      {"printed", "(48) as it stands: P with the wrong sign",
+       of_point(entry, {"poisson", "speed", "psi_deg", "span_over_radius"}, rolling_creep_as_printed)}};
   return entry;
+}
+
+Quantity elliptic_entry(const char* name,
+                        ref::Estimate (*by_ref)(const ref::SurfaceAnswer&, const Exact&, int),
+                        double (*by_fast)(const fast::EllipticContact&, double)) {
+  return sampled_to(
+      nearest_integrated,
+      entry_of(
+          name,
+          [by_ref](NamedExact x, int digits) { return by_ref(surface_of(x), x["curvature_ratio"], digits); },
+          [by_fast](NamedPoint x) {
+            const double ratio = x["curvature_ratio"];
+            return by_fast({isotropic_surface(x["poisson"], x["speed"]), {1, ratio}}, ratio);
+          }),
+      [](Random& random, NamedNumbers x) {
+        x["curvature_ratio"] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
+      });
 }
 
 }  // namespace
 
 std::vector<Quantity> half_space_contact_entries() {
-  return {entry_exponent(),           entry_die_span_ratio(), entry_die_force(),     entry_rolling_index(),
-          entry_rolling_span_ratio(), entry_rolling_strip(),  entry_rolling_force(), entry_rolling_creep()};
+  return {
+      entry_exponent(),
+      entry_die_span_ratio(),
+      entry_die_force(),
+      entry_rolling_index(),
+      entry_rolling_span_ratio(),
+      entry_rolling_strip(),
+      entry_rolling_force(),
+      entry_rolling_creep(),
+      elliptic_entry("ellipse.axis_ratio", ref::elliptic_axis_ratio,
+                     [](const fast::EllipticContact& contact, double) { return contact.axis_ratio().value; }),
+      elliptic_entry("ellipse.stiffness", ref::elliptic_stiffness,
+                     [](const fast::EllipticContact& contact, double curvature_ratio) {
+                       return contact.for_approach(1).force.value * std::sqrt((1 + curvature_ratio) / 2);
+                     })};
 }
 
 }  // namespace nipref::verify

@@ -1,26 +1,27 @@
 #pragma once
 #include <array>
+#include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/catalogue/quantity.hpp>
 
 namespace nipref::verify {
 
-// The groups that the catalogue is put together from; to add a quantity, add its entry to one of them.
+// The quantities with their evaluators. A new quantity is a row of quantities.toml and an entry of one of
+// these groups.
 
 std::vector<Quantity> root_entries();         ///< roots of sinh 2z + 2z = 0, thesis appendix IV
 std::vector<Quantity> kernel_entries();       ///< I1 to I7, thesis (4.9), (4.20)
 std::vector<Quantity> memory_entries();       ///< J1 to J6, thesis (6.20)
 std::vector<Quantity> moving_load_entries();  ///< Un, Vn, started and steady, thesis (6.23) to (6.28)
 std::vector<Quantity> half_space_entries();   ///< K, S, isotropic, brock2012 (18a)
-std::vector<Quantity>
-transverse_half_space_entries();  ///< K, S and critical speeds, brock2013 (19), (43), (46)
-std::vector<Quantity>
-half_space_contact_entries();  ///< dies and spheres by the papers' rule, brock2012 (26) to (53)
-std::vector<Quantity> elliptic_contact_entries();  ///< the exact frictionless contact, isotropic half-space
-std::vector<Quantity> seed_sphere_entries();  ///< the seed's sphere, brock2013 (34), and its exact contact
-std::vector<Quantity>
-anisotropic_entries();  ///< K, S and critical speeds, any anisotropy, brock2013 appendix A
+std::vector<Quantity> transverse_half_space_entries();  ///< K, S, critical speeds, brock2013 (19), (43), (46)
+std::vector<Quantity> half_space_contact_entries();     ///< dies and spheres, brock2012 (26) to (53)
+std::vector<Quantity> seed_sphere_entries();            ///< the seed's sphere, brock2013 (34), also exactly
+std::vector<Quantity> anisotropic_entries();  ///< K, S, critical speeds, any anisotropy, brock2013 appendix A
 std::vector<Quantity> elastic_nip_entries();  ///< contacts of an elastic nip, dimensionless, thesis chapter V
 std::vector<Quantity> displacement_entries();      ///< F1, F2, un, vn, us, vs, thesis (4.24), (4.25)
 std::vector<Quantity> field_entries();             ///< inside the sheet, thesis (3.19), (3.20)
@@ -28,10 +29,56 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
-// Arguments that several entries share, with their hard values.
+// Groups of arguments that several quantities take, @sheet, @material, @constants and @stiffness in the table.
 
-Argument nonzero_position_argument(std::string name);
-Argument position_argument(std::string name);
+std::vector<Argument> sheet_arguments();  ///< a moving load's speed, half-thickness and viscoelastic material
+std::vector<Argument> material_arguments();   ///< every model of a viscoelastic material
+std::vector<Argument> constants_arguments();  ///< of a transversely isotropic solid
+std::vector<Argument> stiffness_arguments();  ///< of an anisotropic solid
+
+/// Values of an argument of that kind where trouble is likely, of a quantity without sampling of its own.
+std::vector<double> hard_values(ArgumentKind kind);
+
+/// The table's rows in their order, without evaluators.
+const std::vector<Quantity>& described_quantities();
+
+/// The row of that name. std::logic_error if the table has none.
+Quantity described(std::string_view name);
+
+template <std::size_t n>
+using ArgumentNames = const char* const (&)[n];
+
+/// Makes an evaluator of a point from a function of numbers: each of its first parameters is the argument of that name,
+/// looked up here, once.
+template <std::size_t n, class Function>
+auto of_point(const Quantity& entry, ArgumentNames<n> names, Function function) {
+  std::array<std::size_t, n> at{};
+  for (std::size_t i = 0; i < n; ++i) at[i] = argument_number(entry.arguments, names[i]);
+  return [at, function](auto numbers, auto... more) {
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      if constexpr (std::is_invocable_v<Function, decltype(numbers[i])..., decltype(more)...>) {
+        return function(numbers[at[i]]..., more...);
+      } else {
+        return function(numbers[at[i]]...);
+      }
+    }
+    (std::make_index_sequence<n>());
+  };
+}
+
+/// The same from a function that asks the point for its numbers by name.
+template <class Function>
+auto of_point(const Quantity& entry, Function function) {
+  return [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments), function](
+             auto numbers, auto... more) {
+    const Named named(std::span<const Argument>(*arguments), numbers);
+    if constexpr (std::is_invocable_v<Function, decltype(named), decltype(more)...>) {
+      return function(named, more...);
+    } else {
+      return function(named);
+    }
+  };
+}
 
 /// Of any quantity; the catalogue's test holds every entry to it.
 inline constexpr std::size_t most_arguments = 32;
@@ -50,6 +97,53 @@ void set_fast(Quantity& entry, Evaluate evaluate) {
       values[i] = evaluate(arguments, accuracy);
     }
   };
+}
+
+/// The size of a quantity whose errors are measured against the value itself.
+struct ValueItself {
+  double operator()(const auto&...) const { return 0; }
+};
+
+/// An entry by functions of the numbers of those names, then digits or accuracy.
+template <std::size_t n, class Ref, class Fast, class Size = ValueItself>
+Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size size = {}) {
+  Quantity entry = described(name);
+  entry.by_ref = of_point(entry, names, by_ref);
+  set_fast(entry, of_point(entry, names, by_fast));
+  entry.envelope = of_point(entry, names, size);
+  return entry;
+}
+
+/// An entry by functions of a NamedExact and digits, of a NamedPoint and accuracy, and of a NamedPoint.
+template <class Ref, class Fast, class Size = ValueItself>
+Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
+  Quantity entry = described(name);
+  entry.by_ref = of_point(entry, by_ref);
+  set_fast(entry, of_point(entry, by_fast));
+  entry.envelope = of_point(entry, size);
+  return entry;
+}
+
+/// Where audits look. `draw` gets a Random and the NamedNumbers of a point that holds the defaults; `keep_off` gets the
+/// NamedNumbers of a point.
+template <class Draw>
+void set_draw(Quantity& entry, Draw draw) {
+  entry.draw = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
+                defaults = point_of(entry, {}), draw](Random& random) {
+    Point point = defaults;
+    draw(random, NamedNumbers(*arguments, point));
+    return point;
+  };
+}
+template <class KeepOff>
+void set_keep_off(Quantity& entry, KeepOff keep_off) {
+  entry.keep_off = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),
+                    keep_off](Point& point) { keep_off(NamedNumbers(*arguments, point)); };
+}
+
+/// Sets the numbers of those arguments to their defaults.
+inline void set_defaults(const NamedNumbers& x, std::span<const Argument> arguments) {
+  for (const Argument& argument : arguments) x[argument.name] = default_number(argument);
 }
 
 }  // namespace nipref::verify

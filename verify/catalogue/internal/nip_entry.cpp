@@ -10,32 +10,50 @@
 namespace nipref::verify {
 namespace {
 
-/// Contacts of a family that were solved, by either path.
+/// The contacts of a family with their arguments, solved by either path.
 struct SolvedNips {
   NipSolver solver;
+  std::vector<Argument> arguments;
   Cache<std::vector<double>, NipEstimates> by_fast;
   Cache<std::vector<double>, NipReferences> by_ref;
 
+  NipEstimates solved(std::span<const double> x, fast::Accuracy accuracy) const {
+    return solver.fast({arguments, x}, accuracy);
+  }
   fast::Estimate fast(std::span<const double> x, fast::Accuracy accuracy, std::size_t number) {
     std::vector<double> key(x.begin(), x.end());
     key.push_back(accuracy.rtol());
-    return (*by_fast.at(key, [&] { return solver.fast(x, accuracy); }))[number];
+    return (*by_fast.at(key, [&] { return solved(x, accuracy); }))[number];
   }
   ref::Estimate ref(std::span<const double> x, int digits, std::size_t number) {
     std::vector<double> key(x.begin(), x.end());
     key.push_back(digits);
-    return (*by_ref.at(key, [&] { return solver.ref(x, digits); }))[number];
+    return (*by_ref.at(key, [&] { return solver.ref({arguments, x}, digits); }))[number];
   }
 };
 
-/// One for each family, as long as the program runs.
-SolvedNips& solved_nips(std::string_view family, const NipSolver& solver) {
-  static std::map<std::string, SolvedNips, std::less<>> all;
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  const auto [found, is_new] = all.try_emplace(std::string(family));
-  if (is_new) found->second.solver = solver;
-  return found->second;
+Quantity nip_entry(const char* name, const std::shared_ptr<SolvedNips>& nips, std::size_t number) {
+  Quantity entry = described(name);
+  entry.ref_takes_doubles = true;
+  entry.by_ref_of_doubles = [nips, number](std::span<const double> x, int digits) {
+    return nips->ref(x, digits, number);
+  };
+  entry.by_ref = [by_doubles = entry.by_ref_of_doubles](std::span<const ref::Exact> x, int digits) {
+    Point nearest;
+    for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
+    return by_doubles(nearest, digits);
+  };
+  // The loop is what is timed: it solves anew.
+  set_fast(entry, [nips, number](std::span<const double> x, fast::Accuracy accuracy) {
+    return nips->solved(x, accuracy)[number].value;
+  });
+  entry.by_fast = [nips, number](std::span<const double> x, fast::Accuracy accuracy) {
+    return nips->fast(x, accuracy, number).value;
+  };
+  entry.fast_error = [nips, number](std::span<const double> x, fast::Accuracy accuracy) {
+    return nips->fast(x, accuracy, number).error;
+  };
+  return entry;
 }
 
 }  // namespace
@@ -64,37 +82,17 @@ fast::Estimate in_unit(const fast::Estimate& number, double factor) {
   return {value, number.error * factor + 0x1p-51 * std::fabs(value)};
 }
 
-Quantity nip_entry(const NipNumber& description, std::string_view source, std::string_view family,
-                   const NipSolver& solver, std::size_t number) {
-  Quantity entry;
-  entry.name = description.name;
-  entry.definition = description.definition;
-  entry.source = source;
-  entry.scale = description.scale;
-  entry.promise = description.promise;
-  entry.family = family;
-  entry.is_costly = true;
-  entry.ref_takes_doubles = true;
-  SolvedNips& nips = solved_nips(family, solver);
-  entry.by_ref_of_doubles = [&nips, number](std::span<const double> x, int digits) {
-    return nips.ref(x, digits, number);
-  };
-  entry.by_ref = [by_doubles = entry.by_ref_of_doubles](std::span<const ref::Exact> x, int digits) {
-    Point nearest;
-    for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
-    return by_doubles(nearest, digits);
-  };
-  // The loop is what is timed: it solves anew.
-  set_fast(entry, [&nips, number](std::span<const double> x, fast::Accuracy accuracy) {
-    return nips.solver.fast(x, accuracy)[number].value;
-  });
-  entry.by_fast = [&nips, number](std::span<const double> x, fast::Accuracy accuracy) {
-    return nips.fast(x, accuracy, number).value;
-  };
-  entry.fast_error = [&nips, number](std::span<const double> x, fast::Accuracy accuracy) {
-    return nips.fast(x, accuracy, number).error;
-  };
-  return entry;
+std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
+                                  const NipSolver& solver) {
+  const auto nips = std::make_shared<SolvedNips>();
+  nips->solver = solver;
+  nips->arguments = described(names.front()).arguments;
+  std::vector<Quantity> entries;
+  for (const char* name : names) {
+    entries.push_back(nip_entry(name, nips, entries.size()));
+    entries.back().family = family;
+  }
+  return entries;
 }
 
 double draw_nip_length(Random& random, double shortest, double longest) {

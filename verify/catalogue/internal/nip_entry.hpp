@@ -12,7 +12,7 @@
 
 namespace nipref::verify {
 
-// What the entries about nips share. A nip is a sheet of thickness 1 and Young's modulus 1, at once, between rollers so
+// What the entries about nips have in common. A nip is a sheet of thickness 1 and Young's modulus 1, at once, between rollers so
 // large that their radius is no shorter than any contact: everything is as 1/R, so that only shapes are left.
 
 inline constexpr double nip_roller_radius = 1024;
@@ -32,24 +32,15 @@ double nip_accuracy(fast::Accuracy accuracy);
 ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor);
 fast::Estimate in_unit(const fast::Estimate& number, double factor);
 
-/// One number of a kind of contact.
-struct NipNumber {
-  std::string_view name;
-  std::string_view definition;
-  std::string_view scale;
-  double promise;  ///< units in the last place of the scale
-};
-
-/// How the contacts of a kind are solved: all numbers at once.
+/// How the contacts of a kind are solved: all numbers at once, in the order of their entries.
 struct NipSolver {
-  std::function<NipEstimates(std::span<const double> arguments, fast::Accuracy accuracy)> fast;
-  std::function<NipReferences(std::span<const double> arguments, int digits)> ref;
+  std::function<NipEstimates(const NamedPoint& x, fast::Accuracy accuracy)> fast;
+  std::function<NipReferences(const NamedPoint& x, int digits)> ref;
 };
 
-/// An entry without arguments and where to look; what both paths find at a point is kept for the other entries.
-/// `family`: of entries that come out of one solution; `number`: which of the solver's.
-Quantity nip_entry(const NipNumber& description, std::string_view source, std::string_view family,
-                   const NipSolver& solver, std::size_t number);
+/// The quantities of those names without sampling; what both paths find at a point is kept for the others of the family.
+std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
+                                  const NipSolver& solver);
 
 /// Log-uniform within [shortest, longest], now and then an end itself.
 double draw_nip_length(Random& random, double shortest, double longest);

@@ -13,21 +13,12 @@ namespace nipref::verify {
 namespace {
 
 using data::SheetLoad;
-using fast::Accuracy;
-using Arguments = std::span<const double>;
-using Exacts = std::span<const ref::Exact>;
+using ref::Exact;
 
-constexpr double field_promise = 8;
 constexpr double nearest_on_the_face = 1e-300;
 
 SheetLoad load_of(double number) { return number == 0 ? SheetLoad::normal : SheetLoad::shear; }
 SheetLoad load_of(const ref::Exact& number) { return load_of(number.approximate()); }
-
-Argument load_argument() { return {"load", ArgumentKind::choice, "normal", {}, {"normal", "shear"}}; }
-
-Argument place_argument(std::string name) { return {std::move(name), ArgumentKind::position, {}, {}}; }
-Argument depth_argument() { return {"depth", ArgumentKind::depth, {}, {}}; }
-Argument ratio_argument() { return {"poisson", ArgumentKind::poisson, {}, {}}; }
 
 /// Where fast goes over from closed forms to residues, and where those underflow.
 constexpr std::array hard_alphas{0.0,  1e-300, 1e-16, 1e-8,  0.5,   0x1.3ffffffffffffp+0,
@@ -72,97 +63,81 @@ void keep_off_the_load(double& alpha, double& depth) {
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
 }
 
-InnerPoint draw_place(Random& random) {
+/// Sets the arguments that the quantity has.
+void draw_point_of_sheet(Random& random, const NamedNumbers& x) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(x.arguments(), name, &Argument::name) != x.arguments().end();
+  };
   InnerPoint at = draw_anywhere(random);
   keep_off_the_load(at.alpha, at.depth);
-  return at;
+  x["alpha"] = at.alpha;
+  x["depth"] = at.depth;
+  if (has("eta")) {
+    const double eta =
+        random.chance(0.3) ? at.alpha * random.uniform(0.9, 1.1) : random.log_uniform(1e-3, 700);
+    x["eta"] = random.chance(0.5) ? eta : -eta;
+  }
+  x["load"] = random.chance(0.5) ? 1 : 0;
+  if (has("poisson")) x["poisson"] = draw_ratio(random);
 }
 
-Quantity field_entry(std::string name, std::string definition) {
-  Quantity entry;
-  entry.name = std::move(name);
-  entry.definition = std::move(definition);
-  entry.source = "thesis (3.19), (3.20), (4.3), (4.14)";
-  entry.scale =
-      "sum of the magnitudes of its parts: half-planes' fields up to |alpha| = 1.25, slowest residue terms, "
-      "what does not decay";
-  entry.promise = field_promise;
-  entry.audit_points = 400;
+Quantity sampled(Quantity entry) {
+  set_draw(entry, draw_point_of_sheet);
+  set_keep_off(entry, [](NamedNumbers x) { keep_off_the_load(x["alpha"], x["depth"]); });
   return entry;
 }
 
-using RefStress = ref::Enclosure (*)(const ref::Exact&, const ref::Exact&, SheetLoad, int);
+using RefStress = ref::Enclosure (*)(const Exact&, const Exact&, SheetLoad, int);
 
-Quantity stress_entry(std::string name, std::string definition, double fast::SheetStresses::*part,
-                      RefStress by_ref, double (FieldSize::*size)() const) {
-  Quantity entry = field_entry(std::move(name), std::move(definition));
-  entry.unit = "1/half-thickness";
-  entry.arguments = {place_argument("alpha"), depth_argument(), load_argument()};
-  entry.by_ref = [by_ref](Exacts x, int digits) { return by_ref(x[0], x[1], load_of(x[2]), digits); };
-  set_fast(entry,
-           [part](Arguments x, Accuracy) { return fast::sheet_stresses(x[0], x[1], load_of(x[2])).*part; });
-  entry.envelope = [size](Arguments x) { return (FieldSize{x[0], x[1], load_of(x[2])}.*size)(); };
-  entry.draw = [](Random& random) {
-    const InnerPoint at = draw_place(random);
-    return Point{at.alpha, at.depth, random.chance(0.5) ? 1.0 : 0.0};
-  };
-  entry.keep_off = [](Point& x) { keep_off_the_load(x[0], x[1]); };
-  return entry;
+Quantity stress_entry(const char* name, double fast::SheetStresses::*part, RefStress by_ref,
+                      double (FieldSize::*size)() const) {
+  return sampled(entry_of(
+      name, {"alpha", "depth", "load"},
+      [by_ref](const Exact& alpha, const Exact& depth, const Exact& load, int digits) {
+        return by_ref(alpha, depth, load_of(load), digits);
+      },
+      [part](double alpha, double depth, double load) {
+        return fast::sheet_stresses(alpha, depth, load_of(load)).*part;
+      },
+      [size](double alpha, double depth, double load) {
+        return (FieldSize{alpha, depth, load_of(load)}.*size)();
+      }));
 }
 
 Quantity entry_u() {
-  Quantity entry =
-      field_entry("sheet.u",
-                  "displacement along +x over theta1 + theta2 inside the sheet under a unit line load on "
-                  "each face; at depth -1 un or us");
-  entry.arguments = {place_argument("alpha"), depth_argument(), load_argument(), ratio_argument()};
-  entry.by_ref = [](Exacts x, int digits) { return ref::sheet_u(x[0], x[1], load_of(x[2]), x[3], digits); };
-  set_fast(entry, [](Arguments x, Accuracy) { return fast::sheet_u(x[0], x[1], load_of(x[2]), x[3]); });
-  entry.envelope = [](Arguments x) { return FieldSize{x[0], x[1], load_of(x[2])}.u(x[3]); };
-  entry.draw = [](Random& random) {
-    const InnerPoint at = draw_place(random);
-    return Point{at.alpha, at.depth, random.chance(0.5) ? 1.0 : 0.0, draw_ratio(random)};
-  };
-  entry.keep_off = [](Point& x) { keep_off_the_load(x[0], x[1]); };
-  return entry;
+  return sampled(entry_of(
+      "sheet.u", {"alpha", "depth", "load", "poisson"},
+      [](const Exact& alpha, const Exact& depth, const Exact& load, const Exact& poisson, int digits) {
+        return ref::sheet_u(alpha, depth, load_of(load), poisson, digits);
+      },
+      [](double alpha, double depth, double load, double poisson) {
+        return fast::sheet_u(alpha, depth, load_of(load), poisson);
+      },
+      [](double alpha, double depth, double load, double poisson) {
+        return FieldSize{alpha, depth, load_of(load)}.u(poisson);
+      }));
 }
 
 Quantity entry_v() {
-  Quantity entry =
-      field_entry("sheet.v",
-                  "displacement along +y over theta1 + theta2 inside the sheet under a unit line load on "
-                  "each face, relative to the point eta of the middle plane; at depth +-1 vn or vs");
-  entry.arguments = {place_argument("alpha"), place_argument("eta"), depth_argument(), load_argument(),
-                     ratio_argument()};
-  entry.by_ref = [](Exacts x, int digits) {
-    return ref::sheet_v(x[0], x[1], x[2], load_of(x[3]), x[4], digits);
-  };
-  set_fast(entry, [](Arguments x, Accuracy) { return fast::sheet_v(x[0], x[1], x[2], load_of(x[3]), x[4]); });
-  entry.envelope = [](Arguments x) { return FieldSize{x[0], x[2], load_of(x[3])}.v(x[1], x[4]); };
-  entry.draw = [](Random& random) {
-    const InnerPoint at = draw_place(random);
-    const double eta =
-        random.chance(0.3) ? at.alpha * random.uniform(0.9, 1.1) : random.log_uniform(1e-3, 700);
-    return Point{at.alpha, random.chance(0.5) ? eta : -eta, at.depth, random.chance(0.5) ? 1.0 : 0.0,
-                 draw_ratio(random)};
-  };
-  entry.keep_off = [](Point& x) { keep_off_the_load(x[0], x[2]); };
-  return entry;
+  return sampled(entry_of(
+      "sheet.v", {"alpha", "eta", "depth", "load", "poisson"},
+      [](const Exact& alpha, const Exact& eta, const Exact& depth, const Exact& load, const Exact& poisson,
+         int digits) { return ref::sheet_v(alpha, eta, depth, load_of(load), poisson, digits); },
+      [](double alpha, double eta, double depth, double load, double poisson) {
+        return fast::sheet_v(alpha, eta, depth, load_of(load), poisson);
+      },
+      [](double alpha, double eta, double depth, double load, double poisson) {
+        return FieldSize{alpha, depth, load_of(load)}.v(eta, poisson);
+      }));
 }
 
 }  // namespace
 
 std::vector<Quantity> field_entries() {
-  return {
-      stress_entry("sheet.sx",
-                   "stress across the sheet, sigma_x, inside it under a unit line load on each face",
-                   &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
-      stress_entry("sheet.sy",
-                   "stress along the sheet, sigma_y, inside it under a unit line load on each face",
-                   &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
-      stress_entry("sheet.txy", "shear stress, tau_xy, inside the sheet under a unit line load on each face",
-                   &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
-      entry_u(), entry_v()};
+  return {stress_entry("sheet.sx", &fast::SheetStresses::across, ref::sheet_across, &FieldSize::across),
+          stress_entry("sheet.sy", &fast::SheetStresses::along, ref::sheet_along, &FieldSize::along),
+          stress_entry("sheet.txy", &fast::SheetStresses::shear, ref::sheet_shear, &FieldSize::shear),
+          entry_u(), entry_v()};
 }
 
 }  // namespace nipref::verify

@@ -3,11 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
+#include <nipref/verify/catalogue/internal/entries.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -25,19 +27,9 @@ ref::ExactStiffness stiffness_of(const ref::ExactTransverse& solid, data::Symmet
                                             : ref::exact_stiffness(solid, axis);
 }
 
-data::SymmetryAxis exact_axis_at(Exacts x, std::size_t at) {
-  return x[at].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
-}
-
 }  // namespace
 
 ref::Exact as_written(double constant) { return ref::Exact::parse(fmt::format("{}", constant)); }
-
-Point with_epoxy(Point x) {
-  const auto& [c11, c33, c13, c44, c66, density] = graphite_epoxy;
-  x.insert(x.end(), {c11, c33, c13, c44, c66, density});
-  return x;
-}
 
 data::IsotropicSolid unit_isotropic(double poisson) { return {1, poisson, 1}; }
 
@@ -65,34 +57,31 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   };
 }
 
-void append_transverse_arguments(std::vector<Argument>& arguments) {
-  arguments.push_back({"axis", ArgumentKind::choice, "normal", {}, {"normal", "in-plane"}});
-  append_constants(arguments);
-}
-
-void append_constants(std::vector<Argument>& arguments) {
-  const auto append = [&](const char* name, ArgumentKind kind, double value) {
-    arguments.push_back({name, kind, fmt::format("{}", value), {}});
+std::vector<Argument> constants_arguments() {
+  const auto& [c11, c33, c13, c44, c66, density] = graphite_epoxy;
+  const auto argument = [](const char* name, ArgumentKind kind, double value) {
+    return Argument{name, kind, fmt::format("{}", value), {}};
   };
-  append("c11", ArgumentKind::positive, graphite_epoxy.c11);
-  append("c33", ArgumentKind::positive, graphite_epoxy.c33);
-  append("c13", ArgumentKind::amplitude, graphite_epoxy.c13);
-  append("c44", ArgumentKind::positive, graphite_epoxy.c44);
-  append("c66", ArgumentKind::positive, graphite_epoxy.c66);
-  append("density", ArgumentKind::positive, graphite_epoxy.density);
+  return {
+      argument("c11", ArgumentKind::positive, c11),  argument("c33", ArgumentKind::positive, c33),
+      argument("c13", ArgumentKind::amplitude, c13), argument("c44", ArgumentKind::positive, c44),
+      argument("c66", ArgumentKind::positive, c66),  argument("density", ArgumentKind::positive, density)};
 }
 
-data::SymmetryAxis axis_at(Doubles x, std::size_t at) {
-  return x[at] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
+data::SymmetryAxis symmetry_axis(const NamedPoint& x) {
+  return x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
 }
 
-data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at) {
-  return {x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]};
+data::SymmetryAxis symmetry_axis(const NamedExact& x) {
+  return x["axis"].sign() == 0 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
 }
 
-fast::TransverselyIsotropicHalfSpace transverse_surface_at(Doubles x, std::size_t at, double theta_deg,
-                                                           double speed) {
-  return {transverse_at(x, at), axis_at(x, at), fast::Direction::of_degrees(theta_deg), speed,
+data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x) {
+  return {x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]};
+}
+
+fast::TransverselyIsotropicHalfSpace transverse_surface_of(const NamedPoint& x) {
+  return {transverse_of(x), symmetry_axis(x), fast::Direction::of_degrees(x["theta_deg"]), x["speed"],
           steel_shear_speed};
 }
 
@@ -103,38 +92,101 @@ fast::LineResponse in_steel(const fast::LineResponse& line) {
 
 double speed_in_steel(double speed) { return speed / steel_shear_speed.high; }
 
-ScaledModuli scaled_moduli_at(Doubles x, std::size_t at) {
-  const auto over_steel = [&](std::size_t i) { return x[at + i] / data::seed::steel.shear; };
+double critical_speed_of(const NamedPoint& x) {
+  return speed_in_steel(
+      fast::critical_speed(transverse_of(x), symmetry_axis(x), fast::Direction::of_degrees(x["theta_deg"]))
+          .speed);
+}
+
+ScaledModuli scaled_moduli_of(const NamedPoint& x) {
+  const auto over_steel = [&](const char* name) { return x[name] / data::seed::steel.shear; };
   constexpr double nu = data::seed::steel.poisson;
-  return {over_steel(1),
-          over_steel(2),
-          over_steel(3),
-          over_steel(4),
-          over_steel(5),
-          std::sqrt(x[at + 6] / data::seed::steel.density),
+  return {over_steel("c11"),
+          over_steel("c33"),
+          over_steel("c13"),
+          over_steel("c44"),
+          over_steel("c66"),
+          std::sqrt(x["density"] / data::seed::steel.density),
           std::sqrt((2 - 2 * nu) / (1 - 2 * nu))};
 }
 
-ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at) {
-  return exact_transverse_at(x, at, exact_axis_at(x, at));
-}
-
-ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis) {
-  const ref::ExactTransverse given(x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]);
+ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis) {
+  const ref::ExactTransverse given(x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]);
   return stiffness_of(
       given.over(as_written(data::seed::steel.shear).value(), as_written(data::seed::steel.density).value()),
       axis);
 }
 
-void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed) {
-  const ref::ExactStiffness solid = exact_transverse_at(x, at);
-  const auto motion = ref::SurfaceDirection::of_degrees(theta_deg);
+void check_subcritical(const NamedExact& x) {
+  const ref::ExactStiffness solid = exact_transverse_of(x, symmetry_axis(x));
+  const auto motion = ref::SurfaceDirection::of_degrees(x["theta_deg"]);
   // About a normal axis all lines are alike but for the speed along them, which is largest along the motion.
-  if (exact_axis_at(x, at) == data::SymmetryAxis::normal) {
-    ref::check_subcritical(solid, speed, motion, motion);
+  if (symmetry_axis(x) == data::SymmetryAxis::normal) {
+    ref::check_subcritical(solid, x["speed"], motion, motion);
   } else {
-    ref::check_subcritical(solid, speed, motion);
+    ref::check_subcritical(solid, x["speed"], motion);
   }
 }
+
+// The step so far below any distance from the critical speed that a double can have, that the next term of the
+// difference, step^2 over that distance's square, is below what the digits ask for.
+ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
+                              const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
+                              int digits) {
+  constexpr int below_a_rounding = 20, guard = 10, most = 485;
+  if (digits < 16 || digits > most) {
+    throw data::BadInput("digits", std::to_string(digits),
+                         "must be from 16 to " + std::to_string(most) + " for a difference quotient");
+  }
+  const ref::Exact step = ref::Exact::parse("1e-" + std::to_string(digits + below_a_rounding));
+  const auto ln_K = [&](int sign) {
+    const ref::Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));
+    ref::Real value =
+        ref::line_response(solid, moved, motion, psi, 2 * digits + below_a_rounding + guard).compliance.value;
+    mpfr_log(value.get(), value.get(), MPFR_RNDN);
+    return value;
+  };
+  ref::Real slope = ln_K(1);
+  const ref::Real below = ln_K(-1);
+  mpfr_sub(slope.get(), slope.get(), below.get(), MPFR_RNDN);
+  ref::Real two_steps(slope.precision());
+  mpfr_set_q(two_steps.get(), mpq_class(2 * step.value()).get_mpq_t(), MPFR_RNDN);
+  mpfr_div(slope.get(), slope.get(), two_steps.get(), MPFR_RNDN);
+  ref::Real error(64);
+  mpfr_set_q(error.get(), ref::Exact::parse("1e-" + std::to_string(digits)).value().get_mpq_t(), MPFR_RNDU);
+  return {slope, error, digits};
+}
+
+double draw_share(Random& random) {
+  switch (random.index(4)) {
+    case 0:
+      return random.log_uniform(1e-8, 1);
+    case 1:
+      return 1 - random.log_uniform(1e-9, 1e-3);
+    default:
+      return random.uniform(0, 0.999);
+  }
+}
+
+double draw_degrees(Random& random) {
+  const double sign = random.chance(0.5) ? 1 : -1;
+  switch (random.index(4)) {
+    case 0:
+      return sign * (90 - random.log_uniform(1e-12, 1));
+    case 1:
+      return sign * random.log_uniform(1e-6, 1);
+    default:
+      return random.uniform(-90, 90);
+  }
+}
+
+double draw_share(Random& random, double least, double largest) {
+  return random.chance(0.5) ? 1 - random.log_uniform(1 - largest, 1) : random.uniform(least, largest);
+}
+
+double draw_angle(Random& random) { return random.uniform(-90, 90); }
+double draw_friction(Random& random) { return random.chance(0.2) ? 0 : random.uniform(0, 1); }
+
+void put_epoxy(const NamedNumbers& x) { set_defaults(x, constants_arguments()); }
 
 }  // namespace nipref::verify

@@ -1,24 +1,15 @@
 #pragma once
-#include <span>
-#include <vector>
-
 #include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/catalogue/quantity.hpp>
+#include <nipref/verify/catalogue/named_point.hpp>
 
 namespace nipref::verify {
 
 // From the catalogue's arguments about half-spaces to what the two paths take.
-
-/// Of the critical speed, in the audits; where the reference has to integrate over lines, farther off.
-inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
-
-using Doubles = std::span<const double>;
-using Exacts = std::span<const ref::Exact>;
 
 /// mu = 1, density 1: speeds are v/v_S.
 data::IsotropicSolid unit_isotropic(double poisson);
@@ -33,28 +24,45 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
 /// The decimal number that a constant is written as, exactly; 77.2 is no double.
 ref::Exact as_written(double constant);
 
-/// `x` and the seed's graphite epoxy, c11 to density.
-Point with_epoxy(Point x);
+// Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa), density (kg/m^3), with the seed's graphite
+// epoxy as default, and axis, how its axis lies to the surface.
 
-/// axis, c11, c33, c13, c44, c66 (GPa), density (kg/m^3), from the argument number `at` on, with the seed's
-/// values unless others are given.
-void append_transverse_arguments(std::vector<Argument>& arguments);
-/// Those without the axis.
-void append_constants(std::vector<Argument>& arguments);
-data::SymmetryAxis axis_at(Doubles x, std::size_t at);
+data::SymmetryAxis symmetry_axis(const NamedPoint& x);
+data::SymmetryAxis symmetry_axis(const NamedExact& x);
 /// In the units in which it is given, so that no constant is rounded.
-data::TransverselyIsotropicSolid transverse_at(Doubles x, std::size_t at);
-/// Of loads that move at `speed` times steel's shear wave speed.
-fast::TransverselyIsotropicHalfSpace transverse_surface_at(Doubles x, std::size_t at, double theta_deg,
-                                                           double speed);
+data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x);
+/// Of loads that move at `speed` times steel's shear wave speed in the direction theta_deg.
+fast::TransverselyIsotropicHalfSpace transverse_surface_of(const NamedPoint& x);
 /// From those units to those of steel.
 fast::LineResponse in_steel(const fast::LineResponse& line);
 double speed_in_steel(double speed);
+/// The smallest critical speed of loads that move in the direction theta_deg, in steel's shear wave speeds.
+double critical_speed_of(const NamedPoint& x);
 /// In the units of steel, with the seed's sphere.
-ScaledModuli scaled_moduli_at(Doubles x, std::size_t at);
-ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at);
-ref::ExactStiffness exact_transverse_at(Exacts x, std::size_t at, data::SymmetryAxis axis);
+ScaledModuli scaled_moduli_of(const NamedPoint& x);
+ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis);
 /// BadInput naming the speed unless it is subcritical on every line.
-void check_subcritical(Exacts x, std::size_t at, const ref::Exact& theta_deg, const ref::Exact& speed);
+void check_subcritical(const NamedExact& x);
+
+/// d ln K/d ln speed by a central difference of the reference's K in three times the digits; digits: 16 to 485.
+ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
+                              const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
+                              int digits);
+
+// Sampling.
+
+/// Of the critical speed, in the audits; where the reference has to integrate over lines, farther off.
+inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
+
+/// Of the critical speed: from 1e-8 to 1 - 1e-9.
+double draw_share(Random& random);
+/// Up to the largest share, half of the time near it.
+double draw_share(Random& random, double least, double largest);
+/// Crowded at 0 and 90.
+double draw_degrees(Random& random);
+double draw_angle(Random& random);  ///< degrees
+double draw_friction(Random& random);
+/// The seed's graphite epoxy.
+void put_epoxy(const NamedNumbers& x);
 
 }  // namespace nipref::verify

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <string>
 
+#include <nipref/verify/catalogue/internal/entries.hpp>
 #include <nipref/verify/catalogue/material/internal/rational_arguments.hpp>
 
 namespace nipref::verify {
@@ -10,15 +12,23 @@ namespace {
 
 constexpr std::array<const char*, 2> functions{"theta1", "theta2"};
 constexpr std::array<const char*, 4> polynomials{"P", "Q", "P_dilatation", "Q_dilatation"};
-constexpr std::size_t per_function = 5, per_polynomial = 3;
+constexpr std::size_t per_polynomial = 3;
 
-data::PronyList prony_list(std::span<const double> x) { return {x[0], {x[1], x[3]}, {x[2], x[4]}}; }
-ref::ExactSeries exact_series(std::span<const ref::Exact> x) { return {x[0], {x[1], x[3]}, {x[2], x[4]}}; }
+/// data::PronyList or ref::ExactSeries.
+template <class Series, class Number>
+Series series_of(const Named<const Number>& x, const std::string& function) {
+  return {x[function + "_instantaneous"],
+          {x[function + "_amplitude"], x[function + "_amplitude_2"]},
+          {x[function + "_rate"], x[function + "_rate_2"]}};
+}
+
+std::string coefficient(const std::string& polynomial, std::size_t power) {
+  return polynomial + "_" + std::to_string(power);
+}
 
 template <class Number>
-std::vector<Number> coefficients(std::span<const Number> x, std::size_t polynomial) {
-  const auto part = x.subspan(polynomial * per_polynomial, per_polynomial);
-  return {part.begin(), part.end()};
+std::vector<Number> coefficients(const Named<const Number>& x, const std::string& polynomial) {
+  return {x[coefficient(polynomial, 0)], x[coefficient(polynomial, 1)], x[coefficient(polynomial, 2)]};
 }
 
 /// Twice as fast, or equal, nearly so, or any.
@@ -57,7 +67,8 @@ Quadratic draw_q(const Quadratic& p, double size, Random& random) {
 
 }  // namespace
 
-void append_prony_arguments(std::vector<Argument>& arguments) {
+std::vector<Argument> rational_arguments() {
+  std::vector<Argument> arguments;
   for (const std::string name : functions) {
     const char* one = name == "theta1" ? "1" : "0.25";
     arguments.push_back({name + "_instantaneous", ArgumentKind::nonnegative, one, {}});
@@ -66,19 +77,20 @@ void append_prony_arguments(std::vector<Argument>& arguments) {
     arguments.push_back({name + "_amplitude_2", ArgumentKind::amplitude, "0", {}});
     arguments.push_back({name + "_rate_2", ArgumentKind::rate, "1", {}});
   }
+  std::ranges::move(operator_arguments(), std::back_inserter(arguments));
+  return arguments;
 }
 
-void append_operator_arguments(std::vector<Argument>& arguments) {
+std::vector<Argument> operator_arguments() {
   // G = 0.375 (1 + p)/(2 + p), K = (1 + p)/(2 + p)
   constexpr std::array<std::array<const char*, per_polynomial>, 4> standard{
       {{"2", "1", "0"}, {"0.375", "0.375", "0"}, {"2", "1", "0"}, {"1", "1", "0"}}};
+  std::vector<Argument> arguments;
   for (std::size_t i = 0; i < polynomials.size(); ++i) {
     for (std::size_t k = 0; k < per_polynomial; ++k)
-      arguments.push_back({std::string(polynomials[i]) + "_" + std::to_string(k),
-                           ArgumentKind::nonnegative,
-                           standard[i][k],
-                           {}});
+      arguments.push_back({coefficient(polynomials[i], k), ArgumentKind::nonnegative, standard[i][k], {}});
   }
+  return arguments;
 }
 
 std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments) {
@@ -103,63 +115,76 @@ std::vector<ModelKey> operator_keys() {
   return keys;
 }
 
-void default_unread(std::span<double> x, const std::vector<Argument>& arguments) {
+void default_unread(const NamedNumbers& x) {
   const auto has = [](const std::vector<ModelKey>& keys, const std::string& argument) {
     return std::ranges::any_of(keys, [&](const ModelKey& key) {
       return std::ranges::find(key.arguments, argument) != key.arguments.end();
     });
   };
-  const std::size_t at =
-      static_cast<std::size_t>(std::ranges::find(arguments, "material", &Argument::name) - arguments.begin());
-  const auto& keys = arguments[at].keys;
-  const auto model = static_cast<std::size_t>(x[at]);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto has_it = [&](const std::vector<ModelKey>& of_one) { return has(of_one, arguments[i].name); };
-    if (std::ranges::any_of(keys, has_it) && !has_it(keys[model]))
-      x[i] = std::stod(*arguments[i].default_text);
+  const auto& keys = x.arguments()[argument_number(x.arguments(), "material")].keys;
+  const auto& chosen = keys[static_cast<std::size_t>(x["material"])];
+  for (const Argument& argument : x.arguments()) {
+    const auto has_it = [&](const std::vector<ModelKey>& of_one) { return has(of_one, argument.name); };
+    if (std::ranges::any_of(keys, has_it) && !has_it(chosen)) x[argument.name] = default_number(argument);
   }
 }
 
-data::PronySeries prony_of(std::span<const double> x) {
-  return {prony_list(x), prony_list(x.subspan(per_function))};
+data::PronySeries prony_of(const NamedPoint& x) {
+  return {series_of<data::PronyList>(x, "theta1"), series_of<data::PronyList>(x, "theta2")};
 }
 
-data::DifferentialOperators operators_of(std::span<const double> x) {
-  return {coefficients(x, 0), coefficients(x, 1), coefficients(x, 2), coefficients(x, 3)};
+data::DifferentialOperators operators_of(const NamedPoint& x) {
+  return {coefficients(x, "P"), coefficients(x, "Q"), coefficients(x, "P_dilatation"),
+          coefficients(x, "Q_dilatation")};
 }
 
-ref::ExactRationalSolid exact_prony_of(std::span<const ref::Exact> x) {
-  return ref::exact_prony(exact_series(x), exact_series(x.subspan(per_function)));
+ref::ExactSeries exact_series_of(const NamedExact& x, const std::string& function) {
+  return series_of<ref::ExactSeries>(x, function);
 }
 
-ref::ExactRationalSolid exact_operators_of(std::span<const ref::Exact> x) {
-  return ref::exact_operators(coefficients(x, 0), coefficients(x, 1), coefficients(x, 2), coefficients(x, 3));
+ref::ExactRationalSolid exact_prony_of(const NamedExact& x) {
+  return ref::exact_prony(exact_series_of(x, "theta1"), exact_series_of(x, "theta2"));
 }
 
-void draw_prony(Point& x, double soft, double time, Random& random) {
+ref::ExactRationalSolid exact_operators_of(const NamedExact& x) {
+  return ref::exact_operators(coefficients(x, "P"), coefficients(x, "Q"), coefficients(x, "P_dilatation"),
+                              coefficients(x, "Q_dilatation"));
+}
+
+void draw_prony(const NamedNumbers& x, double soft, double time, Random& random) {
   const bool at_once = !random.chance(0.1), two = random.chance(0.7);
-  double rate = random.chance(0.1) ? 0 : random.log_uniform(1e-3, 1e3) / time;
+  const double rate = random.chance(0.1) ? 0 : random.log_uniform(1e-3, 1e3) / time;
   const double rate_2 = rate == 0 ? 1 / time : other_rate(rate, random);
   const double instantaneous = at_once ? soft : 0;
   const double amplitude = soft * random.log_uniform(1e-3, 1e3) * (rate == 0 ? 1 / time : rate);
   const double amplitude_2 = two ? soft * random.log_uniform(1e-3, 1e3) * rate_2 : 0;
+  const auto put = [&](const std::string& name, double at_start, double first, double second) {
+    x[name + "_instantaneous"] = at_start;
+    x[name + "_amplitude"] = first;
+    x[name + "_rate"] = rate;
+    x[name + "_amplitude_2"] = second;
+    x[name + "_rate_2"] = rate_2;
+  };
+  put("theta1", instantaneous, amplitude, amplitude_2);
   // theta2 is less in each part, so that K resists.
-  const auto part = [&] { return random.chance(0.2) ? 0.25 : random.uniform(0.01, 0.9); };
-  x.insert(x.end(), {instantaneous, amplitude, rate, amplitude_2, rate_2});
   const bool fades = random.chance(0.8);
-  x.insert(x.end(),
-           {instantaneous * part(), amplitude * part(), rate, fades ? amplitude_2 * part() : 0, rate_2});
+  std::array<double, 3> parts{instantaneous, amplitude, amplitude_2};
+  for (double& part : std::span(parts).first(fades ? 3 : 2))
+    part *= random.chance(0.2) ? 0.25 : random.uniform(0.01, 0.9);
+  put("theta2", parts[0], parts[1], fades ? parts[2] : 0);
 }
 
-void draw_operators(Point& x, double stiff, double time, Random& random) {
+void draw_operators(const NamedNumbers& x, double stiff, double time, Random& random) {
   const double rate = random.log_uniform(1e-2, 1e2) / time;
   const Quadratic p = draw_p(rate, random);
   const Quadratic p_dilatation = random.chance(0.3) ? p : draw_p(rate * random.uniform(0.1, 10), random);
-  for (const Quadratic* part : {&p, &p_dilatation}) {
-    const Quadratic q = draw_q(*part, stiff * random.log_uniform(0.1, 10), random);
-    x.insert(x.end(), part->begin(), part->end());
-    x.insert(x.end(), q.begin(), q.end());
-  }
+  const auto put = [&](const std::string& name, const Quadratic& polynomial) {
+    for (std::size_t k = 0; k < per_polynomial; ++k) x[coefficient(name, k)] = polynomial[k];
+  };
+  put("P", p);
+  put("Q", draw_q(p, stiff * random.log_uniform(0.1, 10), random));
+  put("P_dilatation", p_dilatation);
+  put("Q_dilatation", draw_q(p_dilatation, stiff * random.log_uniform(0.1, 10), random));
 }
 
 }  // namespace nipref::verify

@@ -31,15 +31,25 @@ std::vector<double> hard_positions() {
 
 }  // namespace
 
-Argument nonzero_position_argument(std::string name) {
-  return {std::move(name), ArgumentKind::nonzero_position, std::nullopt, hard_positions()};
-}
-
-Argument position_argument(std::string name) {
-  Argument argument{std::move(name), ArgumentKind::position, std::nullopt, hard_positions()};
-  argument.hard_values.push_back(0.0);
-  argument.hard_values.push_back(-0.0);
-  return argument;
+std::vector<double> hard_values(ArgumentKind kind) {
+  std::vector<double> values;
+  switch (kind) {
+    case ArgumentKind::nonzero_position:
+      return hard_positions();
+    case ArgumentKind::position:
+      values = hard_positions();
+      values.insert(values.end(), {0.0, -0.0});
+      return values;
+    case ArgumentKind::young:
+      return {1e-6, 1.0, 145000.0, 1e12};
+    case ArgumentKind::poisson:
+      return {std::nextafter(-1.0, 0.0), -0.999, -0.5, 0.0, 0.25, 0.3, 1.0 / 3, 0.4999,
+              std::nextafter(0.5, 0.0),  0.5};
+    case ArgumentKind::index:
+      return {1, 2, 3, 10, 499, 500, 501, 999'999, 1'000'000};
+    default:
+      return {};
+  }
 }
 
 }  // namespace nipref::verify
