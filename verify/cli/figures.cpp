@@ -6,7 +6,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/support/text.hpp>
 

@@ -17,7 +17,7 @@
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>

@@ -63,4 +63,13 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
+/// All figures that can be drawn, the rows of data/statements/figures.csv: those of the thesis that hold curves, in the
+/// order of their numbers, and what is behind the tables of the papers on half-spaces. The seeds' own drawings are lost:
+/// the axes follow their captions and text.
+[[nodiscard]] std::vector<FigurePlan> figures();
+
+/// Computes a figure: a part of a second, for rolling sheets seconds. Where the seed printed a table, the figure has its
+/// cells with their rounding, but no doubtful ones, and what the seed's own method gives for their rows.
+[[nodiscard]] Figure compute(const FigurePlan& plan);
+
 }  // namespace nipref::verify

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 

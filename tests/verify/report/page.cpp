@@ -19,7 +19,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report.hpp>
-#include <nipref/verify/figures/figures.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/report/render.hpp>
 #include <nipref/verify/support/template.hpp>

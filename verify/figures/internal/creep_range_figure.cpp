@@ -1,9 +1,8 @@
-#include <nipref/data/material/seed_solids.hpp>
-#include <nipref/data/problem/seed_nips.hpp>
+#include <utility>
+
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/figures/internal/groups.hpp>
-#include <nipref/verify/figures/internal/series.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 
 // Creep ratios that the thesis's conditions leave. (thesis 5.5)
@@ -32,13 +31,13 @@ Series allowed_ranges(const data::ElasticNip& nip, int elements, const std::vect
 }
 
 std::vector<Panel> creep_range_panels(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
+  const Replay replay = std::move(subject.replays().front());
   const data::ElasticNip nip = nip_of_the_tables(replay.table);
-  const std::vector<double> m_beta = evenly(0.25, 5, 39);
-  std::vector<PlacedRow> rows;
+  const std::vector<double> m_beta = subject.numbers("m_beta");
+  std::vector<PlacedCell> cells;
   for (std::size_t row = 0; row < replay.nips.size(); ++row) {
     const double place = replay.nips[row].values.at("L/B") / 2;
-    rows.push_back({&replay, row, place, place});
+    cells.push_back({&replay, row, subject.text, place, place});
   }
   return {{{"m beta = L/(2B)"},
            {"creep ratio"},
@@ -50,7 +49,7 @@ std::vector<Panel> creep_range_panels(const FigureSubject& subject) {
                            .value;
                      }),
             allowed_ranges(nip, line_load_table(replay.table.id).elements_per_side, m_beta),
-            printed_series(creep_sheet, rows, "creep")}}};
+            printed_series(creep_sheet, cells)}}};
 }
 
 }  // namespace

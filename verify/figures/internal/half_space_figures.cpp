@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
+#include <utility>
 
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
@@ -10,8 +10,7 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/figures/internal/groups.hpp>
-#include <nipref/verify/figures/internal/series.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
@@ -25,34 +24,55 @@ using fast::Direction;
 const std::string ellipse = "exact ellipse, no friction", rule = "the paper's rule, corrected",
                   paper_formula = "the table's formula";
 constexpr Direction forward_motion{1, 0}, across_motion{0, 1};
-constexpr double nearly_critical = 0.999;
 
-/// Bodies at a speed, what one line answers to their pressure.
-using SurfaceAtSpeed = std::function<fast::SurfaceResponse(double speed)>;
+/// Bodies that slide.
+struct SlidingBodies {
+  std::function<fast::SurfaceResponse(double speed)> surface;  ///< what one line answers to their pressure
+  double critical_speed;
+  std::string unit;  ///< of compliances
+};
 
-/// A table's column or row as points: `place` of a cell on the axis, if it belongs to the series.
-using CellPlace = std::function<std::optional<double>(const ReplayedCell&)>;
-
-void append_cells(Panel& panel, const std::string& label, const Replay& replay, const CellPlace& place) {
-  Series made{label, paper_formula, Mark::points, {}, {}}, printed{label, as_printed, Mark::bars, {}, {}};
-  for (const ReplayedCell& cell : replay.cells) {
-    const std::optional<double> x = place(cell);
-    if (!x) continue;
-    made.x.push_back(*x);
-    made.y.push_back(cell.value);
-    const data::TableCell& print = replay.table.cell(cell.row, cell.column);
-    if (!print.is_readable() || print.is_doubtful()) continue;
-    printed.x.push_back(*x);
-    printed.y.push_back(print.number->value);
-    printed.low.push_back(print.number->rounding.lower);
-    printed.high.push_back(print.number->rounding.upper);
-  }
-  panel.series.push_back(std::move(made));
-  panel.series.push_back(std::move(printed));
+/// In units of the sphere's shear wave speed.
+double critical_speed_of(const SphereOnHalfSpace& bodies, data::SymmetryAxis axis, Direction towards) {
+  return std::min(fast::critical_speed(bodies.half_space, axis, towards).speed / bodies.speed_unit(),
+                  fast::isotropic_rayleigh_speed(bodies.sphere.poisson));
 }
 
-double speed_of_column(const Replay& replay, const std::string& column) {
+SlidingBodies rigid_die(const data::Table& table) {
+  const double poisson = table.parameter("poisson").value;
+  return {[=](double speed) { return isotropic_surface(poisson, speed); },
+          fast::isotropic_rayleigh_speed(poisson), "1/mu"};
+}
+
+SlidingBodies sphere_on(const data::Table& table, data::SymmetryAxis axis, Direction towards) {
+  const SphereOnHalfSpace bodies(table);
+  return {[=](double speed) { return bodies.in_contact(axis, towards, speed); },
+          critical_speed_of(bodies, axis, towards), "1/GPa"};
+}
+
+std::string speed_label(double speed) { return fmt::format("c = {:g}", speed); }
+
+/// The column's speed.
+double speed_of(const Replay& replay, const std::string& column) {
   return *replay.table.columns[replay.table.column_index(column)].coordinate;
+}
+
+/// Those cells of a table that `placed` gives a place on the axis.
+void append_cells(Panel& panel, const std::string& label, const Replay& replay,
+                  const std::function<std::optional<double>(const ReplayedCell&)>& placed) {
+  std::vector<PlacedCell> cells;
+  for (const ReplayedCell& cell : replay.cells) {
+    if (const auto place = placed(cell)) cells.push_back({&replay, cell.row, cell.column, *place, *place});
+  }
+  panel.series.push_back(replayed_series(label, paper_formula, cells));
+  panel.series.push_back(printed_series(label, cells));
+}
+
+/// The column's cells against the rows' keys.
+void append_column(Panel& panel, const std::string& label, const Replay& replay, const std::string& column) {
+  append_cells(panel, label, replay, [&](const ReplayedCell& cell) {
+    return cell.column == column ? std::optional(key_of_row(replay.table, cell.row)) : std::nullopt;
+  });
 }
 
 Series contour(const std::string& label, const std::string& role, Mark mark,
@@ -74,18 +94,23 @@ Series exact_contour(const std::string& label, const fast::SurfaceResponse& surf
                  [&](Direction line) { return contact.radius_ratio(line).value / forwards / 2; });
 }
 
+double exact_span_ratio_of(const fast::SurfaceResponse& surface, Direction line) {
+  const fast::EllipticContact contact(surface, {1, 1});
+  return contact.radius_ratio(line).value / contact.radius_ratio(forward_motion).value;
+}
+
 Panel contour_panel() {
   return {{"along the motion, over the contact's span there"}, {"across the motion"}, {}, true};
 }
 
-Panel contours(const SurfaceAtSpeed& surface, const std::vector<double>& speeds,
-               const std::vector<double>& frictions) {
+Panel contours(const SlidingBodies& bodies, const FigureSubject& subject) {
   Panel panel = contour_panel();
-  for (const double speed : speeds) {
-    const std::string label = fmt::format("c = {:g}", speed);
-    panel.series.push_back(exact_contour(label, surface(speed)));
-    for (const double friction : frictions) {
-      const auto sliding = fast::sliding_for_span(surface(speed), {1, 1}, friction, forward_motion, 1);
+  for (const double speed : subject.numbers("contour_speeds")) {
+    const std::string label = speed_label(speed);
+    const fast::SurfaceResponse lines = bodies.surface(speed);
+    panel.series.push_back(exact_contour(label, lines));
+    for (const double friction : subject.numbers("contour_frictions")) {
+      const auto sliding = fast::sliding_for_span(lines, {1, 1}, friction, forward_motion, 1);
       panel.series.push_back(contour(
           friction == 0 ? label : fmt::format("{}, friction {:g}", label, friction), rule, Mark::marked_line,
           [&](Direction line) { return sliding.along(line).leading_end().value; }));
@@ -94,153 +119,145 @@ Panel contours(const SurfaceAtSpeed& surface, const std::vector<double>& speeds,
   return panel;
 }
 
-/// At each speed, which takes a while.
-std::vector<fast::SurfaceResponse> surfaces_at(const SurfaceAtSpeed& surface,
-                                               const std::vector<double>& speeds) {
-  std::vector<fast::SurfaceResponse> all(speeds.size());
-  parallel_for(speeds.size(), [&](std::size_t i) { all[i] = surface(speeds[i]); }, {});
-  return all;
-}
+/// The bodies at several speeds, each of which takes a while, and a curve of what they answer.
+struct SurfacesAtSpeeds {
+  std::vector<double> speeds;
+  std::vector<fast::SurfaceResponse> surfaces;
 
-/// A number of each of them.
-Series of_surfaces(const std::string& label, const std::string& role, Mark mark,
-                   const std::vector<double>& speeds, const std::vector<fast::SurfaceResponse>& surfaces,
-                   const std::function<double(const fast::SurfaceResponse&)>& number) {
-  Series series{label, role, mark, speeds, {}};
-  for (const fast::SurfaceResponse& one : surfaces) series.y.push_back(number(one));
-  return series;
-}
+  SurfacesAtSpeeds(const SlidingBodies& bodies, std::vector<double> at)
+      : speeds(std::move(at)), surfaces(speeds.size()) {
+    parallel_for(speeds.size(), [&](std::size_t i) { surfaces[i] = bodies.surface(speeds[i]); }, {});
+  }
 
-double exact_span_ratio_of(const fast::SurfaceResponse& surface, Direction line) {
-  const fast::EllipticContact contact(surface, {1, 1});
-  return contact.radius_ratio(line).value / contact.radius_ratio(forward_motion).value;
-}
+  [[nodiscard]] Series curve(const std::string& label, const std::string& role, Mark mark,
+                             const std::function<double(const fast::SurfaceResponse&)>& number) const {
+    Series series{label, role, mark, speeds, {}};
+    for (const fast::SurfaceResponse& one : surfaces) series.y.push_back(number(one));
+    return series;
+  }
+};
 
-Panel compliance_by_direction(const SurfaceAtSpeed& surface, const std::vector<double>& speeds,
-                              const std::string& unit) {
-  Panel panel{{"direction from the motion, degrees"}, {"compliance K, " + unit}, {}};
-  for (const double speed : speeds) {
-    const fast::SurfaceResponse lines = surface(speed);
+Panel compliance_by_direction(const SlidingBodies& bodies, const FigureSubject& subject) {
+  Panel panel{{"direction from the motion, degrees"}, {"compliance K, " + bodies.unit}, {}};
+  for (const double speed : subject.numbers("speeds")) {
+    const fast::SurfaceResponse lines = bodies.surface(speed);
     panel.series.push_back(
-        sampled(fmt::format("c = {:g}", speed), "compliance", Mark::line, evenly(-90, 90, 181),
+        sampled(speed_label(speed), "compliance", Mark::line, subject.numbers("directions"),
                 [&](double angle) { return lines(Direction::of_degrees(angle)).compliance; }));
   }
   return panel;
 }
 
-Panel compliance_by_speed(const SurfaceAtSpeed& surface, double critical, const std::vector<double>& angles,
-                          const std::string& unit) {
-  Panel panel{{fmt::format("speed c, up to {:g} of the critical {:.6g}", nearly_critical, critical)},
-              {"compliance K, " + unit, true},
+Panel compliance_by_speed(const SlidingBodies& bodies, const FigureSubject& subject) {
+  Panel panel{{fmt::format("speed c, up to {:g} of the critical {:.6g}",
+                           subject.numbers("to_critical").back(), bodies.critical_speed)},
+              {"compliance K, " + bodies.unit, true},
               {}};
-  std::vector<double> speeds = evenly(0, 0.95 * critical, 96);
-  std::ranges::copy(evenly(0.955 * critical, nearly_critical * critical, 45), std::back_inserter(speeds));
-  const auto surfaces = surfaces_at(surface, speeds);
-  for (const double angle : angles)
-    panel.series.push_back(of_surfaces(
-        fmt::format("{:g} degrees", angle), "compliance", Mark::line, speeds, surfaces,
+  const SurfacesAtSpeeds surfaces(bodies, subject.numbers("to_critical", bodies.critical_speed));
+  for (const double angle : subject.numbers("angles"))
+    panel.series.push_back(surfaces.curve(
+        fmt::format("{:g} degrees", angle), "compliance", Mark::line,
         [&](const fast::SurfaceResponse& lines) { return lines(Direction::of_degrees(angle)).compliance; }));
   return panel;
 }
 
-/// Spans across over spans along the motion against the speed, for the table's frictions.
-Panel span_ratios_by_speed(const Replay& replay, const SurfaceAtSpeed& surface, double critical,
-                           const std::vector<double>& frictions) {
+/// Spans across over spans along the motion against the speed, for the frictions of the table's rows.
+Panel span_ratios_by_speed(const Replay& replay, const SlidingBodies& bodies, const FigureSubject& subject) {
   Panel panel{{"speed c"}, {"span across over span along the motion"}, {}};
-  const std::vector<double> speeds = evenly(0, 0.98 * critical, 50);
-  const auto surfaces = surfaces_at(surface, speeds);
-  panel.series.push_back(of_surfaces(
-      "friction 0", ellipse, Mark::line, speeds, surfaces,
-      [&](const fast::SurfaceResponse& lines) { return exact_span_ratio_of(lines, across_motion); }));
-  for (const double friction : frictions) {
+  const SurfacesAtSpeeds surfaces(bodies, subject.numbers("span_speeds", bodies.critical_speed));
+  panel.series.push_back(surfaces.curve(
+      "friction 0", ellipse, Mark::line,
+      [](const fast::SurfaceResponse& lines) { return exact_span_ratio_of(lines, across_motion); }));
+  for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
+    const double friction = key_of_row(replay.table, row);
     const std::string label = fmt::format("friction {:g}", friction);
-    panel.series.push_back(of_surfaces(
-        label, rule, Mark::marked_line, speeds, surfaces, [&](const fast::SurfaceResponse& lines) {
+    panel.series.push_back(
+        surfaces.curve(label, rule, Mark::marked_line, [&](const fast::SurfaceResponse& lines) {
           return fast::sliding_for_span(lines, {1, 1}, friction, forward_motion, 1)
               .span_ratio(across_motion)
               .value;
         }));
-    append_cells(panel, label, replay, [&](const ReplayedCell& cell) -> std::optional<double> {
-      if (key_of_row(replay.table, cell.row) != friction) return {};
-      return speed_of_column(replay, cell.column);
+    append_cells(panel, label, replay, [&](const ReplayedCell& cell) {
+      return cell.row == row ? std::optional(speed_of(replay, cell.column)) : std::nullopt;
     });
   }
   return panel;
 }
 
-std::vector<double> keys_of(const Replay& replay) {
-  std::vector<double> keys;
-  for (std::size_t row = 0; row < replay.table.rows.size(); ++row)
-    keys.push_back(key_of_row(replay.table, row));
-  return keys;
+/// Spans in a direction over spans along the motion, for the speeds of the table's columns.
+Panel span_ratios_by_direction(const Replay& replay, const SlidingBodies& bodies,
+                               const FigureSubject& subject) {
+  Panel panel{{"direction from the motion phi, degrees"}, {"span there over span along the motion"}, {}};
+  for (const data::TableColumn& column : replay.table.columns) {
+    if (column.is_key) continue;
+    const std::string label = speed_label(*column.coordinate);
+    const fast::SurfaceResponse lines = bodies.surface(*column.coordinate);
+    const fast::EllipticContact exact(lines, {1, 1});
+    const auto by_rule = fast::sliding_for_span(lines, {1, 1}, 0, forward_motion, 1);
+    const std::vector<double> angles = subject.numbers("directions");
+    panel.series.push_back(sampled(label, ellipse, Mark::line, angles, [&](double angle) {
+      return exact.span_ratio(Direction::of_degrees(angle), forward_motion).value;
+    }));
+    panel.series.push_back(sampled(label, rule, Mark::marked_line, angles, [&](double angle) {
+      return by_rule.span_ratio(Direction::of_degrees(angle)).value;
+    }));
+    append_column(panel, label, replay, column.name);
+  }
+  return panel;
 }
 
-std::vector<Panel> sliding_die(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
-  const double poisson = replay.table.parameter("poisson").value;
-  const SurfaceAtSpeed surface = [=](double speed) { return isotropic_surface(poisson, speed); };
-  const double critical = fast::isotropic_rayleigh_speed(poisson);
-  return {contours(surface, {0.3, 0.6}, {0, 0.3}),
-          span_ratios_by_speed(replay, surface, critical, keys_of(replay)),
-          compliance_by_direction(surface, {0, 0.3, 0.6, 0.9}, "1/mu"),
-          compliance_by_speed(surface, critical, {0, 30, 60, 90}, "1/mu")};
+std::vector<Panel> sliding(const FigureSubject& subject) {
+  const Replay replay = std::move(subject.replays().front());
+  const data::Table& table = replay.table;
+  const bool in_plane = subject.text == "sphere, axis in the plane";
+  const SlidingBodies bodies = in_plane ? sphere_on(table, data::SymmetryAxis::in_plane,
+                                                    Direction::of_degrees(table.parameter("theta").value))
+                               : subject.text == "sphere, axis normal"
+                                   ? sphere_on(table, data::SymmetryAxis::normal, forward_motion)
+                                   : rigid_die(table);
+  return {contours(bodies, subject),
+          in_plane ? span_ratios_by_direction(replay, bodies, subject)
+                   : span_ratios_by_speed(replay, bodies, subject),
+          compliance_by_direction(bodies, subject), compliance_by_speed(bodies, subject)};
 }
 
 std::vector<Panel> rolling_sphere(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
+  const Replay replay = std::move(subject.replays().front());
   const double poisson = replay.table.parameter("poisson").value;
+  const SlidingBodies bodies = rigid_die(replay.table);
   const auto rolling = [&](double speed) {
     return fast::rolling_sphere_for_span(unit_isotropic(poisson), 1, speed, 1e-3);
   };
   Panel shapes = contour_panel();
-  for (const double speed : {0.3, 0.6}) {
-    const std::string label = fmt::format("c = {:g}", speed);
+  for (const double speed : subject.numbers("contour_speeds")) {
+    const std::string label = speed_label(speed);
     const fast::RollingSphere sphere = rolling(speed);
-    shapes.series.push_back(exact_contour(label, isotropic_surface(poisson, speed)));
+    shapes.series.push_back(exact_contour(label, bodies.surface(speed)));
     shapes.series.push_back(contour(label, rule, Mark::marked_line,
                                     [&](Direction line) { return sphere.span_ratio(line).value / 2; }));
   }
   Panel ratios{{"speed c"}, {"span across over span along the motion"}, {}};
-  const std::vector<double> speeds = evenly(0, 0.98 * fast::isotropic_rayleigh_speed(poisson), 50);
-  ratios.series.push_back(computed("no friction", ellipse, Mark::line, speeds, [&](double speed) {
-    return exact_span_ratio_of(isotropic_surface(poisson, speed), across_motion);
-  }));
-  ratios.series.push_back(computed("rolling", rule, Mark::marked_line, speeds, [&](double speed) {
+  const SurfacesAtSpeeds surfaces(bodies, subject.numbers("span_speeds", bodies.critical_speed));
+  ratios.series.push_back(surfaces.curve(
+      "no friction", ellipse, Mark::line,
+      [](const fast::SurfaceResponse& lines) { return exact_span_ratio_of(lines, across_motion); }));
+  ratios.series.push_back(computed("rolling", rule, Mark::marked_line, surfaces.speeds, [&](double speed) {
     return rolling(speed).span_ratio(across_motion).value;
   }));
   append_cells(ratios, "rolling", replay,
-               [&](const ReplayedCell& cell) { return std::optional(speed_of_column(replay, cell.column)); });
+               [&](const ReplayedCell& cell) { return std::optional(speed_of(replay, cell.column)); });
   return {shapes, ratios};
 }
 
-/// In units of the sphere's shear wave speed.
-double critical_speed_of(const SphereOnHalfSpace& bodies, data::SymmetryAxis axis, Direction towards) {
-  return std::min(fast::critical_speed(bodies.half_space, axis, towards).speed / bodies.speed_unit(),
-                  fast::isotropic_rayleigh_speed(bodies.sphere.poisson));
-}
-
-std::vector<Panel> sphere_on_normal_axis(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
-  const SphereOnHalfSpace bodies(replay.table);
-  const SurfaceAtSpeed surface = [&](double speed) {
-    return bodies.in_contact(data::SymmetryAxis::normal, forward_motion, speed);
-  };
-  const double critical = critical_speed_of(bodies, data::SymmetryAxis::normal, forward_motion);
-  return {contours(surface, {0.2, 0.4}, {0, 0.5}),
-          span_ratios_by_speed(replay, surface, critical, keys_of(replay)),
-          compliance_by_direction(surface, {0, 0.2, 0.4, 0.6}, "1/GPa"),
-          compliance_by_speed(surface, critical, {0, 30, 60, 90}, "1/GPa")};
-}
-
 std::vector<Panel> branch_speeds(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
+  const Replay replay = std::move(subject.replays().front());
   const SphereOnHalfSpace bodies(replay.table);
-  Panel panel{{"direction of sliding theta, degrees"}, {"speed over the sphere's shear wave speed"}, {}};
-  const std::vector<double> angles = evenly(0, 90, 46);
+  const std::vector<double> angles = subject.numbers("directions");
   struct Wave {
     std::string column, label;
     fast::BranchWave wave;
   };
+  Panel panel{{"direction of sliding theta, degrees"}, {"speed over the sphere's shear wave speed"}, {}};
   for (const Wave& one : {Wave{"c_56", "transverse (46a)", fast::BranchWave::transverse},
                           Wave{"c_plus", "quasi-longitudinal (46b)", fast::BranchWave::quasi_longitudinal},
                           Wave{"c_minus", "quasi-transverse (46b)", fast::BranchWave::quasi_transverse}}) {
@@ -248,10 +265,7 @@ std::vector<Panel> branch_speeds(const FigureSubject& subject) {
       return fast::branch_speed(one.wave, bodies.half_space, Direction::of_degrees(angle)) /
              bodies.speed_unit();
     }));
-    append_cells(panel, one.label, replay, [&](const ReplayedCell& cell) -> std::optional<double> {
-      if (cell.column != one.column) return {};
-      return key_of_row(replay.table, cell.row);
-    });
+    append_column(panel, one.label, replay, one.column);
   }
   panel.series.push_back(
       computed("critical on some line", "corrected", Mark::line, angles, [&](double angle) {
@@ -260,46 +274,10 @@ std::vector<Panel> branch_speeds(const FigureSubject& subject) {
   return {panel};
 }
 
-std::vector<Panel> sphere_on_axis_in_plane(const FigureSubject& subject) {
-  const Replay replay = replay_table(subject.tables.front());
-  const SphereOnHalfSpace bodies(replay.table);
-  const Direction sliding = Direction::of_degrees(replay.table.parameter("theta").value);
-  const SurfaceAtSpeed surface = [&](double speed) {
-    return bodies.in_contact(data::SymmetryAxis::in_plane, sliding, speed);
-  };
-  Panel ratios{{"direction from the motion phi, degrees"}, {"span there over span along the motion"}, {}};
-  for (const data::TableColumn& column : replay.table.columns) {
-    if (column.is_key) continue;
-    const std::string label = fmt::format("c = {:g}", *column.coordinate);
-    const fast::SurfaceResponse lines = surface(*column.coordinate);
-    const fast::EllipticContact exact(lines, {1, 1});
-    const auto by_rule = fast::sliding_for_span(lines, {1, 1}, 0, forward_motion, 1);
-    const std::vector<double> angles = evenly(-90, 90, 181);
-    ratios.series.push_back(sampled(label, ellipse, Mark::line, angles, [&](double angle) {
-      return exact.span_ratio(Direction::of_degrees(angle), forward_motion).value;
-    }));
-    ratios.series.push_back(sampled(label, rule, Mark::marked_line, angles, [&](double angle) {
-      return by_rule.span_ratio(Direction::of_degrees(angle)).value;
-    }));
-    append_cells(ratios, label, replay, [&](const ReplayedCell& cell) -> std::optional<double> {
-      if (cell.column != column.name) return {};
-      return key_of_row(replay.table, cell.row);
-    });
-  }
-  return {contours(surface, {0.05, 0.4}, {0}), ratios,
-          compliance_by_direction(surface, {0, 0.2, 0.4, 0.49}, "1/GPa"),
-          compliance_by_speed(surface, critical_speed_of(bodies, data::SymmetryAxis::in_plane, sliding),
-                              {-45, -20, 0, 45, 90}, "1/GPa")};
-}
-
 }  // namespace
 
 Drawings half_space_drawings() {
-  return {{"sliding die", sliding_die},
-          {"rolling sphere", rolling_sphere},
-          {"sphere across layers", sphere_on_normal_axis},
-          {"bulk waves", branch_speeds},
-          {"sphere along layers", sphere_on_axis_in_plane}};
+  return {{"sliding", sliding}, {"rolling sphere", rolling_sphere}, {"bulk waves", branch_speeds}};
 }
 
 }  // namespace nipref::verify

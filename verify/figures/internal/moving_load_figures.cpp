@@ -6,8 +6,7 @@
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/memory/moving_load.hpp>
 #include <nipref/fast/memory/plain_moving_load.hpp>
-#include <nipref/verify/figures/internal/groups.hpp>
-#include <nipref/verify/figures/internal/series.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
 
 // The thesis's viscoelastic solid, and its sheet under one moving load. (thesis chapter VI, Appendix III)
 
@@ -27,13 +26,13 @@ double creep_response(const data::MaterialFunction& theta, double t) {
   return compliance / theta.instantaneous;
 }
 
-std::vector<Panel> creep_responses(const FigureSubject&) {
+std::vector<Panel> creep_responses(const FigureSubject& subject) {
   const auto defined = *data::single_relaxation_time_solid(stated_bulk, stated_shear, 1).functions();
   const auto printed = *data::misprinted_thesis_solid(stated_bulk, stated_shear, 1).functions();
-  const std::vector<double> t = evenly(0, 6, 121);
   const auto response = [&](const std::string& label, const std::string& role, Mark mark,
                             const data::MaterialFunction& theta) {
-    return sampled(label, role, mark, t, [&](double at) { return creep_response(theta, at); });
+    return sampled(label, role, mark, subject.numbers("t"),
+                   [&](double at) { return creep_response(theta, at); });
   };
   const std::string right = "solid as defined", wrong = "solid as printed (6.29)";
   return {{{"time over the relaxation time t/tau"},
@@ -45,16 +44,12 @@ std::vector<Panel> creep_responses(const FigureSubject&) {
             response("theta1 + theta2", wrong, Mark::marked_line, printed.normal_compliance())}}};
 }
 
-/// The subject's numbers are T and t0 in b/F0: how many half-thicknesses ahead of the load's start the point lies and, for
-/// the tangential displacement, the pinned point.
+/// The point and, for the tangential displacement, the pinned point lie so many half-thicknesses ahead of the load's start.
 std::vector<Panel> under_moving_load(const FigureSubject& subject) {
-  const bool is_normal = subject.words.size() == 1;
-  const double point = subject.number(0), pinned = is_normal ? 0 : subject.number(1);
-  const std::vector<double> way = without(evenly(0, 12, 241), {point});
-  const std::vector<double> sparse = evenly(0.25, 11.75, 12);
-  Panel panel{{"way of the load since its start F0 t/b"}, {is_normal ? "Un, 1/psi" : "Vn, 1/psi"}, {}};
-  for (int decade = 2; decade >= -5; --decade) {
-    const double memory = std::pow(10, decade);
+  const bool is_normal = subject.text == "Un";
+  const double point = subject.number("T"), pinned = is_normal ? 0 : subject.number("t0");
+  Panel panel{{"way of the load since its start F0 t/b"}, {subject.text + ", 1/psi"}, {}};
+  for (const double memory : subject.numbers("memory")) {
     const std::string label = fmt::format("F0 tau = {:g} in", memory);
     const fast::MovingLoad load(data::single_relaxation_time_solid(stated_bulk, stated_shear, memory),
                                 load_speed, half_thickness);
@@ -64,9 +59,10 @@ std::vector<Panel> under_moving_load(const FigureSubject& subject) {
       return is_normal ? of_load.normal_displacement(t * unit, point * unit)
                        : of_load.tangential_displacement(t * unit, point * unit, pinned * unit);
     };
-    panel.series.push_back(sampled(label, "exact, solid as defined", Mark::line, way,
+    panel.series.push_back(sampled(label, "exact, solid as defined", Mark::line, subject.numbers("t"),
                                    [&](double t) { return displacement(load, t, half_thickness); }));
-    panel.series.push_back(sampled(label, "500 residues, solid as printed", Mark::points, sparse,
+    panel.series.push_back(sampled(label, "500 residues, solid as printed", Mark::points,
+                                   subject.numbers("sparse"),
                                    [&](double t) { return displacement(by_sums, t, 1); }));
   }
   return {panel};

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+#include <nipref/verify/figures/internal/drawings.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/support/internal/cache.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+}  // namespace
+
+FigureSubject::FigureSubject(const std::string& of, const std::string& numbers, const std::string& table_ids)
+    : text(of), words(words_of(of)), tables(words_of(table_ids)) {
+  std::istringstream lists(numbers);
+  for (std::string list; std::getline(lists, list, ';');) {
+    const auto parts = words_of(list);
+    lists_[parts.front()] = {parts.begin() + 1, parts.end()};
+  }
+}
+
+std::vector<double> FigureSubject::numbers(const std::string& name, double unit) const {
+  const std::vector<std::string>& list = lists_.at(name);
+  const auto number = [&](std::size_t i) { return unit * std::stod(list.at(i)); };
+  std::vector<double> all;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i] == "evenly") {
+      std::ranges::copy(evenly(number(i + 1), number(i + 2), std::stoi(list.at(i + 3))),
+                        std::back_inserter(all));
+      i += 3;
+    } else if (list[i] == "ratios") {
+      for (const double log :
+           evenly(std::log10(number(i + 1)), std::log10(number(i + 2)), std::stoi(list.at(i + 3))))
+        all.push_back(std::pow(10, log));
+      i += 3;
+    } else if (list[i] == "without") {
+      std::erase(all, number(++i));
+    } else {
+      all.push_back(number(i));
+    }
+  }
+  return all;
+}
+
+std::vector<Replay> FigureSubject::replays() const {
+  static Cache<std::string, Replay> known;
+  std::vector<Replay> all;
+  for (const std::string& id : tables) all.push_back(*known.at(id, [&] { return replay_table(id); }));
+  return all;
+}
+
+std::vector<double> evenly(double first, double last, int count) {
+  std::vector<double> x;
+  for (int i = 0; i < count; ++i) x.push_back(std::lerp(first, last, i / (count - 1.0)));
+  return x;
+}
+
+Series sampled(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {
+  Series series{std::move(label), std::move(role), mark, std::move(x), {}};
+  for (const double place : series.x) series.y.push_back(y(place));
+  return series;
+}
+
+Series computed(std::string label, std::string role, Mark mark, std::vector<double> x, const Curve& y) {
+  Series series{std::move(label), std::move(role), mark, std::move(x), {}};
+  series.y.resize(series.x.size());
+  parallel_for(series.x.size(), [&](std::size_t i) { series.y[i] = y(series.x[i]); }, {});
+  return series;
+}
+
+Series replayed_series(std::string label, std::string role, const std::vector<PlacedCell>& cells) {
+  Series series{std::move(label), std::move(role), Mark::points, {}, {}};
+  for (const PlacedCell& one : cells) {
+    const auto cell = std::ranges::find_if(one.replay->cells, [&](const ReplayedCell& replayed) {
+      return replayed.row == one.row && replayed.column == one.column;
+    });
+    series.x.push_back(one.replayed_at);
+    series.y.push_back(one.replay->nips.empty() ? cell->value
+                                                : one.replay->nips[one.row].values.at(one.column));
+  }
+  return series;
+}
+
+Series printed_series(std::string label, const std::vector<PlacedCell>& cells) {
+  Series series{std::move(label), as_printed, Mark::bars, {}, {}};
+  for (const PlacedCell& one : cells) {
+    const data::TableCell& cell = one.replay->table.cell(one.row, one.column);
+    if (!cell.is_printed() || !cell.is_readable() || cell.is_doubtful()) continue;
+    series.x.push_back(one.printed_at);
+    series.y.push_back(cell.number->value);
+    series.low.push_back(cell.number->rounding.lower);
+    series.high.push_back(cell.number->rounding.upper);
+  }
+  return series;
+}
+
+double key_of_row(const data::Table& table, std::size_t row) {
+  return table.cell(row, table.columns.front().name).number->value;
+}
+
+std::string axis_label(const std::string& quantity) {
+  static const std::map<std::string, std::string> labels{
+      {"p_max", "peak pressure p_max, psi"},
+      {"L", "contact length L, in"},
+      {"L/B", "contact length over thickness, L/B"},
+      {"d0", "indentation d0, in"},
+      {"d0/B", "indentation over thickness, d0/B"},
+      {"creep", "creep ratio"},
+      {"muR", "coefficient of rolling resistance mu_R"},
+      {"pressure", "pressure p, psi"},
+      {"shear", "shear on the sheet q, psi"},
+      {"normal_displacement", "normal displacement u, in"},
+      {"tangential_displacement", "tangential displacement v, in"}};
+  return labels.at(quantity);
+}
+
+}  // namespace nipref::verify

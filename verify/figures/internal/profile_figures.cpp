@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+
+#include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
+#include <nipref/fast/elastic_nip/line_loads_grip.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
+#include <nipref/verify/figures/internal/drawings.hpp>
+#include <nipref/verify/figures/internal/nip_at.hpp>
+
+// Pressure, shear and displacements along nips. (thesis 5.7, 7.5)
+
+namespace nipref::verify {
+namespace {
+
+/// The thesis's line loads of a row: a profile, and where it is shown: pressures in the middles of the elements, displacements
+/// at their ends.
+struct ThesisProfile {
+  std::vector<double> places;
+  Curve curve;
+};
+
+ThesisProfile elastic_profile(const Replay& replay, std::size_t row, const std::string& quantity) {
+  const LineLoadTable& how = line_load_table(replay.table.id);
+  const data::ElasticNip nip = nip_of_the_tables(replay.table);
+  const fast::LineLoadMethod method(how.elements_per_side);
+  const RowValues& values = replay.nips[row].values;
+  const auto loads =
+      how.friction == data::Friction::full
+          ? fast::gripped_line_loads_for_length(nip, method, values.at("L"), values.at("creep"))
+          : fast::line_loads_for_length(nip, method, values.at("L"));
+  const int ends = quantity.ends_with("displacement") ? 1 : 0;
+  const double reach = (loads.contact_length - (1 - ends) * loads.element_width()) / 2;
+  return {evenly(-reach, reach, 2 * static_cast<int>(loads.line_loads.size()) + ends), [=](double y) {
+            if (quantity == "pressure") return fast::element_pressure(loads, y);
+            if (quantity == "shear") return fast::element_shear(loads, y);
+            return quantity == "normal_displacement" ? fast::normal_displacement(nip, loads, method, y)
+                                                     : fast::tangential_displacement(nip, loads, method, y);
+          }};
+}
+
+ThesisProfile rolling_profile(const Replay& replay, std::size_t row, const std::string& quantity) {
+  const data::ViscoelasticNip nip = viscoelastic_nip_of_the_tables(replay.table, row, false);
+  auto method = viscoelastic_method(*find_viscoelastic_table(replay.table.id));
+  method.trailing_elements = replay.nips[row].trailing_elements;
+  const auto loads = fast::viscoelastic_line_loads_for_length(nip, method, replay.nips[row].values.at("L1"));
+  const auto surface = std::make_shared<fast::ViscoelasticLineLoadSurface>(nip, loads, method);
+  const int ends = quantity == "pressure" ? 0 : 1;
+  const double inwards = (1 - ends) * loads.element_width() / 2;
+  return {evenly(inwards - loads.trailing_length, loads.leading_length - inwards,
+                 static_cast<int>(loads.loads.size()) + ends),
+          [=](double y) {
+            if (quantity == "pressure") return fast::element_pressure(loads, y);
+            return quantity == "normal_displacement" ? surface->normal_displacement(y)
+                                                     : surface->tangential_displacement(y);
+          }};
+}
+
+double profile_at(const auto& contact, const std::string& quantity, double y) {
+  if (quantity == "pressure") return contact.pressure(y).value;
+  if constexpr (requires { contact.shear(y); }) {
+    if (quantity == "shear") return contact.shear(y).value;
+  }
+  return (quantity == "normal_displacement" ? contact.normal_displacement(y)
+                                            : contact.tangential_displacement(y))
+      .value;
+}
+
+void append(Panel& panel, const std::string& label, const std::vector<double>& places, const auto& contact,
+            const std::string& quantity, const ThesisProfile& thesis) {
+  panel.series.push_back(sampled(label, of_continuum, Mark::line, places,
+                                 [&](double y) { return profile_at(contact, quantity, y); }));
+  if constexpr (requires { contact.peak_shear(); }) {
+    if (quantity == "shear") {
+      const Series& curve = panel.series.back();
+      const auto peak = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
+      panel.series.push_back({label, at_largest, Mark::star, {curve.x[peak]}, {contact.peak_shear().value}});
+    }
+  }
+  panel.series.push_back(sampled(label, by_thesis, Mark::points, thesis.places, thesis.curve));
+}
+
+/// Along an elastic nip of each table at each load: the contact, closer towards its ends, or as far again beside it.
+void append_elastic(Panel& panel, const FigureSubject& subject, const std::string& quantity) {
+  constexpr double accuracy = 1e-8;
+  const std::vector<double> loads = subject.numbers("load");
+  for (const Replay& replay : subject.replays()) {
+    for (const double load : loads) {
+      std::size_t row = 0;
+      while (key_of_row(replay.table, row) != load) ++row;
+      const NipAt nip = nip_of_table(replay.table, load);
+      with_contact(nip, accuracy, [&](const auto& contact) {
+        const double half = contact.contact_length().value / 2;
+        std::vector<double> places = subject.numbers("places");
+        for (double& place : places) place = half * std::sin(std::numbers::pi / 2 * place);
+        if (quantity.ends_with("displacement"))
+          places = evenly(-2 * half, 2 * half, static_cast<int>(places.size()));
+        append(panel, loads.size() > 1 ? load_label(load) : friction_label(nip.friction), places, contact,
+               quantity, elastic_profile(replay, row, quantity));
+      });
+    }
+  }
+}
+
+std::vector<Panel> along_elastic_nips(const FigureSubject& subject) {
+  std::vector<Panel> panels;
+  for (const std::string& quantity : subject.words) {
+    panels.push_back({{"distance from the middle of the nip Y, in"}, {axis_label(quantity)}, {}});
+    append_elastic(panels.back(), subject, quantity);
+  }
+  return panels;
+}
+
+/// For each memory: the contact, or the places given.
+std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
+  constexpr double accuracy = 1e-6;
+  const std::string& quantity = subject.text;
+  const Replay replay = std::move(subject.replays().front());
+  Panel panel{{"distance from the line of the centres Y, in (entry > 0)"}, {axis_label(quantity)}, {}};
+  for (const double memory : subject.numbers("memory")) {
+    NipAt nip = nip_of_table(replay.table, replay.table.parameter("W").value);
+    nip.memory = memory;
+    with_contact(nip, accuracy, [&](const auto& contact) {
+      std::vector<double> places = subject.numbers("places");
+      if constexpr (requires { contact.leading_length(); }) {
+        if (quantity == "pressure")
+          places = evenly(-contact.trailing_length().value, contact.leading_length().value, 201);
+      }
+      append(panel, memory_label(memory), places, contact, quantity,
+             rolling_profile(replay, row_of_memory(replay.table, memory), quantity));
+    });
+  }
+  return {panel};
+}
+
+}  // namespace
+
+Drawings profile_drawings() {
+  return {{"along elastic", along_elastic_nips}, {"along rolling", along_rolling_nips}};
+}
+
+}  // namespace nipref::verify
