@@ -1,6 +1,18 @@
 {{! Draws a figure, or one panel of a page, as SVG. Labels differ in colour, in dashes and in symbols; roles in how they are
     drawn. gnuplot's own error bars would put a white disc below each point: bars are vectors. }}
 set encoding utf8
+# What tells labels apart. The colours are Okabe and Ito's, without their yellow, which is too light on white, and with a grey.
+array colour[8] = ["#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#777777"]
+array open[8] = [4, 6, 8, 10, 12, 14, 1, 2]
+array filled[8] = [5, 7, 9, 11, 13, 15, 3, 3]
+set dashtype 1 solid
+set dashtype 2 (14,5)
+set dashtype 3 (5,4)
+set dashtype 4 (14,4,2,4)
+set dashtype 5 (2,3)
+set dashtype 6 (14,4,2,4,2,4)
+set dashtype 7 (8,8)
+set dashtype 8 (4,2,2,2)
 {{#id}}
 set terminal svg noenhanced size {{width}},{{height}} font "Helvetica,14" background "#ffffff"
 set key outside right top Left reverse samplen 4 spacing 1.1
@@ -55,15 +67,15 @@ plot \
   $contours using 1:($3 < -1e-9 ? $2 : NaN) with lines lw 1.2 dt (8,5) lc rgb "#0072B2" notitle, \
   $contours using 1:(abs($3) <= 1e-9 ? $2 : NaN) with lines lw 2.2 dt 1 lc rgb "#000000" notitle, \
   $contours using 1:2:(sprintf("%g", abs($3) < 1e-9 ? 0 : $3)) every 60::25 with labels font ",11" \
-  {{/contours_drawn}}{{#line}}{{data}} with lines lw 2 dt {{dashes}} lc rgb "{{colour}}" \
-  {{/line}}{{#dots}}{{data}} with points pt 7 ps 0.2 lc rgb "{{colour}}" \
-  {{/dots}}{{#marked-line}}{{data}} with linespoints lw 1 dt 1 pt {{open}} ps 0.6 pi {{every}} lc rgb "{{colour}}" \
-  {{/marked-line}}{{#points}}{{data}} with points pt {{open}} ps 1 lw 1.3 lc rgb "{{colour}}" \
-  {{/points}}{{#bars}}{{^legend}}{{data}} using 1:3:(0):($4-$3) with vectors nohead lw 1 dt 1 lc rgb "{{colour}}" notitle, \
-  {{/legend}}{{data}}{{^legend}} using 1:2{{/legend}} with points pt {{filled}} ps 0.55 lc rgb "{{colour}}" \
+  {{/contours_drawn}}{{#line}}{{data}} with lines lw 2 dt {{style}} lc rgb colour[{{style}}] \
+  {{/line}}{{#dots}}{{data}} with points pt 7 ps 0.2 lc rgb colour[{{style}}] \
+  {{/dots}}{{#marked-line}}{{data}} with linespoints lw 1 dt 1 pt open[{{style}}] ps 0.6 pi {{every}} lc rgb colour[{{style}}] \
+  {{/marked-line}}{{#points}}{{data}} with points pt open[{{style}}] ps 1 lw 1.3 lc rgb colour[{{style}}] \
+  {{/points}}{{#bars}}{{^legend}}{{data}} using 1:3:(0):($4-$3) with vectors nohead lw 1 dt 1 lc rgb colour[{{style}}] notitle, \
+  {{/legend}}{{data}}{{^legend}} using 1:2{{/legend}} with points pt filled[{{style}}] ps 0.55 lc rgb colour[{{style}}] \
   {{/bars}}{{#ranges}}{{data}}{{^legend}} using 1:3:(0):($4-$3){{/legend}} with vectors nohead lw 6 dt 1 lc rgb "#999999" \
-  {{/ranges}}{{#star}}{{data}} with points pt 3 ps 1.2 lw 1.5 lc rgb "{{colour}}" \
-  {{/star}}{{#label_key}}{{data}} with linespoints lw 2 dt {{dashes}} pt {{open}} lc rgb "{{colour}}" \
+  {{/ranges}}{{#star}}{{data}} with points pt 3 ps 1.2 lw 1.5 lc rgb colour[{{style}}] \
+  {{/star}}{{#label_key}}{{data}} with linespoints lw 2 dt {{style}} pt open[{{style}}] lc rgb colour[{{style}}] \
   {{/label_key}}{{#legend}}title "{{.}}"{{/legend}}{{^legend}}notitle{{/legend}}{{#more}}, \{{/more}}
 {{/plots}}
 

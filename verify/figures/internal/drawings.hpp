@@ -33,11 +33,9 @@ struct FigureSubject {
 using Drawings = std::map<std::string, std::vector<Panel> (*)(const FigureSubject&)>;
 
 Drawings kernel_drawings();       ///< thesis 7-13
-Drawings creep_range_drawing();   ///< thesis 15
-Drawings nip_drawings();          ///< numbers of nips against load and memory, thesis 17-25, 41-48, 50, 51
-Drawings profile_drawings();      ///< along nips, thesis 26-29, 49, 52, 53
+Drawings nip_drawings();          ///< numbers of nips, thesis 15, 17-25, 41-48, 50, 51
+Drawings profile_drawings();      ///< along and inside nips, thesis 26-29, 49, 52, 53, ch. III
 Drawings moving_load_drawings();  ///< thesis 32-38
-Drawings stress_drawing();        ///< inside the sheet, thesis ch. III
 Drawings half_space_drawings();   ///< behind the papers' tables
 
 // Where series are from, as the figures' keys call it.

@@ -1,29 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/figures/render.hpp>
 
 namespace nipref::verify {
 namespace {
-
-struct Style {
-  std::string_view colour;
-  std::string_view dashes;
-  int open_symbol, filled_symbol;  ///< gnuplot's numbers
-};
-
-/// Colours are Okabe and Ito's, without their yellow, which is none on white, and with a grey.
-constexpr std::array<Style, 8> styles{{{"#000000", "1", 4, 5},
-                                       {"#0072B2", "(14,5)", 6, 7},
-                                       {"#D55E00", "(5,4)", 8, 9},
-                                       {"#009E73", "(14,4,2,4)", 10, 11},
-                                       {"#CC79A7", "(2,3)", 12, 13},
-                                       {"#E69F00", "(14,4,2,4,2,4)", 14, 15},
-                                       {"#56B4E9", "(8,8)", 1, 3},
-                                       {"#777777", "(4,2,2,2)", 2, 3}}};
 
 constexpr const char* columns_of_series[] = {"x", "y", "low", "high"};
 
@@ -47,17 +30,11 @@ std::vector<std::string> each_once(const TemplateData& all_series, const char* w
   return names;
 }
 
-/// One of the plots that a panel is made of: `data` drawn with a mark.
+/// One of the plots that a panel is made of: `data` drawn with a mark, in the style of the label of that number.
 TemplateData plot_of(const std::string& data, const std::string& mark, std::size_t label,
                      std::size_t points = 1) {
-  const Style& style = styles.at(label);
-  return {{mark, true},
-          {"data", data},
-          {"colour", style.colour},
-          {"dashes", style.dashes},
-          {"open", style.open_symbol},
-          {"filled", style.filled_symbol},
-          {"every", std::max<std::size_t>(1, points / 12)}};
+  return {
+      {mark, true}, {"data", data}, {"style", label + 1}, {"every", std::max<std::size_t>(1, points / 12)}};
 }
 
 TemplateData key_entry(const std::string& legend, const std::string& mark, std::size_t label) {
