@@ -7,8 +7,7 @@ namespace nipref::verify {
 std::vector<FigurePlan> figures() {
   static const Drawings drawings = [] {
     Drawings joined;
-    for (auto* const part :
-         {&kernel_drawings, &nip_drawings, &profile_drawings, &moving_load_drawings, &half_space_drawings})
+    for (auto* const part : {&sheet_drawings, &nip_drawings, &profile_drawings, &half_space_drawings})
       joined.merge(part());
     return joined;
   }();

@@ -25,7 +25,7 @@ FigureSubject::FigureSubject(const std::string& of, const std::string& numbers, 
   std::istringstream lists(numbers);
   for (std::string list; std::getline(lists, list, ';');) {
     const auto parts = words_of(list);
-    lists_[parts.front()] = {parts.begin() + 1, parts.end()};
+    if (!parts.empty()) lists_[parts.front()] = {parts.begin() + 1, parts.end()};
   }
 }
 

@@ -32,11 +32,10 @@ struct FigureSubject {
 /// The panels of each kind of figure, by its name in the column `drawing`.
 using Drawings = std::map<std::string, std::vector<Panel> (*)(const FigureSubject&)>;
 
-Drawings kernel_drawings();       ///< thesis 7-13
-Drawings nip_drawings();          ///< numbers of nips, thesis 15, 17-25, 41-48, 50, 51
-Drawings profile_drawings();      ///< along and inside nips, thesis 26-29, 49, 52, 53, ch. III
-Drawings moving_load_drawings();  ///< thesis 32-38
-Drawings half_space_drawings();   ///< behind the papers' tables
+Drawings sheet_drawings();       ///< sheets under line loads, thesis 7-13, 32-38
+Drawings nip_drawings();         ///< numbers of nips, thesis 15, 17-25, 41-48, 50, 51
+Drawings profile_drawings();     ///< along and inside nips, thesis 26-29, 49, 52, 53, ch. III
+Drawings half_space_drawings();  ///< behind the papers' tables
 
 // Where series are from, as the figures' keys call it.
 inline const std::string of_continuum = "continuous contact", by_thesis = "thesis's method",
