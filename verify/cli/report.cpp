@@ -22,7 +22,6 @@
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/report/render.hpp>
-#include <nipref/verify/seeds/render.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -9,7 +9,6 @@
 #include <nipref/verify/seeds/claims.hpp>
 #include <nipref/verify/seeds/errata.hpp>
 #include <nipref/verify/seeds/limits.hpp>
-#include <nipref/verify/seeds/render.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -1,37 +1,46 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
-#include <nipref/data/table/csv.hpp>
 #include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/seeds/internal/claim_checks.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 namespace nipref::verify {
 namespace {
 
-const ClaimChecks& checks() {
-  static const ClaimChecks all = [] {
-    ClaimChecks joined;
-    for (auto* const part : {&friction_claims, &shear_claims, &rolling_claims, &half_space_claims})
-      joined.merge(part());
-    return joined;
-  }();
+constexpr std::array<std::pair<ClaimVerdict, std::string_view>, 3> verdicts{
+    {{ClaimVerdict::holds, "holds"},
+     {ClaimVerdict::fails, "false"},
+     {ClaimVerdict::holds_in_a_range, "holds in a range"}}};
+
+/// `text` with the values of the names in it, {NAME:FORMAT}.
+std::string filled(const std::string& text, StatementFormulas& formulas) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = std::min(text.find('{', at), text.size()), close = text.find('}', open);
+    all += text.substr(at, open - at);
+    if (open == text.size()) break;
+    const std::string field = text.substr(open + 1, close - open - 1);
+    const std::size_t colon = field.find(':');
+    all += fmt::format(fmt::runtime("{:" + field.substr(colon + 1) + "}"),
+                       formulas.value(field.substr(0, colon)).value());
+    at = close + 1;
+  }
   return all;
+}
+
+const Statement& claims_file() {
+  static const Statement file = read_statements(data::statements_directory() / "claims.toml");
+  return file;
 }
 
 }  // namespace
 
 std::string_view name_of(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::holds:
-      return "holds";
-    case ClaimVerdict::fails:
-      return "false";
-    case ClaimVerdict::holds_in_a_range:
-      break;
-  }
-  return "holds in a range";
+  return std::ranges::find(verdicts, verdict, [](const auto& one) { return one.first; })->second;
 }
 
 std::string_view ClaimNumber::origin() const {
@@ -40,20 +49,34 @@ std::string_view ClaimNumber::origin() const {
 }
 
 std::vector<Claim> claims() {
-  const data::CsvFile file = data::read_csv(data::statements_directory() / "claims.csv");
   std::vector<Claim> all;
-  for (std::size_t i = 1; i < file.records.size(); ++i) {
-    const auto& record = file.records[i];
-    if (record.size() != 4)
-      data::refuse(file.path, record.front().position, "must have id, seed, place, statement");
-    if (!checks().contains(record[0].text))
-      data::refuse(file.path, record[0].position, "must be the id of a claim that is checked");
-    all.push_back({record[0].text, record[1].text, record[2].text, record[3].text});
-  }
+  for (const Statement& one : claims_file().list("claim", {"id", "seed", "place", "statement"},
+                                                 {"setting", "given", "number", "verdict"}))
+    all.push_back({one.text("id"), one.text("seed"), one.text("place"), one.text("statement")});
   return all;
 }
 
-ClaimOutcome check(const Claim& claim) { return checks().at(claim.id)(); }
+ClaimOutcome check(const Claim& claim) {
+  const Statement& entry = claims_file().entry("claim", claim.id);
+  StatementFormulas formulas(claims_file(), entry);
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  for (const Statement& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
+    const Propagated number = formulas.value(one.text("is"));
+    if (const std::string name = one.optional_text("name"); !name.empty()) formulas.define(name, number);
+    outcome.numbers.push_back({one.text("what"), number, one.optional_text("origin") == "printed"});
+  }
+  for (const Statement& one : entry.list("verdict", {"is"}, {"if", "why"})) {
+    const std::string condition = one.optional_text("if");
+    if (!condition.empty() && !formulas.is_true(condition)) continue;
+    const auto verdict =
+        std::ranges::find(verdicts, one.text("is"), [](const auto& known) { return known.second; });
+    if (verdict == verdicts.end()) one.refuse("must be holds, false or holds in a range");
+    outcome.verdict = verdict->first;
+    outcome.why = filled(one.optional_text("why"), formulas);
+    return outcome;
+  }
+  entry.refuse("must have a [[claim.verdict]] whose condition is fulfilled");
+}
 
 std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
   std::vector<CheckedClaim> checked;

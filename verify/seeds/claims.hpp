@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -50,5 +51,8 @@ struct CheckedClaim {
 
 /// The same of many, on all cores, in their order.
 std::vector<CheckedClaim> check_all(std::vector<Claim> claims);
+
+/// What `claims` answers, and a report has of them.
+Json claims_json(const std::vector<CheckedClaim>& claims);
 
 }  // namespace nipref::verify

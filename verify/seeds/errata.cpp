@@ -1,23 +1,19 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include <nipref/data/directory.hpp>
-#include <nipref/data/table/csv.hpp>
 #include <nipref/verify/seeds/errata.hpp>
-#include <nipref/verify/seeds/internal/settlements.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
 
 namespace nipref::verify {
 namespace {
 
-const Settlements& settlements() {
-  static const Settlements all = [] {
-    Settlements joined = thesis_settlements();
-    for (auto* const part :
-         {&half_space_settlements, &inversion_settlements, &rolling_line_settlements, &transform_settlements})
-      joined.merge(part());
-    return joined;
-  }();
-  return all;
+const Statement& errata_file() {
+  static const Statement file = read_statements(data::statements_directory() / "errata.toml");
+  return file;
 }
 
 }  // namespace
@@ -31,21 +27,28 @@ bool Settlement::settled() const {
 }
 
 std::vector<FormulaErratum> formula_errata() {
-  const data::CsvFile file = data::read_csv(data::statements_directory() / "formulas.csv");
   std::vector<FormulaErratum> all;
-  for (std::size_t i = 1; i < file.records.size(); ++i) {
-    const auto& record = file.records[i];
-    if (record.size() != 6)
-      data::refuse(file.path, record.front().position, "must have id, seed, equation, printed, right, proof");
-    if (!settlements().contains(record[0].text))
-      data::refuse(file.path, record[0].position, "must be the id of an erratum that is settled");
-    all.push_back(
-        {record[0].text, record[1].text, record[2].text, record[3].text, record[4].text, record[5].text});
-  }
+  for (const Statement& one :
+       errata_file().list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
+                          {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}))
+    all.push_back({one.text("id"), one.text("seed"), one.text("equation"), one.text("printed"),
+                   one.text("right"), one.text("proof")});
   return all;
 }
 
-Settlement settle(const FormulaErratum& erratum) { return settlements().at(erratum.id)(); }
+Settlement settle(const FormulaErratum& erratum) {
+  const Statement& entry = errata_file().entry("erratum", erratum.id);
+  StatementFormulas formulas(errata_file(), entry);
+  if (const std::string quantity = entry.optional_text("quantity"); !quantity.empty()) {
+    const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
+    return {quantity, by("printed"), by("fast"), by("ref")};
+  }
+  std::optional<Propagated> printed;
+  if (const std::string formula = entry.optional_text("printed_value"); !formula.empty())
+    printed = formulas.value(formula);
+  return {entry.text("at") + formulas.setting(), printed, formulas.value(entry.text("right_value")),
+          formulas.value(entry.text("truth"))};
+}
 
 std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
   std::vector<SettledErratum> settled;

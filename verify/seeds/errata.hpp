@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -42,5 +43,8 @@ struct SettledErratum {
 
 /// The same of many, in their order.
 std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata);
+
+/// What `errata` answers, and a report has of them.
+Json errata_json(const std::vector<SettledErratum>& errata);
 
 }  // namespace nipref::verify

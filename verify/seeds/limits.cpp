@@ -3,8 +3,7 @@
 #include <utility>
 
 #include <nipref/data/directory.hpp>
-#include <nipref/data/table/csv.hpp>
-#include <nipref/verify/seeds/internal/limit_rows.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
 #include <nipref/verify/seeds/limits.hpp>
 
 namespace nipref::verify {
@@ -29,22 +28,18 @@ bool LimitRow::approached() const {
 
 std::vector<LimitRow> limits() {
   constexpr int sizes = 3;
-  LimitSamples samples = elastic_limits();
-  samples.merge(rolling_limits());
-  const data::CsvFile file = data::read_csv(data::statements_directory() / "limits.csv");
+  const Statement file = read_statements(data::statements_directory() / "limits.toml");
   std::vector<LimitRow> rows;
-  for (std::size_t i = 1; i < file.records.size(); ++i) {
-    const auto& record = file.records[i];
-    if (record.size() != 6)
-      data::refuse(file.path, record.front().position,
-                   "must have name, statement, source, size, order, first");
-    const auto sample = samples.find(record[0].text);
-    if (sample == samples.end())
-      data::refuse(file.path, record[0].position, "must be the name of a limit that is checked");
-    LimitRow row{
-        record[0].text, record[1].text, record[2].text, record[3].text, std::stod(record[4].text), {}};
-    for (int k = 0; k < sizes; ++k)
-      row.samples.push_back(sample->second(std::ldexp(std::stod(record[5].text), -k)));
+  for (const Statement& entry : file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
+                                          {"order", "first", "setting", "given"})) {
+    LimitRow row{entry.text("name"), entry.text("statement"), entry.text("source"),
+                 entry.text("size"), entry.number("order"),   {}};
+    StatementFormulas formulas(file, entry);
+    for (int k = 0; k < sizes; ++k) {
+      const double size = std::ldexp(entry.number("first"), -k);
+      formulas.define("s", Propagated::exact(size));
+      row.samples.push_back({size, formulas.value(entry.text("found")), formulas.value(entry.text("limit"))});
+    }
     rows.push_back(std::move(row));
   }
   return rows;

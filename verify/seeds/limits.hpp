@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -38,5 +39,8 @@ struct LimitRow {
 /// All of data/statements/limits.csv, computed now: of the elastic nip thick and thin with and without friction, and of the rolling one with
 /// short memory, with long memory and thin.
 [[nodiscard]] std::vector<LimitRow> limits();
+
+/// What `limits` answers, and a report has of them.
+Json limits_json(const std::vector<LimitRow>& limits);
 
 }  // namespace nipref::verify

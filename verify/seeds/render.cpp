@@ -1,11 +1,13 @@
 #include <optional>
 
-#include <nipref/verify/seeds/render.hpp>
+#include <nipref/verify/seeds/claims.hpp>
+#include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/limits.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// Of the decimals that are stated.
+/// The decimals of a number and of its error.
 struct StatedJson {
   Json value, error;
 

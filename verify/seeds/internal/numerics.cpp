@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <boost/math/quadrature/exp_sinh.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
@@ -10,8 +13,8 @@
 namespace nipref::verify {
 namespace {
 
-/// The least distance from x, doubled from `first` of it on, at which `certain`; as an error of x, infinite if it is so
-/// nowhere.
+/// x with the least distance as its error at which `certain` holds, of those that double from `first` times x on; the
+/// error is infinite if it holds at none.
 Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
   for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2) {
     if (certain(reach)) return {x, reach};
@@ -19,7 +22,44 @@ Propagated with_reach(double x, double first, const std::function<bool(double re
   return {x, std::numeric_limits<double>::infinity()};
 }
 
+/// `integrate`: of a function of a double, with a tolerance, the error's and the integrand's size.
+Propagated integral_by(const auto& integrate, const Function& f) {
+  double truncation = 0, size = 0, unused = 0;
+  const double value = integrate([&](double x) { return f(x).value(); }, 1e-15, &truncation, &size);
+  const double of_errors = integrate([&](double x) { return f(x).error(); }, 1e-2, &unused, &unused);
+  return {value, truncation + 2 * of_errors + 0x1p-50 * size};
+}
+
 }  // namespace
+
+Propagated integral(const Function& f, double from, double to) {
+  boost::math::quadrature::tanh_sinh<double> rule;
+  return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, from, to, how...); }, f);
+}
+
+Propagated smooth_integral(const Function& f, double from, double to) {
+  constexpr unsigned halvings = 12;
+  return integral_by(
+      [&](const auto& g, auto... how) {
+        return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(g, from, to, halvings, how...);
+      },
+      f);
+}
+
+Propagated half_line_integral(const Function& f) {
+  boost::math::quadrature::exp_sinh<double> rule;
+  return integral_by([&](const auto& g, auto... how) { return rule.integrate(g, how...); }, f);
+}
+
+Propagated hilbert(const Function& f, double x, double from, double to) {
+  const auto distance = [](double a, double b) { return Propagated::exact(a) - Propagated::exact(b); };
+  const Propagated at_x = f(x);
+  const Function rest = [&](double t) {
+    return t == x ? Propagated::exact(0) : (f(t) - at_x) / distance(t, x);
+  };
+  return (integral(rest, from, x) + integral(rest, x, to) + at_x * log(distance(to, x) / distance(x, from))) /
+         Propagated::pi();
+}
 
 Propagated derivative(const Function& f, double x, double step) {
   constexpr int halvings = 7;
@@ -55,6 +95,12 @@ Propagated sign_change(const Function& f, double lower, double upper) {
   });
 }
 
+Propagated monotonic(const Function& f, const Propagated& place) {
+  const Propagated below = f(place.value() - place.error()), above = f(place.value() + place.error());
+  return below.value() < above.value() ? Propagated::between(below, above)
+                                       : Propagated::between(above, below);
+}
+
 Largest largest(const Function& f, double lower, double upper) {
   constexpr int binary_digits = 20;
   const double place = boost::math::tools::brent_find_minima([&](double x) { return -f(x).value(); }, lower,
@@ -62,7 +108,7 @@ Largest largest(const Function& f, double lower, double upper) {
                            .first;
   const Propagated value = f(place);
   double fall = 0;
-  // A maximum is flat: what rounding is to its value, its root is to its place.
+  // A maximum is flat: its place is known to the square root of what its value is known to.
   const Propagated reached = with_reach(place, 0x1p-24, [&](double reach) {
     const Propagated below = value - f(place - reach), above = value - f(place + reach);
     fall = std::max(below.value() + below.error(), above.value() + above.error());

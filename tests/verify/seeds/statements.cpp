@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <string>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
+
+#include "support/scratch_file.hpp"
+
+using namespace nipref;
+using verify::Formulas;
+using verify::Propagated;
+
+namespace {
+
+double value(const std::string& formula, const std::string& given = "") {
+  Formulas formulas(verify::solved_numbers());
+  formulas.define(given);
+  return formulas.value(formula).value();
+}
+
+}  // namespace
+
+TEST_CASE("formulas of statements follow the rules of arithmetic") {
+  CHECK(value("1 - 2 - 3*4/8") == -2.5);
+  CHECK(value("-2^2 + (1 + 2)*3") == 5);
+  CHECK(value("f(3) + t", "t = 2\nf(t) = t*t") == 11);
+  CHECK(value("if(1 < 2, 5, log(-1)) + min(3, 1, 2) - max(4, 7)") == -1);
+  CHECK(value("certain(1 + within(0.5)) - certain(1 + within(2))") == 1);
+  CHECK(value("integral(t, 0, 1, t^2)") == doctest::Approx(1.0 / 3));
+  CHECK(value("largest(t, 0, 3, t*(2 - t)) + sign_change(t, 0, 2, 1 - t)") == doctest::Approx(2));
+  // Both paths of the catalogue: I1 is even.
+  CHECK(value("[ref I1 alpha=0.5] - [fast I1 alpha=$a]", "a = -0.5") == doctest::Approx(0).epsilon(1e-12));
+}
+
+TEST_CASE("what a statement lacks is said with the file and the line") {
+  const ScratchFile file("# a comment\n[[limit]]\nname = \"a\"\nfound = \"1 + unknown\"\norder = \"two\"\n");
+  const verify::Statement all = verify::read_statements(file.path());
+  const verify::Statement& limit = all.lists.at("limit").front();
+  const std::string where = "statements file = " + file.path() + ":2: ";
+  CHECK_THROWS_WITH_AS(static_cast<void>(limit.number("order")),
+                       (where + "must have a number as order").c_str(), data::BadInput);
+  CHECK_THROWS_WITH_AS(static_cast<void>(all.list("limit", {"name"}, {"found"})),
+                       (where + "must have no keys in [[limit]] but name, found").c_str(), data::BadInput);
+  verify::StatementFormulas formulas(all, limit);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(formulas.value(limit.text("found"))),
+      (where + "formula = unknown: must be the name of a number that is defined before").c_str(),
+      data::BadInput);
+  for (const char* formula :
+       {"1 +", "(1", "f(1)", "2^0.5", "if(1, 2)", "[none a b=1]", "[elastic weight]", "1 2"}) {
+    CAPTURE(formula);
+    CHECK_THROWS_AS(static_cast<void>(formulas.value(formula)), data::BadInput);
+  }
+}

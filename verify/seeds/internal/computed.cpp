@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/verify/catalogue/half_space/internal/printed.hpp>
+#include <nipref/verify/seeds/internal/computed.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using fast::ConvergedElasticNip;
+
+/// A contact with full friction of half-length L/B on a sheet of half-thickness 1, modulus 1 and nu = 1/3.
+ConvergedElasticNip gripped_nip(double length_over_thickness) {
+  const data::ElasticNip nip{100 * (1 + length_over_thickness), 2, {1, 1.0 / 3}};
+  return fast::converged_for_length(nip, data::Friction::full, 2 * length_over_thickness, 1e-9);
+}
+
+/// Within one step of an end the oscillation of the end, r^(1/2) cos(eps ln r), may change the sign of the shear once
+/// more, but there the shear is negligible.
+constexpr int steps = 400;
+
+/// Tractions at one of the places i/steps of the half contact.
+struct Station {
+  double share;  ///< 2 Y/L
+  double pressure, shear, error;
+};
+
+std::vector<Station> stations(const ConvergedElasticNip& nip) {
+  const double half = nip.contact_length().value / 2;
+  std::vector<Station> all;
+  for (int i = 1; i < steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    const fast::Estimate shear = nip.shear(share * half);
+    all.push_back({share, nip.pressure(share * half).value, shear.value, shear.error});
+  }
+  return all;
+}
+
+/// The share 2 Y/L > 0 at which the shear changes its sign beyond its error; 0 if it does nowhere.
+double reversal(const std::vector<Station>& all) {
+  double last = 0;
+  for (const Station& here : all) {
+    if (std::fabs(here.shear) <= here.error) continue;
+    if (last * here.shear < 0) return here.share;
+    last = here.shear;
+  }
+  return 0;
+}
+
+bool ratio_rises(const std::vector<Station>& all) {
+  return std::ranges::is_sorted(all, {},
+                                [](const Station& here) { return std::fabs(here.shear) / here.pressure; });
+}
+
+using Property = std::function<bool(const std::vector<Station>&)>;
+
+/// L/B between one where `is_so` and one where it is not.
+Propagated border_between(const Property& is_so, double with, double without) {
+  constexpr int halvings = 7;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::midpoint(with, without);
+    (is_so(stations(gripped_nip(middle))) ? with : without) = middle;
+  }
+  return Propagated::between(Propagated::exact(std::min(with, without)),
+                             Propagated::exact(std::max(with, without)));
+}
+
+/// The first and the last L/B at which `is_so`, of those from 0.5 to 20 in steps of a twentieth; 0 if it is at none.
+struct Range {
+  Propagated first = 0, last = 0;
+};
+Range range_where(const Property& is_so) {
+  constexpr double lowest = 0.5, highest = 20, factor = 1.05;
+  double first = 0, last = 0;
+  for (double length = lowest; length < highest * factor; length *= factor) {
+    const double here = std::min(length, highest);
+    if (!is_so(stations(gripped_nip(here)))) continue;
+    if (first == 0) first = here;
+    last = here;
+  }
+  if (first == 0) return {};
+  return {first == lowest ? Propagated::exact(lowest) : border_between(is_so, first, first / factor),
+          last == highest ? Propagated::exact(highest) : border_between(is_so, last, last * factor)};
+}
+
+const Range& reversals() {
+  static const Range all = range_where([](const auto& stations_of) { return reversal(stations_of) > 0; });
+  return all;
+}
+
+const Range& falling_ratios() {
+  static const Range all = range_where([](const auto& stations_of) { return !ratio_rises(stations_of); });
+  return all;
+}
+
+constexpr const data::TransverselyIsotropicSolid& epoxy = data::seed::graphite_epoxy;
+constexpr const data::IsotropicSolid& steel = data::seed::steel;
+
+Propagated speed_scale() { return sqrt(Propagated(epoxy.density) / steel.density); }
+
+Propagated branch_radicand_at_45_degrees() {
+  const double mu = steel.shear;
+  const ScaledModuli moduli{epoxy.c11 / mu,
+                            epoxy.c33 / mu,
+                            epoxy.c13 / mu,
+                            epoxy.c44 / mu,
+                            epoxy.c66 / mu,
+                            speed_scale().value(),
+                            0};
+  return printed_form(branch_radicand_as_printed(moduli, fast::Direction::of_degrees(45)));
+}
+
+}  // namespace
+
+Propagated printed_form(double value) { return {value, 1e-8 * std::fabs(value)}; }
+
+const std::map<std::string, std::function<Propagated()>>& computed_numbers() {
+  static const std::map<std::string, std::function<Propagated()>> all{
+      {"first_reversal", [] { return reversals().first; }},
+      {"last_reversal", [] { return reversals().last; }},
+      {"first_falling_ratio", [] { return falling_ratios().first; }},
+      {"last_falling_ratio", [] { return falling_ratios().last; }},
+      {"graphite_epoxy_c11", [] { return Propagated(epoxy.c11); }},
+      {"steel_shear", [] { return Propagated(steel.shear); }},
+      {"graphite_epoxy_speed_scale", speed_scale},
+      {"branch_radicand_as_printed", branch_radicand_at_45_degrees}};
+  return all;
+}
+
+}  // namespace nipref::verify

@@ -1,0 +1,289 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/seeds/internal/computed.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/seeds/internal/thin_standard_solid.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::ViscoelasticMaterial;
+
+/// The words in brackets.
+struct Request {
+  std::string text, kind, name;
+  Assignments given = {};
+  Formulas& formulas;
+
+  Request(const std::string& words, Formulas& scope) : text(words), formulas(scope) {
+    std::istringstream stream(words);
+    stream >> kind >> name;
+    for (std::string word; stream >> word;) {
+      const std::size_t equals = word.find('=');
+      if (equals == std::string::npos) refuse("KEY=VALUE");
+      given.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+    }
+  }
+  [[noreturn]] void refuse(std::string_view lacking) const {
+    throw data::BadInput("formula", "[" + text + "]", fmt::format("must have {}", lacking));
+  }
+  [[nodiscard]] std::string text_of(const std::string& key, const std::string& otherwise) const {
+    for (const auto& [name_of, value] : given)
+      if (name_of == key) return value;
+    return otherwise;
+  }
+  [[nodiscard]] double number(const std::string& key, const std::string& otherwise) const {
+    return formulas.value(text_of(key, otherwise)).value();
+  }
+  /// The arguments of a quantity.
+  [[nodiscard]] Assignments arguments() const {
+    Assignments all = given;
+    for (auto& [key, value] : all)
+      if (value.starts_with('$')) value = fmt::format("{}", formulas.value(value.substr(1)).value());
+    return all;
+  }
+  const auto& entry(const auto& table, const std::string& key) const {
+    const auto found = table.find(key);
+    if (found == table.end()) refuse(fmt::format("no '{}'", key));
+    return found->second;
+  }
+};
+
+Propagated in_double(const ref::Estimate& reference) {
+  const double value = reference.to_double();
+  return {value, std::fabs(reference.error_of(value)) + std::strtod(reference.error_text().c_str(), nullptr)};
+}
+
+/// A quantity of the catalogue at decimal arguments. The error by fast is what fast promises at the doubles nearest to
+/// them, and the change of the quantity from the decimals to the doubles.
+Propagated of_quantity(const Request& request) {
+  constexpr int digits = 20;
+  const Quantity& quantity = find_quantity(request.name);
+  const ParsedArguments arguments = parse_arguments(quantity, request.arguments());
+  const Propagated by_ref = in_double(quantity.by_ref(arguments.exact, digits));
+  if (request.kind == "ref") return by_ref;
+  const Point point = arguments.nearest(quantity);
+  if (request.kind == "printed") {
+    const auto form = std::ranges::find(quantity.seed_forms, "printed", &SeedForm::name);
+    if (form == quantity.seed_forms.end()) request.refuse("a quantity that the seed prints");
+    return printed_form(form->value(point));
+  }
+  const double value = quantity.by_fast(point, {});
+  const double promised = quantity.promise * ulp_of(std::max(std::fabs(value), quantity.envelope(point)));
+  const Propagated change = in_double(ref_value(quantity, point, digits)) - by_ref;
+  return {value, promised + std::fabs(change.value()) + change.error()};
+}
+
+template <class Contact>
+using Results = std::map<std::string, std::function<Propagated(const Contact&, double at)>>;
+
+template <class Contact>
+auto result(fast::Estimate (Contact::*get)() const) {
+  return [get](const Contact& contact, double) { return Propagated((contact.*get)()); };
+}
+template <class Contact>
+auto distribution(fast::Estimate (Contact::*get)(double) const) {
+  return [get](const Contact& contact, double at) { return Propagated((contact.*get)(at)); };
+}
+
+/// int p Y^2 dY of a symmetric contact by Gauss's rule for the square roots at its ends.
+Propagated second_moment(const fast::ConvergedElasticNip& contact) {
+  constexpr int nodes = 200;
+  const Propagated half = Propagated::exact(contact.contact_length().value / 2),
+                   step = Propagated::pi() / (nodes + 1);
+  Propagated sum = 0;
+  for (int i = 1; i <= nodes; ++i) {
+    const Propagated angle = i * step, t = cos(angle);
+    sum = sum + contact.pressure((half * t).value()) * square(t) * sin(angle);
+  }
+  return sum * half * square(half) * step;
+}
+
+const Results<fast::ConvergedElasticNip>& elastic_results() {
+  using Nip = fast::ConvergedElasticNip;
+  static const Results<Nip> all{
+      {"contact_length", result(&Nip::contact_length)},
+      {"load", result(&Nip::load)},
+      {"indentation", result(&Nip::indentation)},
+      {"edge_displacement", result(&Nip::edge_displacement)},
+      {"creep_ratio", result(&Nip::creep_ratio)},
+      {"peak_pressure", result(&Nip::peak_pressure)},
+      {"peak_shear", result(&Nip::peak_shear)},
+      {"peak_shear_position", result(&Nip::peak_shear_position)},
+      {"pressure", distribution(&Nip::pressure)},
+      {"shear", distribution(&Nip::shear)},
+      {"shear_zero", [](const Nip& nip, double) { return Propagated(nip.shear_zeros().at(1)); }},
+      {"second_moment", [](const Nip& nip, double) { return second_moment(nip); }}};
+  return all;
+}
+
+const Results<fast::ConvergedViscoelasticNip>& rolling_results() {
+  using Nip = fast::ConvergedViscoelasticNip;
+  static const Results<Nip> all{{"contact_length", result(&Nip::contact_length)},
+                                {"leading_length", result(&Nip::leading_length)},
+                                {"trailing_length", result(&Nip::trailing_length)},
+                                {"rolling_resistance", result(&Nip::rolling_resistance)},
+                                {"tangential_displacement", distribution(&Nip::tangential_displacement)}};
+  return all;
+}
+
+constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
+
+ViscoelasticMaterial solid_of(const Request& request) {
+  const double memory = request.number("memory", "1");
+  using Make = std::function<ViscoelasticMaterial()>;
+  const std::map<std::string, Make> all{
+      {"elastic", [] { return data::elastic_solid(thesis_sheet); }},
+      {"thesis",
+       [=] {
+         return data::single_relaxation_time_solid({thesis_sheet.theta1(), thesis_sheet.theta2()}, memory);
+       }},
+      {"one_time", [=] { return data::single_relaxation_time_solid(1, 0.375, memory); }},
+      {"one_time_misprinted", [=] { return data::misprinted_thesis_solid(1, 0.375, memory); }},
+      // Unequal parts in shear and dilatation.
+      {"two_times", [=] {
+         return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
+                                  {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
+       }}};
+  return request.entry(all, request.text_of("solid", "thesis"))();
+}
+
+Propagated of_material(const Request& request) {
+  const data::MaterialFunctions functions = solid_of(request).functions().value();
+  const data::MaterialFunction normal = functions.normal_compliance();
+  // The functions are sums of a few products.
+  const auto rounded = [](double value) { return Propagated(value, 0x1p-48 * std::fabs(value)); };
+  const auto sum = [&](int power_of_rate) {
+    Propagated all = 0;
+    for (const data::RelaxationTerm& term : normal.terms)
+      all = all + rounded((term.amplitude / (power_of_rate == 2 ? term.rate * term.rate : 1)).real());
+    return all;
+  };
+  using Number = std::function<Propagated()>;
+  const std::map<std::string, Number> all{
+      {"theta1", [&] { return rounded(functions.theta1.transform(request.number("p", "0")).real()); }},
+      {"theta2", [&] { return rounded(functions.theta2.transform(request.number("p", "0")).real()); }},
+      {"normal_at_once", [&] { return rounded(normal.instantaneous); }},
+      {"normal_long_time", [&] { return rounded(normal.long_time()); }},
+      {"sum_of_amplitudes", [&] { return sum(0); }},
+      {"sum_of_amplitudes_over_squared_rates", [&] { return sum(2); }}};
+  return request.entry(all, request.name)();
+}
+
+Propagated printed_cell(const Request& request) {
+  const data::Table table = data::load_table_by_id(request.name);
+  const std::string& column = request.given.at(0).second;
+  const auto& [key, value] = request.given.at(1);
+  const double wanted = request.formulas.value(value).value();
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto& here = table.cell(row, key).number;
+    const auto& printed = table.cell(row, column).number;
+    if (here && printed && std::fabs(here->value / wanted - 1) < 1e-6)
+      return Propagated::exact(printed->value);
+  }
+  request.refuse("a row that is printed");
+}
+
+/// Solves contacts, and keeps them for other results.
+class SolvedNumbers {
+ public:
+  Propagated operator()(const std::string& words, Formulas& formulas) {
+    const Request request(words, formulas);
+    if (request.kind == "elastic") return elastic(request);
+    if (request.kind == "rolling") return rolling(request);
+    static const std::map<std::string, Propagated (*)(const Request&)> others{
+        {"ref", of_quantity},
+        {"fast", of_quantity},
+        {"printed", of_quantity},
+        {"material", of_material},
+        {"table", printed_cell},
+        {"thin_solid",
+         [](const Request& one) {
+           const ThinStandardSolid solid = thin_standard_solid(one.number("memory", "1"));
+           return one.name == "resistance" ? solid.resistance : solid.leading_share;
+         }},
+        {"computed", [](const Request& one) { return one.entry(computed_numbers(), one.name)(); }}};
+    return request.entry(others, request.kind)(request);
+  }
+
+ private:
+  struct Common {
+    double radius, thickness, accuracy, load, length, at;
+    explicit Common(const Request& one)
+        : radius(one.number("radius", "6")),
+          thickness(one.number("thickness", "2")),
+          accuracy(one.number("accuracy", "1e-9")),
+          load(one.number("load", "0")),
+          length(one.number("length", "0")),
+          at(one.number("at", "0")) {}
+  };
+
+  template <class Contact>
+  static Propagated solve_once(std::map<std::vector<double>, Contact>& solved,
+                               const std::vector<double>& inputs, const auto& solve, const auto& result_of) {
+    auto place = solved.find(inputs);
+    if (place == solved.end()) place = solved.emplace(inputs, solve()).first;
+    return result_of(place->second);
+  }
+
+  Propagated elastic(const Request& request) {
+    const Common in(request);
+    const data::ElasticMaterial material{request.number("young", fmt::format("{}", thesis_sheet.young)),
+                                         request.number("poisson", fmt::format("{}", thesis_sheet.poisson))};
+    const data::ElasticNip nip{in.radius, in.thickness, material};
+    const bool full = request.text_of("friction", "none") == "full";
+    const data::Friction friction = full ? data::Friction::full : data::Friction::none;
+    const auto& get = request.entry(elastic_results(), request.name);
+    return solve_once(
+        elastic_,
+        {in.radius, in.thickness, in.accuracy, in.load, in.length, material.young, material.poisson,
+         full + 0.0},
+        [&] {
+          return in.length > 0 ? fast::converged_for_length(nip, friction, in.length, in.accuracy)
+                               : fast::converged_for_load(nip, friction, in.load, in.accuracy);
+        },
+        [&](const fast::ConvergedElasticNip& contact) { return get(contact, in.at); });
+  }
+
+  Propagated rolling(const Request& request) {
+    const Common in(request);
+    const data::ViscoelasticNip nip{in.radius, in.thickness, solid_of(request), 1};
+    const auto& get = request.entry(rolling_results(), request.name);
+    auto& of_solid = rolling_[request.text_of("solid", "thesis")];
+    return solve_once(
+        of_solid, {in.radius, in.thickness, in.accuracy, in.load, in.length, request.number("memory", "1")},
+        [&] {
+          return in.length > 0 ? fast::converged_for_length(nip, in.length, in.accuracy)
+                               : fast::converged_for_load(nip, in.load, in.accuracy);
+        },
+        [&](const fast::ConvergedViscoelasticNip& contact) { return get(contact, in.at); });
+  }
+
+  std::map<std::vector<double>, fast::ConvergedElasticNip> elastic_;
+  std::map<std::string, std::map<std::vector<double>, fast::ConvergedViscoelasticNip>> rolling_;
+};
+
+}  // namespace
+
+Formulas::Solve solved_numbers() {
+  return [solved = std::make_shared<SolvedNumbers>()](const std::string& words, Formulas& formulas) {
+    return (*solved)(words, formulas);
+  };
+}
+
+}  // namespace nipref::verify

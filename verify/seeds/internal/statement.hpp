@@ -1,0 +1,62 @@
+#pragma once
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/verify/seeds/internal/formula.hpp>
+
+namespace nipref::verify {
+
+/// A table of a TOML file in data/statements.
+struct Statement {
+  std::string where;  ///< FILE:LINE
+  std::map<std::string, std::string> texts = {};
+  std::map<std::string, double> numbers = {};
+  std::map<std::string, std::vector<Statement>> lists = {};
+
+  // What the key holds. BadInput that names the line if it is missing or of another type.
+  [[nodiscard]] const std::string& text(const std::string& key) const;
+  [[nodiscard]] double number(const std::string& key) const;
+  /// Empty if the key is missing.
+  [[nodiscard]] std::string optional_text(const std::string& key) const;
+  /// BadInput that names the line of the first entry that has another key, or lacks one of the texts.
+  [[nodiscard]] const std::vector<Statement>& list(const std::string& key,
+                                                   std::initializer_list<std::string_view> required,
+                                                   std::initializer_list<std::string_view> optional) const;
+  /// The entry of a list with that text as `id`. BadInput if there is none.
+  [[nodiscard]] const Statement& entry(const std::string& key, const std::string& id) const;
+  [[noreturn]] void refuse(std::string_view requirement) const;
+  /// f(), with the line put before what is refused in it.
+  auto located(const auto& f) const {
+    try {
+      return f();
+    } catch (const data::BadInput& bad) {
+      refuse(bad.what());
+    }
+  }
+};
+
+/// A file of data/statements. BadInput that names its line if it cannot be read.
+[[nodiscard]] Statement read_statements(const std::filesystem::path& path);
+
+/// What an entry of a file is evaluated with: the definitions of the [[setting]] that it names, then its own in `given`.
+class StatementFormulas {
+ public:
+  StatementFormulas(const Statement& file, const Statement& entry);
+  /// BadInput that names the entry's line.
+  [[nodiscard]] Propagated value(const std::string& formula);
+  [[nodiscard]] bool is_true(const std::string& formula) { return value(formula).value() != 0; }
+  void define(const std::string& name, const Propagated& number) { formulas_.define(name, number); }
+  /// Of the setting, to be put behind what is computed; empty if there is none.
+  [[nodiscard]] const std::string& setting() const { return setting_; }
+
+ private:
+  const Statement& entry_;
+  Formulas formulas_;
+  std::string setting_;
+};
+
+}  // namespace nipref::verify
