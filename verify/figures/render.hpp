@@ -3,7 +3,6 @@
 
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/support/json.hpp>
-#include <nipref/verify/support/template.hpp>
 
 namespace nipref::verify {
 
@@ -20,9 +19,5 @@ std::string figure_text(const Figure& figure);
 /// What has gnuplot write the figure as SVG to its standard output. Labels differ in colour (Okabe and Ito's, which
 /// colour-blind readers tell apart), in dashes and in symbols; roles in how they are drawn.
 std::string gnuplot_script(const Figure& figure);
-
-/// The same of what figure_json gives; of what panel_json gives a drawing without a caption, small enough for a page:
-/// readable at half the width of a sheet of paper and on a telephone.
-std::string gnuplot_script(const TemplateData& drawing);
 
 }  // namespace nipref::verify

@@ -4,10 +4,10 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/figures/internal/gnuplot.hpp>
 #include <nipref/verify/report/render.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/template.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -10,7 +10,7 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/support/template.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -22,7 +22,7 @@
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/report/render.hpp>
-#include <nipref/verify/support/template.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
 #include "support/scratch_file.hpp"

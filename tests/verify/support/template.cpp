@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include <nipref/verify/support/template.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 
 using namespace nipref::verify;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include <nipref/verify/figures/internal/gnuplot.hpp>
 #include <nipref/verify/figures/render.hpp>
 
 namespace nipref::verify {
