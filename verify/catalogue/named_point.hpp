@@ -1,9 +1,8 @@
 #pragma once
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,7 +15,7 @@ namespace nipref::verify {
 inline std::size_t argument_number(std::span<const Argument> arguments, std::string_view name) {
   const auto found = std::ranges::find(arguments, name, &Argument::name);
   if (found == arguments.end())
-    throw std::logic_error(fmt::format("the quantity has no argument '{}'", name));
+    throw std::logic_error("the quantity has no argument '" + std::string(name) + "'");
   return static_cast<std::size_t>(found - arguments.begin());
 }
 
