@@ -13,79 +13,76 @@
 
 namespace nipref::verify {
 
-/// Somebody's way to compute a quantity: values at points, one for each; a NaN where it refuses a point. Called from
+/// A function that computes a quantity's values at points, with a NaN for a point that it refuses. It is called from
 /// several threads at once.
 using Evaluator = std::function<void(std::span<const Point> points, std::span<double> values)>;
 
 /// fast, with a NaN where it refuses a point.
 Evaluator fast_evaluator(const Quantity& quantity, fast::Accuracy accuracy);
 
-/// The points of an audit come in blocks of so many at most, each drawn and searched by itself.
+/// The largest number of points of a block.
 inline constexpr std::size_t points_of_block = 4096;
 
 struct AuditOptions {
-  /// About so many points; all hard cases are among them from about 10000 for each position on. 0: `density`
-  /// times as many as the quantity's entry says, but one at least.
+  /// The approximate number of points; from about 10000 for each position on they include all hard cases. 0: `density`
+  /// times the number in the quantity's entry, at least one.
   std::size_t points = 0;
   fast::Accuracy accuracy;  ///< the accuracy asked of fast
-  /// Called now and then with the part of the points that is done; may be empty.
+  /// A callback with the part of the points that is done; may be empty.
   std::function<void(double part)> progress = {};
-  double density = 1;  ///< > 0, read if `points` is 0
-  Ranges ranges = {};  ///< empty: the whole domain
-  /// Looked at besides.
-  std::vector<Point> more_points = {};
-  std::optional<double> promise = {};  ///< units in the last place of the scale; none: the quantity's own
-  std::string seed = {};               ///< any text: another one, other random points
-  bool search = true;  ///< a tenth of the points of each block is for a local search around its worst few
-  std::size_t block = points_of_block;  ///< most points of a block
+  double density = 1;                   ///< > 0, read if `points` is 0
+  Ranges ranges = {};                   ///< empty: the whole domain
+  std::vector<Point> more_points = {};  ///< additional points
+  std::optional<double> promise = {};   ///< units in the last place of the scale; nothing: the quantity's own
+  std::string seed = {};                ///< any text; it determines the random points
+  bool search = true;                   ///< use a tenth of each block's points to search around its worst few
+  std::size_t block = points_of_block;  ///< largest number of points of a block
 
-  /// The points that are asked for of this quantity.
+  /// The number of points for this quantity.
   [[nodiscard]] std::size_t points_of(const Quantity& quantity) const;
   [[nodiscard]] double promise_of(const Quantity& quantity) const {
     return promise.value_or(quantity.promise);
   }
 };
 
-/// Fewer points than this say little about a promise that they find kept.
+/// With fewer points than this a promise that is found kept says little.
 inline constexpr std::size_t enough_points = 100;
 
-/// What an audit found about one quantity. Errors are upper bounds: ref's own error is added to each.
+/// The result of the audit of one quantity. Errors are upper bounds: ref's own error is added to each.
 struct AuditResult {
   const Quantity* quantity;
   std::size_t points;         ///< points compared
-  std::size_t left_out;       ///< points of the ranges where there is no such quantity
+  std::size_t left_out;       ///< points of the ranges at which the quantity is not defined
   double promise;             ///< units in the last place of the scale
   double max_error_ulp;       ///< largest error found, in those units
   double max_relative_error;  ///< largest |error| / |value| found
-  double allowance_used;  ///< largest error over what the accuracy allows at that point; the promise is kept
-                          ///< if <= 1
-  Point worst;            ///< where allowance_used was found
+  double allowance_used;  ///< largest ratio of an error to the allowed one; the promise is kept if it is <= 1
+  Point worst;            ///< the point with this ratio
   ErrorSpread spread;     ///< over the points before the local search
-  double worst_ulp = 0;   ///< the error there, units in the last place of the scale
+  double worst_ulp = 0;   ///< the error at `worst`, units in the last place of the scale
 
   [[nodiscard]] bool kept() const { return allowance_used <= 1; }
   [[nodiscard]] bool few_points() const { return points < enough_points; }
 };
 
-/// Another number, other points for the same options.
+/// The version of the sampling: with another one the same options give other points.
 inline constexpr int sampler_version = 3;
 
-/// The points that an audit looks at before its local search.
+/// The points of an audit before its local search.
 std::vector<Point> audit_points(const Quantity& quantity, const AuditOptions& options);
 
-/// Looks for the arguments at which the evaluator is worst: hard cases, zeros and their neighbours, round, dense and random
-/// points, and in each block of them a local search around its worst few. Deterministic, whatever the number of threads.
-/// Memory: all points, for the spread. (The command line's audits, which do not tell that, keep a block.) At full
-/// accuracy the allowance is promise * ulp(scale); at a lower one rtol * scale, but not less than that. Points of
-/// ranges that the reference refuses are left out; BadInput if it refuses all of them.
-/// Throws Interrupted (support/internal/interrupt.hpp) if the process is.
+/// Searches for the arguments at which the evaluator's error is largest: at hard cases, zeros and their neighbours,
+/// round, dense and random points, and by a local search around the worst few of each block. The result does not
+/// depend on the number of threads. All points are stored, for the distribution of the errors. At full accuracy the
+/// allowed error is promise * ulp(scale), at a lower one the larger of this and rtol * scale. Points that the
+/// reference refuses are left out; BadInput if it refuses all of them. Throws Interrupted
+/// (support/internal/interrupt.hpp) if the process is.
 AuditResult audit(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options);
 
-/// The same of fast, whose own statement of a value's error, where it makes one, must cover it besides.
+/// The same for fast. Where fast states an error of a value, this has to cover the error found, too.
 AuditResult audit(const Quantity& quantity, const AuditOptions& options);
 
-/// The same of values that are there already: no others are looked for. Points and values of equal number, one at
-/// least.
+/// The same for given values, without a search. There must be as many values as points, and at least one.
 AuditResult audit_values(const Quantity& quantity, std::span<const Point> points,
                          std::span<const double> values, const AuditOptions& options);
 

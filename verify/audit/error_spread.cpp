@@ -9,7 +9,7 @@
 namespace nipref::verify {
 namespace {
 
-/// The first that is a number and is not the same at all points.
+/// The first argument that is a number and differs between the points.
 std::size_t varied_argument(const Quantity& quantity, std::span<const Point> points) {
   for (std::size_t i = 0; i < quantity.arguments.size(); ++i) {
     if (quantity.arguments[i].kind == ArgumentKind::choice) continue;
@@ -19,7 +19,7 @@ std::size_t varied_argument(const Quantity& quantity, std::span<const Point> poi
   return 0;
 }
 
-/// Of sorted errors.
+/// The median of sorted errors.
 double percentile(std::span<const double> sorted, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   return sorted[std::clamp(rank, std::size_t{1}, sorted.size()) - 1];
@@ -67,7 +67,7 @@ std::vector<PlacedError> placed_errors(ArgumentKind kind, std::size_t along, std
   return placed;
 }
 
-/// The largest, and others at equal distances in the order in which they were looked at.
+/// The largest error, and others at equal distances in their order.
 void append_dots(std::vector<ErrorDot>& dots, std::vector<ErrorDot> part) {
   const auto largest = std::ranges::max_element(part, {}, &ErrorDot::ulps);
   largest->largest = true;

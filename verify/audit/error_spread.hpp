@@ -10,47 +10,46 @@ namespace nipref::verify {
 
 /// The errors at the points whose magnitude of one argument lies in [10^exponent, 10^(exponent + 1)).
 struct Decade {
-  std::optional<int> exponent;  ///< none: the argument is 0
+  std::optional<int> exponent;  ///< nothing if the argument is 0
   std::size_t points;
-  std::size_t above;  ///< that break the promise
+  std::size_t above;  ///< points that break the promise
   double max_ulp;
   double median_ulp;
 };
 
-/// The smallest box of arguments that holds every point at which the promise is broken.
+/// The smallest box of arguments that contains every point at which the promise is broken.
 struct WrongRegion {
   Point lower, upper;
-  std::size_t points;  ///< looked at in it
-  std::size_t above;   ///< of them break the promise
+  std::size_t points;  ///< points in it
+  std::size_t above;   ///< those of them that break the promise
 };
 
-/// One of the points that stand for all in a plot.
+/// A point of a plot, which shows a selection of all points.
 struct ErrorDot {
   double at;     ///< the argument
   double ulps;   ///< units in the last place of the scale
-  bool largest;  ///< of its part of the axis
+  bool largest;  ///< whether it is the largest error in its part of the axis
 };
 
-/// Whether values of such an argument, which spans decades, are told by their magnitude.
+/// Whether arguments of this kind span decades, so that a plot shows their magnitude on a logarithmic axis.
 bool spans_decades(ArgumentKind kind);
 
-// Ends of the axis of such values: most doubles are much smaller or larger, and tell nothing new.
+// The ends of a logarithmic axis. Most doubles are much smaller or larger, but behave like those at its ends.
 inline constexpr double least_of_axis = 1e-12, most_of_axis = 1e12;
 
-/// Where a value of such an argument lies on the axis, or of another kind itself.
+/// The position of a value on its axis.
 double place_on_axis(ArgumentKind kind, double value);
 
-/// How errors are spread over points. A largest error alone misleads where it is a spike.
+/// The distribution of errors over points. The largest error alone would mislead where it is a spike.
 struct ErrorSpread {
   double mean, median, percentile_90, percentile_99,
       percentile_999;  ///< units in the last place of the scale
-  // Of points that are kept, by add_places:
-  std::size_t along = 0;             ///< the number of the argument by whose decades the errors are sorted
-  std::vector<Decade> decades = {};  ///< in the order of magnitude
+  // Filled by add_places:
+  std::size_t along = 0;             ///< index of the argument by whose decades the errors are grouped
+  std::vector<Decade> decades = {};  ///< in ascending order
   std::optional<WrongRegion> wrong = {};
-  /// In the order of the argument, or of its magnitude where that spans decades: of each of a hundred parts of its axis
-  /// the largest and a few more. What lies beyond the ends of such an axis, 0 too, is taken to lie there. Errors that are
-  /// infinite are left out.
+  /// For each of a hundred parts of the argument's axis the largest error and a few more, in the order of the axis.
+  /// Values beyond the ends of a logarithmic axis, and 0, are put at its ends. Infinite errors are left out.
   std::vector<ErrorDot> dots = {};
 };
 
@@ -58,18 +57,17 @@ struct ErrorSpread {
 struct Finding {
   double ulps;            ///< units in the last place of the scale
   double relative;        ///< of the value
-  double allowance_used;  ///< error over what is allowed
+  double allowance_used;  ///< error over the allowed error
 };
 
 class ErrorTally;
 
-/// Percentiles are errors that at least so many of a hundred points do not exceed: a thirty-second more at most than the
-/// smallest such error that was found, or 1/64 where that is less, and never more than the largest. Of at least one.
+/// The distribution of at least one error. Percentiles are rounded up as by ErrorTally::percentile.
 ErrorSpread error_spread(const ErrorTally& errors);
-/// Where they lie. Of at least one point; each has a finding.
+/// Adds the distribution over the arguments. There must be a point, and a finding for each.
 void add_places(ErrorSpread& spread, const Quantity& quantity, std::span<const Point> points,
                 std::span<const Finding> findings);
-/// Both.
+/// Both together.
 ErrorSpread error_spread(const Quantity& quantity, std::span<const Point> points,
                          std::span<const Finding> findings);
 

@@ -9,7 +9,6 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/audit/internal/zeros.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>

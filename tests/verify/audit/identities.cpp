@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include <nipref/verify/audit/internal/identities.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 
 using namespace nipref;
 

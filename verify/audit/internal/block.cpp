@@ -13,9 +13,9 @@ namespace nipref::verify {
 namespace {
 
 constexpr std::size_t most_starts = 8;
-constexpr std::size_t least_steps = 200;  // as long as there is more than one start
+constexpr std::size_t least_steps = 200;  // for each start, unless there is only one
 
-/// Few enough points that the threads have equally much to do, many enough that a batch is one.
+/// The points of a batch: few enough to divide the work evenly between threads, and enough for vector instructions.
 std::size_t batch_of(std::size_t points) { return std::clamp<std::size_t>(points / 64, 16, 64); }
 
 Compared compare(std::vector<Point> points, const Comparator& comparator,
@@ -34,10 +34,10 @@ Compared compare(std::vector<Point> points, const Comparator& comparator,
   return compared_of(std::move(points), findings);
 }
 
-/// A value that is no number counts as an infinite error (see Deviation), so that this orders all findings.
+/// All findings are ordered, since a value that is no number counts as an infinite error (see Deviation).
 bool worse(const Finding& a, const Finding& b) { return a.allowance_used > b.allowance_used; }
 
-/// Numbers of the worst few findings, the worst first.
+/// The indices of the worst few findings, the worst first.
 std::vector<std::size_t> worst_few(const std::vector<Finding>& findings, std::size_t few) {
   std::vector<std::size_t> order(findings.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -16,45 +16,45 @@ struct Compared {
   std::size_t left_out = 0;
 };
 
-/// What was found in some blocks of an audit, in bounded memory. Adding up does not depend on the order.
+/// The findings in some blocks of an audit, in bounded memory. The sum does not depend on the order of the blocks.
 struct AuditTally {
-  std::uint64_t points = 0;    ///< compared
-  std::uint64_t left_out = 0;  ///< of the ranges, where there is no such quantity
+  std::uint64_t points = 0;    ///< points compared
+  std::uint64_t left_out = 0;  ///< points of the ranges at which the quantity is not defined
   double max_ulp = 0, max_relative = 0;
-  double allowance_used = -1;  ///< the largest; of none -1
+  double allowance_used = -1;  ///< the largest; -1 without points
   std::uint64_t worst_block = 0;
-  Point worst = {};        ///< where that was found, in the first block of those where it was
+  Point worst = {};        ///< the point with the largest allowance_used, in the first block that has it
   double worst_ulp = 0;    ///< the error there
   ErrorTally errors = {};  ///< before the local search, units in the last place of the scale
 
-  /// Of one block.
+  /// Adds the findings of one block.
   void add(const AuditTally& found, std::uint64_t block);
   [[nodiscard]] Json json() const;
-  /// Of what json() gave about a quantity of so many arguments. JsonMisfit for anything else.
+  /// Reads what json() has written for a quantity of so many arguments. JsonMisfit for anything else.
   static AuditTally of(const Json& json, std::size_t arguments);
 };
 
-/// What was found about a quantity.
+/// The findings about a quantity.
 struct QuantityFindings {
   AuditTally tally = {};
-  Compared compared = {};  ///< before the local search; empty where the points are not kept
+  Compared compared = {};  ///< the points before the local search; empty if they are not stored
 
-  /// Adds what was found in a block.
+  /// Adds the findings of a block.
   void add(const QuantityFindings& found, std::uint64_t block);
 };
 
-/// Looks at the points of one block, and around its worst few. Deterministic, whatever the number of threads.
-/// `on_progress`, which may be empty, is called with the part of them that is done.
+/// Compares the points of one block, and searches around its worst few. The result does not depend on the number of
+/// threads. `on_progress`, which may be empty, is called with the part that is done.
 QuantityFindings audit_block(const Quantity& quantity, const Ranges& ranges, const Comparator& comparator,
                              const AuditPlan& plan, std::size_t block,
                              const std::function<void(double part)>& on_progress);
 
-/// Of points that may have no finding, those that have; and a tally of them.
+/// The points that have a finding, and their tally.
 Compared compared_of(std::vector<Point> points, const std::vector<std::optional<Finding>>& findings);
 AuditTally tally_of(const Compared& compared);
 
-/// In words for people and machines, without what says where on the axes errors lie. BadInput, the reference's of the
-/// first point, if it knows none of them.
+/// The result of an audit without the distribution over the arguments. If the reference knows none of the points, its
+/// BadInput for the first of them.
 AuditResult result_of(const Quantity& quantity, const AuditOptions& options, const AuditTally& tally,
                       const Point& first);
 

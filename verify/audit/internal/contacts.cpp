@@ -34,7 +34,7 @@ constexpr double longest_ref_line_loads = 500;
 constexpr double longest_ref_converged = 12;
 constexpr double contact_accuracy = 1e-10;
 
-/// Of unit radius and thickness such that L <= R.
+/// A nip with R = 1 and a thickness such that L <= R.
 ElasticNip nip_for(double ratio, double poisson) { return {1, 1e-3 / std::max(ratio, 1.0), {1, poisson}}; }
 
 std::string name(const char* method, Friction friction) {
@@ -52,7 +52,7 @@ double error_of(const std::vector<double>& loads, const std::vector<ref::Enclosu
   return error / size;
 }
 
-/// What of a frictionless solution's error its kernel values make, and what the line loads themselves.
+/// Finds the part of a frictionless solution's error that its kernel values cause, and the discretisation error.
 void split_error(ContactAudit& audit, const ElasticNip& nip, double length, int m,
                  const fast::LineLoadSolution& solution, const ref::LineLoadSolution& truth) {
   std::vector<double> kernel;
@@ -148,7 +148,7 @@ std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
 
 namespace {
 
-// What a case has that may not be known.
+// The numbers that some cases lack.
 constexpr std::array optional_numbers{&ContactAudit::condition, &ContactAudit::oscillation,
                                       &ContactAudit::error, &ContactAudit::kernel_error,
                                       &ContactAudit::discretisation_error};

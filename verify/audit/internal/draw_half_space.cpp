@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/internal/draw_half_space.hpp>
+#include <nipref/verify/audit/internal/drawn_scene.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {
@@ -13,7 +13,7 @@ namespace {
 
 using data::ResultId;
 
-/// Those for which Lame's first constant is a product without rounding: see identities.hpp.
+/// Poisson's ratios for which Lame's first constant is a product without rounding, see variants_of.
 constexpr std::array short_poissons{-0.5, 0.0, 0.25, 0.375, 0.4375};
 
 void set_isotropic(Random& random, const std::string& table, DrawnScene& drawn) {
@@ -37,7 +37,7 @@ void set_transversely_isotropic(Random& random, DrawnScene& drawn) {
   drawn.set("half_space.density", random.log_uniform(1e-2, 1e4));
 }
 
-/// A product of a triangle and its transpose, moduli over a decade or so.
+/// A positive definite stiffness as a triangular matrix times its transpose, with moduli within about a decade.
 void set_anisotropic(Random& random, DrawnScene& drawn) {
   const double unit = random.log_uniform(1e-2, 1e12);
   std::array<std::array<double, 6>, 6> factor{};
@@ -57,7 +57,7 @@ void set_anisotropic(Random& random, DrawnScene& drawn) {
   drawn.set("half_space.density", random.log_uniform(1e-2, 1e4));
 }
 
-/// Gives the smallest radius.
+/// Draws the body, and returns its smallest radius.
 double set_body(Random& random, Body body, DrawnScene& drawn) {
   const double radius = random.log_uniform(1e-3, 10);
   if (body == Body::die) {
@@ -76,14 +76,14 @@ double set_body(Random& random, Body body, DrawnScene& drawn) {
   return radius;
 }
 
-/// Some stiffness of the half-space, about.
+/// The approximate stiffness of the half-space.
 double stiffness(const DrawnScene& drawn) {
   const std::string model = drawn.text("half_space.model");
   if (model == "anisotropic") return drawn.numbers("half_space.stiffness").back();
   return drawn.number(model == "isotropic" ? "half_space.shear" : "half_space.c44");
 }
 
-/// 0, anything, or next to the critical speed; 0 where that cannot be had.
+/// A speed that is 0, any fraction of the critical speed, or close to it; 0 if there is no critical speed.
 double draw_speed(Random& random, DrawnScene drawn) {
   const double part = random.chance(0.1)   ? 0
                       : random.chance(0.5) ? random.uniform()

@@ -6,7 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/material/functions.hpp>
-#include <nipref/verify/audit/internal/draw_nip.hpp>
+#include <nipref/verify/audit/internal/drawn_scene.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -20,7 +20,7 @@ struct Size {
 Size draw_size(Random& random) {
   const double ratio = random.log_uniform(1e-4, 1e3);
   const double thickness = random.log_uniform(1e-3, 10);
-  // The parabola alone goes in L^2/(8R): rollers so large that their faces stay apart.
+  // The parabola alone enters the sheet by L^2/(8R); the roller is so large that the faces do not meet.
   const double least = std::max({1.0, 1.01 * ratio, ratio * ratio});
   return {thickness, thickness * random.log_uniform(least, std::max(1e4, 100 * least)), thickness * ratio};
 }
@@ -31,7 +31,7 @@ double draw_poisson(Random& random) {
 
 double draw_modulus(Random& random) { return random.log_uniform(1e-2, 1e7); }
 
-/// In the contact, at and next to its ends, outside, on both sides.
+/// Positions in the contact, at its ends, close to them and outside, on both sides.
 std::vector<double> draw_positions(Random& random, double length) {
   const double half = length / 2;
   std::vector<double> positions{0, half * random.uniform(), half * (1 - random.log_uniform(1e-8, 0.1)),
@@ -73,7 +73,7 @@ DrawnScene of_size(Random& random, const Size& size) {
   return drawn;
 }
 
-/// The load that goes about with the length: that on half-spaces and on independent springs together.
+/// The approximate load for a length: the sum of those on a half-space and on independent springs.
 double about_load(const Size& size, double half_space_compliance, double spring_compliance) {
   const double half = size.length / 2;
   return std::numbers::pi / 2 * half * half / (size.radius * half_space_compliance) +
@@ -116,8 +116,8 @@ void draw_standard_linear(Random& random, const Size& size, DrawnScene& drawn) {
   }
 }
 
-/// theta2 is a part of theta1, so that Poisson's ratio is constant, or has about such a part of each term, which
-/// may be of no physical material.
+/// theta2 is a constant fraction of theta1, so that Poisson's ratio is constant, or each of its terms is about that
+/// fraction, which may not be a physical material.
 void draw_prony(Random& random, const Size& size, DrawnScene& drawn) {
   const double speed = drawn.number("rolling.speed");
   const double compliance = 1 / draw_modulus(random), part = 1 - 2 * draw_poisson(random);
@@ -137,8 +137,8 @@ void draw_prony(Random& random, const Size& size, DrawnScene& drawn) {
   drawn.set("material.theta2_rates", rates);
 }
 
-/// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates, which fades faster than it
-/// swings or swings faster than it fades, at a constant Poisson's ratio.
+/// One relaxation in shear alone, one in shear and in dilatation, or a complex pair of rates at a constant Poisson's
+/// ratio, with weak or strong damping.
 void draw_operators(Random& random, const Size& size, DrawnScene& drawn) {
   const double speed = drawn.number("rolling.speed");
   const double shear = draw_modulus(random), bulk = bulk_of(shear, draw_poisson(random));
@@ -158,8 +158,8 @@ void draw_operators(Random& random, const Size& size, DrawnScene& drawn) {
   }
   const double frequency = damping * random.log_uniform(0.05, 30);
   const double square = damping * damping + frequency * frequency;
-  // The compliance's numerator beside q: it gains no energy while at_rate * square <= 2 damping * at_rest, and is
-  // positive at every frequency while at_rest is not many times damping * sqrt(square).
+  // The numerator of the compliance: the material loses energy if at_rate * square <= 2 damping * at_rest, and the
+  // compliance is positive at every frequency unless at_rest is many times damping * sqrt(square).
   const bool swings = frequency > damping;
   const double at_rest = damping * (swings ? std::min(softer, 3.0) * std::sqrt(square) : softer * damping);
   const double at_rate = swings ? 1.8 * random.uniform() * damping * at_rest / square : softer * damping;
@@ -202,7 +202,7 @@ DrawnScene draw_elastic_nip(Random& random, data::Friction friction) {
     drawn.set_wanted(std::move(wanted));
   }
   if (random.chance(0.5)) {
-    // What is gripped cannot widen.
+    // With full friction the sheet cannot widen.
     const double confined =
         2 * (1 + material.poisson) * (1 - 2 * material.poisson) / ((1 - material.poisson) * material.young);
     give_load(drawn, about_load(size, material.normal_compliance(),

@@ -5,14 +5,12 @@
 #include <cmath>
 
 #include <nipref/data/scene/file.hpp>
-#include <nipref/verify/audit/internal/draw_half_space.hpp>
-#include <nipref/verify/audit/internal/draw_nip.hpp>
 #include <nipref/verify/audit/internal/drawn_scene.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// So that a product with a few small whole numbers has no rounding.
+/// Numbers of 34 bits, whose products with a few small whole numbers are exact.
 constexpr int short_bits = 34;
 
 double shortened(double number) {
@@ -29,7 +27,7 @@ struct Shorten {
   void operator()(const auto&) const {}
 };
 
-/// As TOML writes it: a number without point and exponent would be a whole one.
+/// The value in TOML. A number without point and exponent would be a whole one.
 struct TomlText {
   std::string operator()(double number) const {
     std::string text = fmt::format("{}", number);
@@ -53,18 +51,38 @@ struct Kind {
 };
 
 constexpr std::array kinds{
-    Kind{"elastic, no friction", draw_elastic<data::Friction::none>},
-    Kind{"elastic, full friction", draw_elastic<data::Friction::full>},
-    Kind{"rolling, elastic", draw_rolling<RollingMaterial::elastic>},
-    Kind{"rolling, standard linear solid", draw_rolling<RollingMaterial::standard_linear>},
-    Kind{"rolling, Prony series", draw_rolling<RollingMaterial::prony>},
-    Kind{"rolling, operators", draw_rolling<RollingMaterial::operators>},
-    Kind{"die, exact", draw_half_space<Body::die, data::ContourRule::exact>},
-    Kind{"die, papers' rule", draw_half_space<Body::die, data::ContourRule::stationary_force>},
-    Kind{"rolling sphere", draw_half_space<Body::rolling_sphere, data::ContourRule::stationary_force>},
-    Kind{"sphere, exact", draw_half_space<Body::sphere, data::ContourRule::exact>},
-    Kind{"sphere, papers' rule", draw_half_space<Body::sphere, data::ContourRule::stationary_force>},
-    Kind{"die, similar contour", draw_half_space<Body::die, data::ContourRule::similar_contour>},
+    Kind{"elastic, no friction",
+         [](Random& random) { return draw_elastic_nip(random, data::Friction::none); }},
+    Kind{"elastic, full friction",
+         [](Random& random) { return draw_elastic_nip(random, data::Friction::full); }},
+    Kind{"rolling, elastic",
+         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::elastic); }},
+    Kind{"rolling, standard linear solid",
+         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::standard_linear); }},
+    Kind{"rolling, Prony series",
+         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::prony); }},
+    Kind{"rolling, operators",
+         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::operators); }},
+    Kind{"die, exact",
+         [](Random& random) { return draw_on_half_space(random, Body::die, data::ContourRule::exact); }},
+    Kind{"die, papers' rule",
+         [](Random& random) {
+           return draw_on_half_space(random, Body::die, data::ContourRule::stationary_force);
+         }},
+    Kind{"rolling sphere",
+         [](Random& random) {
+           return draw_on_half_space(random, Body::rolling_sphere, data::ContourRule::stationary_force);
+         }},
+    Kind{"sphere, exact",
+         [](Random& random) { return draw_on_half_space(random, Body::sphere, data::ContourRule::exact); }},
+    Kind{"sphere, papers' rule",
+         [](Random& random) {
+           return draw_on_half_space(random, Body::sphere, data::ContourRule::stationary_force);
+         }},
+    Kind{"die, similar contour",
+         [](Random& random) {
+           return draw_on_half_space(random, Body::die, data::ContourRule::similar_contour);
+         }},
 };
 
 }  // namespace

@@ -8,23 +8,22 @@
 
 namespace nipref::verify {
 
-/// How many numbers >= 0 lie where, and their sum: whatever the order in which they come, and however they are split
-/// into tallies that are added up, it is the same to the last bit. Thirty-two bins an octave from 2^-6 on, one below.
+/// A histogram of numbers >= 0 and their sum. Both are the same to the last bit for any order of the numbers and any
+/// division into tallies that are added. From 2^-6 on there are 32 bins an octave, and one bin below.
 class ErrorTally {
  public:
-  /// Infinity counts as one; no NaN.
+  /// The number may be infinite, but not a NaN.
   void add(double number);
   void add(const ErrorTally& more);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// 2^-32 too large at most; infinite if a number is. Of one number at least.
+  /// The mean, at most 2^-32 too large; infinite if a number is. There must be a number.
   [[nodiscard]] double mean() const;
-  /// At least this share of the numbers does not exceed it: a thirty-second more, or 2^-6, than the smallest of them of
-  /// which that is so at most, and no more than the largest. Of one number at least.
+  /// The percentile, rounded up to the upper end of its bin, but at most the largest number. There must be a number.
   [[nodiscard]] double percentile(double share) const;
 
   [[nodiscard]] Json json() const;
-  /// Of what json() gave. JsonMisfit for anything else.
+  /// Reads what json() has written. JsonMisfit for anything else.
   static ErrorTally of(const Json& json);
 
   bool operator==(const ErrorTally&) const = default;

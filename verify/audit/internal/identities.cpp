@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <nipref/data/scene/keys.hpp>
-#include <nipref/verify/audit/internal/identities.hpp>
+#include <nipref/verify/audit/internal/scene_audit.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -23,7 +23,7 @@ const std::map<std::string_view, Dimension> result_units{
     {"stress", of_stress}, {"1/stress", {0, -1, 0}},    {"speed", {1, 0, -1}}, {"1", {}},
     {"degree", {}}};
 
-/// Factors of the units.
+/// The factors by which the units are multiplied.
 struct Units {
   double length, stress, time;
 
@@ -37,7 +37,7 @@ bool is_prony(const DrawnScene& drawn) {
 }
 bool is_half_space(const DrawnScene& drawn) { return drawn.has("half_space.model"); }
 
-/// Such that every key's factor is whole: what is a stress, a compliance, a time or a rate is the kind's own.
+/// Units for which every key's factor is a whole number: stress or compliance, time or rate, as the kind of scene has.
 Units draw_units(const DrawnScene& drawn, Random& random) {
   const auto odd = [&] { return 3 + 2 * static_cast<double>(random.index(4)); };
   const double a = odd(), b = odd(), c = odd();
@@ -46,7 +46,7 @@ Units draw_units(const DrawnScene& drawn, Random& random) {
   return {a * c, b, c};
 }
 
-/// Nothing where that rounds.
+/// The product; nothing if it is not exact.
 std::optional<double> exact_product(double factor, double number) {
   const double whole = std::round(factor), product = whole * number;
   if (std::fabs(factor - whole) > 1e-9 || std::fma(whole, number, -product) != 0) return {};
@@ -69,7 +69,7 @@ bool multiply(DrawnScene::Value& value, const Units& units, const data::SceneKey
   return true;
 }
 
-/// A number computed from another with a rounding or two.
+/// A number computed from another by up to two roundings.
 Estimate rounded(double value, double error) { return {value, error + 0x1p-51 * std::fabs(value)}; }
 
 std::optional<Variant> in_other_units(const DrawnScene& drawn, Random& random) {
@@ -90,7 +90,7 @@ struct GivenPair {
   ResultId found;
   const char* given_key;
   ResultId given;
-  /// The answer's relative change over that of what is given is at most this.
+  /// A bound of the result's relative change over that of the given number.
   double condition;
 };
 constexpr std::array given_pairs{
@@ -129,7 +129,7 @@ std::vector<double> negated(std::vector<double> numbers) {
   return numbers;
 }
 
-/// C_kl of a half-space whose axis x2 points the other way: those with one index of 4 and 6 change their signs.
+/// C_kl of the half-space with the axis x2 reversed: those with exactly one index of 4 and 6 change their sign.
 std::vector<double> mirrored_stiffness(std::vector<double> upper) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < 6; ++i) {

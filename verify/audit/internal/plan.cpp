@@ -6,7 +6,6 @@
 
 #include <nipref/verify/audit/internal/plan.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/audit/internal/zeros.hpp>
 #include <nipref/verify/support/sha256.hpp>
 
 namespace nipref::verify {
@@ -19,8 +18,8 @@ constexpr double share_of_round = 0.05;
 constexpr double share_of_dense = 0.15;
 constexpr double share_of_search = 0.1;
 
-/// Of an entry that has fewer points of its own than a block, since they are slow, blocks are smaller: who is killed
-/// loses one.
+/// Blocks are smaller for a quantity whose own number of points is less than a block, as its points are slow, and a
+/// process that is killed loses one block.
 constexpr std::size_t slow_block = 64;
 
 std::size_t share(double part, std::size_t points) {
@@ -35,7 +34,7 @@ std::size_t most_in_block(const Quantity& quantity, const AuditOptions& options)
   return quantity.audit_points < points_of_block ? std::min(slow_block, options.block) : options.block;
 }
 
-/// What stands in lists, whoever asks.
+/// The listed points, which do not depend on the block.
 std::vector<Point> listed(const Quantity& quantity, const AuditOptions& options) {
   const std::size_t wanted = options.points_of(quantity);
   const Ranges& ranges = options.ranges;

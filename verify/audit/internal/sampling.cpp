@@ -50,12 +50,12 @@ double spread(ArgumentKind kind, double fraction) {
       return -1 + 1.5 * (1 - fraction);
     case ArgumentKind::index:
       return std::floor(between(1, largest_index));
-    default:  // entries with such arguments draw their own points
+    default:  // quantities with such arguments draw their own points
       return fraction;
   }
 }
 
-/// A second position in some relation to the first.
+/// A second position that is related to the first.
 double related_position(double first, Random& random) {
   switch (random.index(8)) {
     case 0:
@@ -97,14 +97,14 @@ double into_domain(ArgumentKind kind, double value) {
       return std::clamp(value, std::nextafter(-1.0, 0.0), 0.5);
     case ArgumentKind::index:
       return std::clamp(std::round(value), 1.0, largest_index);
-    default:  // steps are relative: they leave no sign behind
+    default:  // relative steps do not change the sign
       return value;
   }
 }
 
 bool has_range(const Ranges& ranges, std::size_t argument) { return !ranges.empty() && ranges[argument]; }
 
-/// Draws the arguments that have a range again, from that.
+/// Draws the arguments that have a range again, from their range.
 void into_ranges(const Ranges& ranges, Point& point, Random& random) {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (ranges[i]) point[i] = ranges[i]->fixed() ? ranges[i]->lower : ranges[i]->at(random.uniform());

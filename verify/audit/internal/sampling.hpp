@@ -8,16 +8,15 @@
 
 namespace nipref::verify {
 
-// Where the audit looks. Positions range over +-[1e-300, 700]; those beyond 50, where ref is slow, are kept
-// to a few per cent, and the middle, [1e-3, 50], where every regime of fast begins or ends, gets half of the
-// points. Ranges restrict arguments that have one: those are drawn evenly as the range is spaced; where none has one,
-// or none is given, the draws are those of the whole domain.
+// The points of an audit. Positions range over +-[1e-300, 700]. Only a few per cent are beyond 50, where ref is slow,
+// and half of them are in [1e-3, 50], where all regimes of fast begin or end. An argument with a range is drawn
+// evenly over the range, in the range's own spacing; the others are drawn from their whole domain.
 
-/// Number `index`, and then every `of`-th.
+/// The items number index, index + of, index + 2 of, ... of a list.
 struct Part {
   std::size_t index = 0, of = 1;
 
-  /// How many of so many it has.
+  /// The number of items of this part in a list of `count`.
   [[nodiscard]] std::size_t size(std::size_t count) const {
     return index < count ? (count - index - 1) / of + 1 : 0;
   }
@@ -30,7 +29,7 @@ double draw(ArgumentKind kind, Random& random);
 /// One random point. A second position is related to the first in a part of the draws: equal, opposite,
 /// close, 0, of another order of magnitude.
 Point draw_point(const Quantity& quantity, const Ranges& ranges, Random& random);
-/// Moved to where the quantity is finite and has a reference, unless that is not in the ranges.
+/// The point, moved to where the quantity is finite and has a reference, unless that is outside the ranges.
 Point kept_off(const Quantity& quantity, const Ranges& ranges, Point point);
 
 /// At most `limit` of the points, taken evenly.
@@ -44,7 +43,7 @@ std::vector<Point> hard_points(const Quantity& quantity, const Ranges& ranges, R
 std::vector<Point> round_points(const Quantity& quantity, const Ranges& ranges, Random& random);
 
 /// A part of `count` points whose first argument is spread evenly over the logarithm of its whole domain, one in each
-/// cell; each argument that has a range is spread so over that.
+/// cell. Each argument with a range is spread over that range in the same way.
 std::vector<Point> dense_points(const Quantity& quantity, const Ranges& ranges, std::size_t count,
                                 Random& random, Part part = {});
 
@@ -55,5 +54,11 @@ std::vector<Point> random_points(const Quantity& quantity, const Ranges& ranges,
 /// A point near `point` for the local search: one argument moved by a few neighbours or by a small relative
 /// step, but not out of its range.
 Point perturbed(const Quantity& quantity, const Ranges& ranges, const Point& point, Random& random);
+
+/// Points at and beside the sign changes of fast's value along its position arguments, found on a grid over
+/// [1e-3, 700] that is finer than the kernels' half period (2.8) and bisected down to adjacent doubles; other
+/// arguments are random, all in their ranges. At most `limit` points, thinned evenly.
+std::vector<Point> zero_points(const Quantity& quantity, const Ranges& ranges, std::size_t limit,
+                               Random& random);
 
 }  // namespace nipref::verify

@@ -9,7 +9,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/number/with_error.hpp>
-#include <nipref/verify/audit/internal/identities.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 
@@ -22,37 +21,37 @@ using Solution = SceneSolution<Estimate>;
 constexpr double best_accuracy = 1e-13;
 constexpr int ref_digits = 20;
 constexpr double longest_by_ref = 20;  // L/B
-/// Of the scenes that are compared with what takes the reference a second, or ten where each line has equations of its
-/// own.
+/// The share of scenes that are compared with results for which the reference takes a second, or ten where the lines
+/// differ.
 constexpr double dear_share = 1.0 / 16, dearest_share = 1.0 / 64;
-/// Over the critical speed: beyond it integrals over lines that differ need thousands of them.
+/// Speed over the critical speed: closer to it, integrals over lines that differ need thousands of lines.
 constexpr double fastest_by_ref = 0.98;
 
 /// A value of the reference, with more digits than a double has.
 using RefNumber = data::WithError<long double, double>;
 
-/// With the rounding to a long double, which has 19 digits, in the error.
+/// A number of the reference; its error includes the rounding to a long double, which has 19 digits.
 RefNumber ref_number(const ref::Estimate& number) {
   const long double value = mpfr_get_ld(number.value.get(), MPFR_RNDN);
   return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
-/// What a number is compared with.
+/// A value with which a number is compared.
 struct Other {
   RefNumber number;
-  bool is_truth;  ///< and not an identity
+  bool is_truth;  ///< false for an identity
 };
 
-/// The numbers of one solved scene, and what every comparison says about them.
+/// The numbers of one solved scene with the findings of all comparisons.
 class Comparisons {
  public:
-  /// `given`: what the scene itself says, so that there is no error to be overestimated.
+  /// `given` are results that the scene itself gives, whose error is 0.
   Comparisons(SceneFindings& findings, const Solution& solved, std::vector<ResultId> given)
       : findings_(findings), solved_(solved), given_(std::move(given)) {
     for (const Solution::Result& result : solved.results) checked_.emplace_back(result.numbers.size());
   }
 
-  /// other_of(result, i), if there is one, for each number of these results.
+  /// Compares each number of these results with other_of(result, i), if that exists.
   void against(const std::string& name, const std::vector<ResultId>& results, const auto& other_of) {
     for (std::size_t k = 0; k < solved_.results.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
@@ -63,7 +62,7 @@ class Comparisons {
     }
   }
 
-  /// Fills in what is counted by number.
+  /// Adds the counts of numbers to the findings.
   void finish() {
     for (std::size_t k = 0; k < checked_.size(); ++k) {
       const Solution::Result& result = solved_.results[k];
@@ -95,7 +94,7 @@ class Comparisons {
     const double both = mine.error + other.error;
     const bool covered = difference <= both;
     if (!covered) checked.uncovered = true;
-    // An identity is as accurate as the scene itself, but for a rounding or two.
+    // An identity is as accurate as the scene itself, except for a rounding or two.
     if (!covered || other.error <= (with.is_truth ? 1 : 2) * mine.error) checked.at_all = true;
     if (!result.allowed.empty() && mine.error <= result.allowed[i] &&
         difference - other.error > result.allowed[i])
@@ -116,7 +115,7 @@ class Comparisons {
         std::fabs(what.id == ResultId::orientation ? std::remainder(difference, 180.0L) : difference));
   }
 
-  /// Over a rounding of the value where the estimates are less, so that those of 0 can be told apart.
+  /// The difference over the estimates, but at least over a rounding of the value, so that estimates may be 0.
   static double ratio_of(double difference, double both, double value, bool covered) {
     if (difference == 0) return 0;
     if (std::isnan(difference)) return std::numeric_limits<double>::infinity();
@@ -141,7 +140,7 @@ class Comparisons {
   std::vector<std::vector<Checked>> checked_;
 };
 
-/// A contact's numbers by name and place.
+/// The numbers of another solution, by result and index.
 struct OtherOf {
   const Solution& solution;
   const Variant* variant = nullptr;  ///< null: the truth
@@ -154,7 +153,7 @@ struct OtherOf {
   }
 
  private:
-  /// Of a list the nearest, as what is sure to one need not be to the other.
+  /// For a list the nearest number, as the two lists may have different lengths.
   [[nodiscard]] Estimate other_number(const Solution::Result& result, std::size_t i) const {
     const std::vector<Estimate>& numbers = solution.profile(result.what->name);
     if (result.what->shape != data::Shape::list) return numbers[i];
@@ -165,7 +164,7 @@ struct OtherOf {
   }
 };
 
-/// Integrals over all lines, and scans of them.
+/// The results that need integrals over all lines or scans of them.
 bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id) {
   if (id == ResultId::compliance || id == ResultId::coupling) return false;
   if (id == ResultId::critical_speed) return !surface.all_lines_are_alike();
@@ -175,8 +174,8 @@ bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, R
   return id != ResultId::span_ratio && std::holds_alternative<data::GivenNormalForce>(problem.given);
 }
 
-/// Twofold integrals next to the critical speed, and integrals over lines that differ, next to it or with 21 constants:
-/// they take the reference minutes.
+/// The results for which the reference takes minutes: twofold integrals close to the critical speed, and integrals over
+/// lines that differ, close to that speed or with 21 constants.
 bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id,
                  double critical_speed) {
   if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, id);
@@ -187,7 +186,7 @@ bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surfac
   return lines_crowd && id != ResultId::critical_speed && is_dear(problem, surface, id);
 }
 
-/// What takes the reference a second or ten of the scenes drawn for it only.
+/// Whether a result is compared: those for which the reference takes seconds are compared for a share of the scenes.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
                       const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
   const RefSurface surface(problem);
@@ -204,12 +203,12 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
                                        : contact->number(id);
       return std::optional(Other{ref_number(number), true});
     } catch (const data::BadInput&) {
-      return std::optional<Other>();  // where no proof is found, or not the digits
+      return std::optional<Other>();  // no proof is found, or the digits are not reached
     }
   });
 }
 
-/// A nip as the reference has it, and no other where it takes longer than a second.
+/// Compares a nip with the reference where that takes up to about a second.
 void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution& solved,
                       const SceneSolvers& solvers) {
   if (drawn.has("rolling.speed") || drawn.text("friction.model") != "none") return;
@@ -226,7 +225,7 @@ void compare_with_ref(Comparisons& comparisons, DrawnScene drawn, const Solution
       return std::optional(Other{ref_number(number), true});
     });
   } catch (const data::BadInput&) {
-    // Places far outside a very thin sheet's contact are beyond the reference's kernels.
+    // Positions far outside the contact of a very thin sheet are outside the domain of the reference's kernels.
   }
 }
 
@@ -243,12 +242,12 @@ void compare_with_variants(Comparisons& comparisons, const DrawnScene& drawn, co
       const Solution other = solvers.fast(variant.scene.scene());
       comparisons.against(variant.name, variant.scene.wanted(), OtherOf{other, &variant});
     } catch (const data::BadInput&) {
-      // At the very end of a domain the variant may be beyond it.
+      // For a scene at the limit of a domain the variant may be outside it.
     }
   }
 }
 
-/// Half of the length is given with it where the contact is symmetric.
+/// The results that the scene gives. Where the contact is symmetric, the length also gives half of it.
 std::vector<ResultId> given_results(const DrawnScene& drawn) {
   if (drawn.has("load.per_length")) return {ResultId::load};
   if (drawn.has("load.normal_force")) return {ResultId::normal_force};

@@ -13,7 +13,7 @@ constexpr std::array counts{&SceneTally::scenes,        &SceneTally::refused,   
                             &SceneTally::numbers,       &SceneTally::unchecked,      &SceneTally::uncovered,
                             &SceneTally::miss_reported, &SceneTally::miss_unreported};
 
-/// Of two that there are, the one with more of something, or the first.
+/// Keeps the findings with the larger member or, if they are equal, with the lower index.
 template <class Member>
 void take_worse(SceneFindings& kept, bool is_there, const SceneFindings& other, bool other_is_there,
                 Member member) {

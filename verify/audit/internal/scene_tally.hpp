@@ -13,17 +13,17 @@
 
 namespace nipref::verify {
 
-/// What was found about the drawn scenes of one kind: sums of SceneFindings, whatever their order. Of several that are
-/// equally bad the first of the seed stands for all.
+/// Sums of the findings about the drawn scenes of one kind, which do not depend on their order. Among equally bad
+/// scenes the one with the lowest index is kept.
 struct SceneTally {
   std::string_view kind = {};
   std::size_t scenes = 0;
   std::size_t refused = 0, failed = 0;
   std::size_t numbers = 0, unchecked = 0, uncovered = 0, miss_reported = 0, miss_unreported = 0;
   ErrorTally overestimates = {};  ///< estimate over error
-  SceneFindings refusal = {};     ///< the first one; this and the next where there is one
-  SceneFindings failure = {};     ///< likewise
-  SceneFindings worst = {};       ///< that with the largest ratio of error to estimate
+  SceneFindings refusal = {};     ///< the first refused scene, if refused > 0
+  SceneFindings failure = {};     ///< the first scene that failed, if failed > 0
+  SceneFindings worst = {};       ///< the scene with the largest ratio of error to estimate
   SceneFindings slowest = {};
 
   void add(const SceneFindings& findings);
@@ -32,20 +32,20 @@ struct SceneTally {
   [[nodiscard]] std::optional<double> median_overestimate() const;
 };
 
-/// One for each kind, by its number.
+/// One tally for each kind, in the order of drawn_kinds().
 std::vector<SceneTally> tally(const std::vector<SceneFindings>& findings);
-/// Of kinds of which there are scenes.
+/// The tallies that have scenes.
 std::vector<SceneTally> without_empty(std::vector<SceneTally> tallies);
 
-/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. `on_progress`, which may be empty, is called with
-/// the part of them that is done. Interrupted if the process is.
+/// Audits scenes `first` to `first + count - 1` of `seed` on all cores. `on_progress`, which may be empty, is called
+/// with the part that is done. Throws Interrupted if the process is.
 std::vector<SceneFindings> audit_scenes(std::size_t first, std::size_t count, const std::string& seed,
                                         const std::function<void(double part)>& on_progress,
                                         const SceneSolvers& solvers = {});
 
-/// Of one kind as a block of a run tells it; seconds are in "times".
+/// A tally as it is written to a run's folder; seconds are in "times".
 Json scene_tally_found(const SceneTally& tally);
-/// JsonMisfit for what scene_tally_found does not give.
+/// Reads what scene_tally_found has written. JsonMisfit for anything else.
 SceneTally scene_tally_of(const Json& found);
 
 /// A table, and below it the worst scene of each kind that has not kept its estimates.

@@ -14,13 +14,13 @@
 
 namespace nipref::verify {
 
-/// What was found in one block: numbers, which become text only where a file or another process takes them.
+/// The findings of one block. They become text only when they are written to a file.
 using BlockFindings = std::variant<QuantityFindings, std::vector<ContactAudit>, std::vector<SceneTally>>;
 
 Json block_findings_json(const BlockFindings& found);
 
-/// Work that falls into blocks, which may be done in any order, by any process, and more than once: what is found in a
-/// block is always the same (but for seconds), and what is found in all of them together does not depend on the order.
+/// Work in blocks, which may be computed in any order, by any process, and more than once: the findings of a block are
+/// always the same (except for seconds), and their sum does not depend on the order.
 class BlockWork {
  public:
   BlockWork() = default;
@@ -28,28 +28,28 @@ class BlockWork {
   BlockWork& operator=(const BlockWork&) = delete;
   virtual ~BlockWork() = default;
 
-  /// Unlike that of all others in a run.
+  /// A name that is unique in a run.
   [[nodiscard]] virtual std::string name() const = 0;
   [[nodiscard]] virtual std::size_t blocks() const = 0;
-  /// A text that is another one where what is found in the blocks may be.
+  /// A text that differs wherever the findings of the blocks may differ.
   [[nodiscard]] virtual std::string inputs() const = 0;
-  /// Does a block on all cores. `on_progress`, which may be empty, is called with the part of it that is done. Interrupted
-  /// if the process is.
+  /// Computes a block on all cores. `on_progress`, which may be empty, is called with the part that is done. Throws
+  /// Interrupted if the process is.
   [[nodiscard]] virtual BlockFindings found_in(std::size_t block,
                                                const std::function<void(double part)>& on_progress) const = 0;
-  /// The findings of which block_findings_json gave `json`. JsonMisfit for anything else.
+  /// Reads what block_findings_json has written. JsonMisfit for anything else.
   [[nodiscard]] virtual BlockFindings read_findings(const Json& json) const = 0;
-  /// Adds what was found in a block that is not there yet.
+  /// Adds the findings of a block that has not been added yet.
   virtual void add(std::size_t block, const BlockFindings& found) = 0;
 };
 
 /// The audit of values of one quantity.
 class QuantityWork : public BlockWork {
  public:
-  /// Of fast's values. The quantity must outlive it. `keeps_points`: the result tells where errors lie, which takes
-  /// memory for all points.
+  /// The audit of fast's values. The quantity must outlive it. With `keeps_points` the result has the distribution of
+  /// the errors over the arguments, which takes memory for all points.
   QuantityWork(const Quantity& quantity, AuditOptions options, bool keeps_points = false);
-  /// Of anybody's values.
+  /// The audit of other values.
   QuantityWork(const Quantity& quantity, AuditOptions options, Evaluator evaluator, bool is_fast,
                bool keeps_points);
 
@@ -61,7 +61,7 @@ class QuantityWork : public BlockWork {
   [[nodiscard]] BlockFindings read_findings(const Json& json) const override;
   void add(std::size_t block, const BlockFindings& found) override;
 
-  /// Of the blocks that were added. BadInput if the reference refuses all points of all ranges.
+  /// The result from the blocks that were added. BadInput if the reference refuses all points.
   [[nodiscard]] AuditResult result() const;
 
  private:
@@ -72,7 +72,7 @@ class QuantityWork : public BlockWork {
   Evaluator evaluator_;
   Comparator comparator_;
   bool keeps_points_;
-  mutable std::unique_ptr<AuditPlan> plan_;  ///< made when it is asked for first: that takes a while
+  mutable std::unique_ptr<AuditPlan> plan_;  ///< made when it is first needed, as this takes time
   QuantityFindings sum_;
 };
 
@@ -97,11 +97,11 @@ class HardCasesWork : public BlockWork {
 /// The audit of random scenes of whole contacts.
 class ScenesWork : public BlockWork {
  public:
-  /// The first `count` of a seed, in blocks of so many at most.
+  /// The first `count` scenes of a seed, in blocks of at most `most`.
   ScenesWork(std::size_t count, std::string seed, std::size_t most = scenes_of_block,
              SceneSolvers solvers = {});
 
-  /// So few because they are slow.
+  /// Scenes are slow, so that their blocks are small.
   static constexpr std::size_t scenes_of_block = 32;
 
   [[nodiscard]] std::string name() const override { return "random scenes"; }

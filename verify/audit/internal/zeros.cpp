@@ -1,7 +1,6 @@
 #include <cmath>
 
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/audit/internal/zeros.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -9,7 +8,7 @@ namespace {
 constexpr int neighbours_on_each_side = 3;
 constexpr int lines_with_random_arguments = 6;
 
-/// Logarithmic up to 1, then linear.
+/// A grid that is logarithmic up to 1, then linear.
 std::vector<double> grid() {
   std::vector<double> nodes;
   for (double x = 1e-3; x < 1; x *= 1.05) nodes.push_back(x);
@@ -17,7 +16,7 @@ std::vector<double> grid() {
   return nodes;
 }
 
-/// fast along one argument through a base point.
+/// fast as a function of one argument; the others are those of a base point.
 class Line {
  public:
   Line(const Quantity& quantity, Point base, std::size_t argument)
@@ -58,7 +57,7 @@ void add_neighbourhood(const Line& line, double x, std::vector<Point>& points) {
 void add_zeros(const Line& line, std::vector<Point>& points) {
   static const std::vector<double> nodes = grid();
   for (std::size_t i = 1; i < nodes.size(); ++i) {
-    if (line.is_zero(nodes[i])) continue;  // underflow, where a sign means nothing
+    if (line.is_zero(nodes[i])) continue;  // the value underflows, and has no sign
     if (line.is_negative(nodes[i - 1]) == line.is_negative(nodes[i])) continue;
     add_neighbourhood(line, bisect(line, nodes[i - 1], nodes[i]), points);
   }
