@@ -9,6 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
+#include <nipref/verify/catalogue/internal/solid_of_scene.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -36,7 +37,9 @@ ref::Exact parse(const Argument& argument, const std::string& text) {
   return ref::Exact(static_cast<double>(found - argument.choices.begin()));
 }
 
+/// The argument that a user writes as MODEL(KEY=VALUE, ...), a material or a solid; null if there is none.
 const Argument* material_of(const Quantity& quantity) {
+  if (quantity.solid) return &*quantity.solid;
   const auto found =
       std::ranges::find_if(quantity.arguments, [](const Argument& one) { return !one.keys.empty(); });
   return found == quantity.arguments.end() ? nullptr : &*found;
@@ -87,24 +90,26 @@ void append_key(const std::vector<ModelKey>& keys, const std::string& item, cons
   if (is_list != (key->arguments.size() > 1)) throw not_so;
   if (is_list) value = value.substr(1, value.size() - 2);
   const std::vector<std::string> values = is_list ? items_of(value) : std::vector{value};
-  if (values.empty() || values.size() > key->arguments.size())
+  const std::size_t most = key->arguments.size(), least = key->is_whole ? most : 1;
+  if (values.size() < least || values.size() > most)
     throw BadInput(key->name, "[" + value + "]",
-                   fmt::format("must hold 1 to {} numbers", key->arguments.size()));
+                   fmt::format("must hold {}{} numbers", least < most ? "1 to " : "", most));
   for (std::size_t i = 0; i < key->arguments.size(); ++i)
     all.emplace_back(key->arguments[i], i < values.size() ? values[i] : "0");
 }
 
-void append_material(const Argument& material, const std::string& given, Assignments& all) {
+/// `is_number`: a number of the point says which model it is.
+void append_material(const Argument& material, bool is_number, const std::string& given, Assignments& all) {
   const std::string text = without_blanks(given);
   const std::size_t open = text.find('(');
   const auto found = std::ranges::find(material.choices, text.substr(0, open));
   if (found == material.choices.end()) throw BadInput(material.name, given, "must be " + domain(material));
-  all.emplace_back(material.name, *found);
+  if (is_number) all.emplace_back(material.name, *found);
   if (open == std::string::npos) return;
   const auto model = static_cast<std::size_t>(found - material.choices.begin());
   const BadInput not_so(material.name, given,
                         fmt::format("must be {}, each key at most once", written_model(material, model)));
-  if (!text.ends_with(')')) throw not_so;
+  if (!text.ends_with(')') || text.ends_with("()")) throw not_so;
   for (const std::string& item : items_of(text.substr(open + 1, text.size() - open - 2)))
     append_key(material.keys[model], item, not_so, all);
 }
@@ -115,7 +120,7 @@ void append_material(const Argument& material, const std::string& given, Assignm
       material.keys, [&](const std::vector<ModelKey>& keys) { return holds(keys, name); });
   throw BadInput(
       name, value,
-      fmt::format("is part of the material: {}={}", material.name,
+      fmt::format("is part of the {0}: {0}={1}", material.name,
                   written_model(material, static_cast<std::size_t>(model - material.keys.begin()))));
 }
 
@@ -136,11 +141,18 @@ std::string written_model(const Argument& material, std::size_t model) {
   return fmt::format("{}({})", material.choices[model], fmt::join(keys, ", "));
 }
 
+const std::string& written_name(const Quantity& quantity, const Argument& argument) {
+  const Argument* const material = material_of(quantity);
+  return is_of_material(material, argument.name) ? material->name : argument.name;
+}
+
 std::vector<Argument> written_arguments(const Quantity& quantity) {
-  std::vector<Argument> written = quantity.arguments;
-  std::erase_if(written, [material = material_of(quantity)](const Argument& argument) {
-    return is_of_material(material, argument.name);
-  });
+  std::vector<Argument> written;
+  for (const Argument& argument : quantity.arguments) {
+    const std::string& name = written_name(quantity, argument);
+    if (std::ranges::find(written, name, &Argument::name) != written.end()) continue;
+    written.push_back(name == argument.name ? argument : *material_of(quantity));
+  }
   return written;
 }
 
@@ -149,7 +161,9 @@ Assignments with_material_numbers(const Quantity& quantity, const Assignments& g
   Assignments all;
   for (const auto& [name, value] : given) {
     if (material != nullptr && name == material->name) {
-      append_material(*material, value, all);
+      const std::string text =
+          value.starts_with('@') ? solid_of_scene(quantity, *material, value.substr(1)) : value;
+      append_material(*material, !quantity.solid, text, all);
     } else if (is_of_material(material, name)) {
       refuse_outside_material(*material, name, value);
     } else {
@@ -170,17 +184,20 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
     return key.name + (values.size() > 1 ? "=[" + list + "]" : "=" + list);
   };
-  Assignments written;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const Argument& argument = quantity.arguments[i];
-    if (is_of_material(material, argument.name)) continue;
-    written.emplace_back(argument.name, text[i]);
-    if (&argument != material) continue;
-    const auto model = std::ranges::find(material->choices, text[i]) - material->choices.begin();
+  const auto text_of_model = [&](const std::string& model) {
+    const auto number = std::ranges::find(material->choices, model) - material->choices.begin();
     std::vector<std::string> keys;
-    for (const ModelKey& key : material->keys[static_cast<std::size_t>(model)])
+    for (const ModelKey& key : material->keys[static_cast<std::size_t>(number)])
       keys.push_back(text_of_key(key));
-    written.back().second += fmt::format("({})", fmt::join(keys, ", "));
+    return fmt::format("{}({})", model, fmt::join(keys, ", "));
+  };
+  Assignments written;
+  for (const Argument& argument : written_arguments(quantity)) {
+    const auto at = std::ranges::find(quantity.arguments, argument.name, &Argument::name);
+    const std::string& own = at == quantity.arguments.end()
+                                 ? argument.choices.front()
+                                 : text[static_cast<std::size_t>(at - quantity.arguments.begin())];
+    written.emplace_back(argument.name, argument.keys.empty() ? own : text_of_model(own));
   }
   return written;
 }
@@ -197,14 +214,14 @@ Assignments written_point(const Quantity& quantity, std::span<const double> poin
 }
 
 void refuse_unknown_arguments(const Quantity& quantity, const Assignments& assignments) {
+  const std::vector<Argument> written = written_arguments(quantity);
   std::vector<std::string_view> known;
-  for (const Argument& argument : quantity.arguments) known.push_back(argument.name);
+  for (const Argument& argument : written) known.push_back(argument.name);
   for (const auto& [name, value] : assignments) {
-    if (std::ranges::find(known, name) == known.end()) {
-      throw BadInput(name, value,
-                     fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
-                                 quantity.name, fmt::join(known, ", ")));
-    }
+    if (std::ranges::find(quantity.arguments, name, &Argument::name) != quantity.arguments.end()) continue;
+    throw BadInput(name, value,
+                   fmt::format("unknown argument: {}{} takes {}", data::did_you_mean(name, known),
+                               quantity.name, fmt::join(known, ", ")));
   }
 }
 

@@ -14,8 +14,9 @@ namespace nipref::verify {
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
 /// `given` as a user writes it, with material=MODEL(KEY=VALUE, KEY=[VALUE, ...]) replaced by the model and the arguments
-/// that hold its numbers; a list may be shorter than it can be, what it lacks is 0. BadInput for a text of another form,
-/// a key that the model does not have, and an argument of the material that stands outside of it.
+/// that hold its numbers, and solid=MODEL(...) likewise. @FILE stands for the material, or half-space, of the scene in
+/// that file. A list may be shorter than it can be unless the model needs all of it; what it lacks is 0. BadInput for
+/// a text of another form, a key that the model does not have, and an argument of the material that stands outside it.
 Assignments with_material_numbers(const Quantity& quantity, const Assignments& given);
 
 /// The text of each of the quantity's arguments as a user writes it: a material is one text with what its model has.
@@ -25,7 +26,10 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
 Assignments written_point(const Quantity& quantity, std::span<const double> point,
                           const std::function<std::string(double)>& number);
 
-/// The arguments that a user writes: without those that hold numbers of a material.
+/// The name by which a user writes the argument: its own, or that of the material or solid that holds it.
+const std::string& written_name(const Quantity& quantity, const Argument& argument);
+
+/// The arguments that a user writes: a material or solid in place of those that hold its numbers.
 std::vector<Argument> written_arguments(const Quantity& quantity);
 
 /// How the model of that number is written: MODEL(KEY=..., KEY=[...]).

@@ -40,6 +40,7 @@ enum class ArgumentKind {
 struct ModelKey {
   std::string name;
   std::vector<std::string> arguments;
+  bool is_whole = false;  ///< all numbers must be given; otherwise those that lack at the end are 0
 };
 
 struct Argument {
@@ -91,6 +92,9 @@ struct Quantity {
   std::string scale;       ///< what errors are measured against, in words
   std::string unit = "1";  ///< of the value; 1: none
   std::vector<Argument> arguments;
+  /// A user writes the constants of a half-space as one argument, solid=MODEL(KEY=VALUE, KEY=[VALUE, ...]). It has one
+  /// model, so that no number of a point says which.
+  std::optional<Argument> solid = {};
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;

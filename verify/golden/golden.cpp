@@ -93,8 +93,7 @@ class Reader {
  private:
   /// Of the argument itself, or of the material that holds it.
   [[nodiscard]] std::size_t column_of(const Argument& argument) const {
-    auto column = std::ranges::find(named_, argument.name, &Argument::name);
-    if (column == named_.end()) column = std::ranges::find(named_, "material", &Argument::name);
+    const auto column = std::ranges::find(named_, written_name(quantity_, argument), &Argument::name);
     return static_cast<std::size_t>(column - named_.begin());
   }
 

@@ -66,14 +66,18 @@ TEST_CASE("solids, motions and choices that cannot be are refused by name") {
   check_refused("halfspace.rayleigh poisson=-1", "poisson = -1: ");
   check_refused("halfspace.compliance poisson=0.3 speed=-0.1", "speed = -0.1: must be a finite number >= 0");
   check_refused("die.span_ratio poisson=0.3 speed=0.1 friction=-0.1", "friction = -0.1: ");
-  check_refused("ti.compliance speed=0.1 c13=60", "c13 = ");
-  check_refused("ti.compliance speed=0.1 c66=0", "c66 = 0: ");
+  check_refused("ti.compliance speed=0.1 'solid=transversely-isotropic(c13=60)'", "c13 = ");
+  check_refused("ti.compliance speed=0.1 'solid=transversely-isotropic(c66=0)'", "c66 = 0: ");
   check_refused("ti.compliance speed=0.1 axis=oblique", "axis = oblique: must be normal or in-plane");
   check_refused("ellipse.axis_ratio poisson=0.3 speed=0.1 curvature_ratio=0", "curvature_ratio = 0: ");
   check_refused("ellipse.stiffness poisson=0.3 speed=0.1 curvature_ratio=-1", "curvature_ratio = -1: ");
   check_refused("ti.condition axis=in-plane theta_deg=45 speed=0.5", "must be below 0.49899605");
-  check_refused("anisotropic.compliance speed=0.1 c12=60", "stiffness = ");
-  check_refused("anisotropic.compliance speed=0.1 c11=0", "c11 = 0: ");
+  check_refused(
+      "anisotropic.compliance speed=0.1 'solid=anisotropic(stiffness=[1,2,2,0,0,0,1,2,0,0,0,1,0,0,0,1,0,0,1,0,1],"
+      "density=1)'",
+      "stiffness = ");
+  check_refused("anisotropic.compliance speed=0.1 c11=0",
+                "c11 = 0: is part of the solid: solid=anisotropic(stiffness=");
   check_refused("anisotropic.coupling speed=1.6 theta_deg=45 psi_deg=24.5589",
                 "speed = 1.6: must be below 1.5638");
   check_refused("ti.branch which=57", "which = 57: must be 56 or plus or minus");

@@ -18,8 +18,10 @@ namespace {
 
 const std::string head =
     "# quantity: ti.branch\n# digits: 30\n"
-    "theta_deg,which,c11,c33,c13,c44,c66,density,value,bound,scale,status,confirmed_by,origin\n";
-const std::string row = "-0x1.8p+4,minus,0x1p+3,0x1p+4,0x0p+0,0x1p+1,0x1p+1,0x1p+10";
+    "theta_deg,which,solid,value,bound,scale,status,confirmed_by,origin\n";
+const std::string row =
+    "-0x1.8p+4,minus,\"transversely-isotropic(c11=0x1p+3, c33=0x1p+4, c13=0x0p+0, c44=0x1p+1, c66=0x1p+1, "
+    "density=0x1p+10)\"";
 
 std::string refusal(const std::string& text) {
   const ScratchFile file(text);

@@ -198,17 +198,24 @@ Quantity entry_anisotropic_critical() {
 
 }  // namespace
 
-std::vector<Argument> stiffness_arguments() {
+ArgumentGroup stiffness_arguments() {
   const data::Stiffness standard = epoxy();
   std::vector<Argument> arguments;
+  ModelKey stiffness{"stiffness", {}, true};
   for (const auto& [i, k] : places) {
-    arguments.push_back({fmt::format("c{}{}", i + 1, k + 1),
+    stiffness.arguments.push_back(fmt::format("c{}{}", i + 1, k + 1));
+    arguments.push_back({stiffness.arguments.back(),
                          i == k ? ArgumentKind::positive : ArgumentKind::amplitude,
                          fmt::format("{:.15g}", standard.voigt[i][k]),
                          {}});
   }
   arguments.push_back({"density", ArgumentKind::positive, fmt::format("{}", standard.density), {}});
-  return arguments;
+  return {arguments, Argument{"solid",
+                              ArgumentKind::choice,
+                              "anisotropic",
+                              {},
+                              {"anisotropic"},
+                              {{stiffness, {"density", {"density"}}}}}};
 }
 
 std::vector<Quantity> anisotropic_entries() {

@@ -31,7 +31,7 @@ const std::map<std::string_view, ArgumentKind> kinds{{"nonzero_position", Argume
                                                      {"nonnegative", ArgumentKind::nonnegative},
                                                      {"degrees", ArgumentKind::degrees}};
 
-using Groups = std::map<std::string_view, std::vector<Argument> (*)()>;
+using Groups = std::map<std::string_view, ArgumentGroup (*)()>;
 const Groups groups{{"@sheet", sheet_arguments},
                     {"@material", material_arguments},
                     {"@constants", constants_arguments},
@@ -63,8 +63,10 @@ Quantity quantity_of(const toml::table& row) {
   quantity.name = row["name"].value<std::string>().value();
   quantity.subject = row["subject"].value<std::string>().value();
   for (const std::string& word : parts_of(row["arguments"].value<std::string>().value(), ' ')) {
-    if (const auto group = groups.find(word); group != groups.end()) {
-      std::ranges::move(group->second(), std::back_inserter(quantity.arguments));
+    if (const auto found = groups.find(word); found != groups.end()) {
+      ArgumentGroup group = found->second();
+      std::ranges::move(group.arguments, std::back_inserter(quantity.arguments));
+      quantity.solid = std::move(group.written);
     } else {
       quantity.arguments.push_back(argument_of(word));
     }
@@ -80,6 +82,12 @@ Quantity quantity_of(const toml::table& row) {
 }
 
 }  // namespace
+
+std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments) {
+  std::vector<ModelKey> keys;
+  for (const std::string& argument : arguments) keys.push_back({argument, {argument}});
+  return keys;
+}
 
 const std::vector<Quantity>& described_quantities() {
   static const std::vector<Quantity> all = [] {

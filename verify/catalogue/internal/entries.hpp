@@ -29,12 +29,21 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
-// Groups of arguments that several quantities take, @sheet, @material, @constants and @stiffness in the table.
+/// Arguments that several quantities take, and the one by which a user writes them, if that holds no number of a point.
+struct ArgumentGroup {
+  std::vector<Argument> arguments;
+  std::optional<Argument> written = {};
+};
 
-std::vector<Argument> sheet_arguments();  ///< a moving load's speed, half-thickness and viscoelastic material
-std::vector<Argument> material_arguments();   ///< every model of a viscoelastic material
-std::vector<Argument> constants_arguments();  ///< of a transversely isotropic solid
-std::vector<Argument> stiffness_arguments();  ///< of an anisotropic solid
+// @sheet, @material, @constants and @stiffness in the table.
+
+ArgumentGroup sheet_arguments();      ///< a moving load's speed, half-thickness and viscoelastic material
+ArgumentGroup material_arguments();   ///< every model of a viscoelastic material
+ArgumentGroup constants_arguments();  ///< of a transversely isotropic solid
+ArgumentGroup stiffness_arguments();  ///< of an anisotropic solid
+
+/// Keys of the same name as the argument that holds their number.
+std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments);
 
 /// Values of an argument of that kind where trouble is likely, of a quantity without sampling of its own.
 std::vector<double> hard_values(ArgumentKind kind);

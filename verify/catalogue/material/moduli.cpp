@@ -181,7 +181,7 @@ Quantity theta_entry(const char* name, Springs springs,
 
 }  // namespace
 
-std::vector<Argument> material_arguments() {
+ArgumentGroup material_arguments() {
   std::vector<Argument> arguments{
       {"material", ArgumentKind::choice, models.front(), {}, models, keys_of_models()}};
   for (const std::string name : {"shear", "bulk"}) {
@@ -190,7 +190,7 @@ std::vector<Argument> material_arguments() {
   }
   arguments.push_back({"relaxation_time", ArgumentKind::positive, "1", {}});
   std::ranges::move(rational_arguments(), std::back_inserter(arguments));
-  return arguments;
+  return {arguments};
 }
 
 std::vector<Quantity> material_entries() {

@@ -266,7 +266,7 @@ Quantity steady_entry(Quantity entry, const std::vector<const char*>& names) {
 
 }  // namespace
 
-std::vector<Argument> sheet_arguments() {
+ArgumentGroup sheet_arguments() {
   const auto single = keys_of_numbers({"bulk", "relaxation_time"});
   std::vector<Argument> arguments{{"speed", ArgumentKind::positive, "1", {}},
                                   {"half_thickness", ArgumentKind::positive, "1", {}},
@@ -279,7 +279,7 @@ std::vector<Argument> sheet_arguments() {
                                   {"bulk", ArgumentKind::positive, "1", {}},
                                   {"relaxation_time", ArgumentKind::positive, "1", {}}};
   std::ranges::move(rational_arguments(), std::back_inserter(arguments));
-  return arguments;
+  return {arguments};
 }
 
 std::vector<Quantity> moving_load_entries() {

@@ -67,6 +67,41 @@ TEST_CASE("materials: only what the model has is written, and it is written in t
   check_call_refused("eval material.G t=1 'material=elastic(shear=1, shear=2)'", "given twice");
 }
 
+TEST_CASE("materials and solids may be those of a scene") {
+  const auto output = [](const std::string& arguments) {
+    const Outcome outcome = run("eval " + arguments + " --path fast");
+    CHECK(outcome.status == 0);
+    return outcome.out.substr(outcome.out.find("  value"), 80);
+  };
+  const std::string scenes = source_directory() + "/data/scenes/";
+  CHECK(output("Un t=1 T=0.5 'material=@" + scenes + "viscoelastic-operators.toml'") ==
+        output("Un t=1 T=0.5 'material=operators(P=[2, 0.1], Q=[5.4375e4, 5.4375e3], P_dilatation=[1], "
+               "Q_dilatation=[1.45e5])'"));
+  CHECK(output("ti.rayleigh axis=in-plane 'solid=@" + scenes + "half-space-sphere-in-plane-axis.toml'") ==
+        output("ti.rayleigh axis=in-plane 'solid=transversely-isotropic(c11=13.9e9, c33=160.7e9, c13=6.44e9, "
+               "c44=7.07e9, c66=3.5e9, density=1688)'"));
+  CHECK(output("anisotropic.critical 'solid=@" + scenes + "half-space-anisotropic.toml'") ==
+        output(
+            "anisotropic.critical 'solid=anisotropic(stiffness=[68.3, 32.2, 30.4, 4.9, -2.3, -0.9, 184.3, 5, "
+            "-4.4, -7.8, -6.4, 180, -9.2, 7.5, -9.4, 25, -2.4, -7.2, 26.9, 0.6, 33.6], density=2.62)'"));
+  check_call_refused("eval Un t=1 T=2 material=@none.toml", "material = none.toml: ");
+  check_call_refused("eval Un t=1 T=2 'material=@" + scenes + "half-space-anisotropic.toml'",
+                     "must be a scene's file with a table [material]");
+  check_call_refused("eval material.G t=1 'material=@" + scenes + "thin-full-friction.toml'",
+                     "must be elastic(shear=..., bulk=...)");
+}
+
+TEST_CASE("solids: the constants of a half-space are one argument") {
+  CHECK(run("list anisotropic.across").out.find("solid=anisotropic(stiffness=[...], density=...)") !=
+        std::string::npos);
+  check_call_refused("eval anisotropic.across speed=0.1 c12=3",
+                     "c12 = 3: is part of the solid: solid=anisotropic(");
+  check_call_refused("eval anisotropic.across speed=0.1 'solid=anisotropic(stiffness=[1, 2], density=1)'",
+                     "stiffness = [1,2]: must hold 21 numbers");
+  check_call_refused("eval Un t=1 T=2 'material=operators()'",
+                     "material = operators(): must be operators(P=");
+}
+
 TEST_CASE("materials: what is no solid is refused in one line") {
   check_call_refused("eval material.G t=1 material=rubber", "material = rubber");
   check_call_refused("eval material.G t=1 'material=prony(theta1_rates=[-1])'", "theta1_rate = -1");

@@ -57,15 +57,22 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   };
 }
 
-std::vector<Argument> constants_arguments() {
+ArgumentGroup constants_arguments() {
   const auto& [c11, c33, c13, c44, c66, density] = graphite_epoxy;
   const auto argument = [](const char* name, ArgumentKind kind, double value) {
     return Argument{name, kind, fmt::format("{}", value), {}};
   };
+  const std::string model = "transversely-isotropic";
   return {
-      argument("c11", ArgumentKind::positive, c11),  argument("c33", ArgumentKind::positive, c33),
-      argument("c13", ArgumentKind::amplitude, c13), argument("c44", ArgumentKind::positive, c44),
-      argument("c66", ArgumentKind::positive, c66),  argument("density", ArgumentKind::positive, density)};
+      {argument("c11", ArgumentKind::positive, c11), argument("c33", ArgumentKind::positive, c33),
+       argument("c13", ArgumentKind::amplitude, c13), argument("c44", ArgumentKind::positive, c44),
+       argument("c66", ArgumentKind::positive, c66), argument("density", ArgumentKind::positive, density)},
+      Argument{"solid",
+               ArgumentKind::choice,
+               model,
+               {},
+               {model},
+               {keys_of_numbers({"c11", "c33", "c13", "c44", "c66", "density"})}}};
 }
 
 data::SymmetryAxis symmetry_axis(const NamedPoint& x) {
@@ -187,6 +194,6 @@ double draw_share(Random& random, double least, double largest) {
 double draw_angle(Random& random) { return random.uniform(-90, 90); }
 double draw_friction(Random& random) { return random.chance(0.2) ? 0 : random.uniform(0, 1); }
 
-void put_epoxy(const NamedNumbers& x) { set_defaults(x, constants_arguments()); }
+void put_epoxy(const NamedNumbers& x) { set_defaults(x, constants_arguments().arguments); }
 
 }  // namespace nipref::verify

@@ -93,12 +93,6 @@ std::vector<Argument> operator_arguments() {
   return arguments;
 }
 
-std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments) {
-  std::vector<ModelKey> keys;
-  for (const std::string& argument : arguments) keys.push_back({argument, {argument}});
-  return keys;
-}
-
 std::vector<ModelKey> prony_keys() {
   std::vector<ModelKey> keys;
   for (const std::string name : functions) {

@@ -27,8 +27,6 @@ ref::ExactRationalSolid exact_operators_of(const NamedExact& x);
 /// Keys of the models "prony" and "operators", as in a scene.
 std::vector<ModelKey> prony_keys();
 std::vector<ModelKey> operator_keys();
-/// Keys of the same name as the argument that holds their number.
-std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments);
 
 /// Sets to its default each number that belongs to a model of the material other than the chosen one.
 void default_unread(const NamedNumbers& x);
