@@ -46,6 +46,14 @@ class RollingSphere {
   /// The pressure at the centre, which is the same on every line; unit of stress.
   [[nodiscard]] Estimate peak_pressure() const;
   [[nodiscard]] RollingLine along(Direction from_motion) const;
+  // On the line in the direction psi from the motion.
+  [[nodiscard]] Estimate span(Direction psi) const { return span_ratio(psi) * span_; }  ///< L(psi)
+  [[nodiscard]] Estimate pressure(Direction psi, double x) const {
+    return -1 * along(psi).normal_traction(x);
+  }
+  [[nodiscard]] Estimate shear(Direction psi, double x) const { return along(psi).shear_traction(x); }
+  [[nodiscard]] Estimate creep(Direction psi) const { return along(psi).creep; }
+  [[nodiscard]] Estimate compressed_radius(Direction psi) const { return along(psi).compressed_radius(); }
 
  private:
   struct Shape;

@@ -53,6 +53,10 @@ class SlidingContact {
   /// The same across the motion, 90 degrees counterclockwise from it.
   [[nodiscard]] Estimate centre_across() const { return centre_across_; }
   [[nodiscard]] Estimate span_ratio(Direction psi) const;  ///< L(psi)/L1
+  // On the line in the direction psi.
+  [[nodiscard]] Estimate span(Direction psi) const { return span_ratio(psi) * span_; }  ///< L(psi)
+  [[nodiscard]] Estimate leading_end(Direction psi) const { return along(psi).leading_end(); }
+  [[nodiscard]] Estimate pressure(Direction psi, double x) const { return along(psi).pressure(x); }
   /// The line in the direction psi, of unit length; psi + 180 degrees is the same line with x reversed.
   [[nodiscard]] SlidingLine along(Direction psi) const;
 

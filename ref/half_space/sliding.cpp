@@ -296,12 +296,6 @@ Estimate SlidingContact::force() const {
       [&](const Float& factor) { return force_of(implementation_->load, factor); });
 }
 
-Estimate SlidingContact::friction_force() const {
-  return implementation_->function_of_factor([&](const Float& factor) -> Float {
-    return to_float(implementation_->friction) * force_of(implementation_->load, factor);
-  });
-}
-
 Estimate SlidingContact::peak_pressure() const {
   return implementation_->function_of_span(
       [&](const Float& along) -> Float { return implementation_->steepness * along; });

@@ -43,7 +43,6 @@ class SlidingContact {
   [[nodiscard]] Estimate span(const Exact& degrees) const;        ///< L(psi), unit of length
   [[nodiscard]] Estimate span_ratio(const Exact& degrees) const;  ///< L(psi)/L(0)
   [[nodiscard]] Estimate force() const;
-  [[nodiscard]] Estimate friction_force() const;
   [[nodiscard]] Estimate peak_pressure() const;  ///< on the line along the motion, unit of stress
   [[nodiscard]] Estimate leading_end(const Exact& degrees) const;  ///< x+ = -Omega L, unit of length
   /// The pressure at x on a line, 0 outside the contact. The error includes that of the line's ends.

@@ -62,9 +62,13 @@ void check_digits(int digits) {
   }
 }
 
-Enclosure exact_zero(int digits) {
+Enclosure exact_zero(int digits) { return exactly(0, digits); }
+
+Enclosure exactly(double value, int digits) {
   check_digits(digits);
-  return {Real(bound_precision), Real(bound_precision), digits};
+  Real real(bound_precision);
+  mpfr_set_d(real.get(), value, MPFR_RNDN);
+  return {std::move(real), Real(bound_precision), digits};
 }
 
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at) {

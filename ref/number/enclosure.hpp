@@ -15,8 +15,9 @@ struct Enclosure : Estimate {
 /// BadInput naming "digits" unless 16 <= digits <= 1000.
 void check_digits(int digits);
 
-/// A truth that is exactly 0; BadInput for digits out of range.
+/// A truth that is exactly 0, or this double; BadInput for digits out of range.
 Enclosure exact_zero(int digits);
+Enclosure exactly(double value, int digits);
 
 /// All that the truth may be.
 Interval interval_of(const Enclosure& enclosure);

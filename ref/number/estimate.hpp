@@ -25,4 +25,12 @@ struct Estimate : data::WithError<Real> {
   [[nodiscard]] double error_of(double x) const;
 };
 
+// What follows has the larger number of digits of its two terms. It is proven if both are, and if a factor is exactly 0.
+
+/// The product and the difference, with their rounding.
+Estimate operator*(const Estimate& a, const Estimate& b);
+Estimate operator-(const Estimate& a, const Estimate& b);
+/// By an exact factor with which the product is exact: a sign, a power of two.
+Estimate operator*(double factor, Estimate number);
+
 }  // namespace nipref::ref

@@ -40,7 +40,7 @@ SolvedByRef solved(const data::ViscoelasticNipProblem& problem, int digits) {
 
 SceneSolution<ref::Estimate> solution_of(const data::Scene& scene, const data::HalfSpaceProblem& problem,
                                          int digits) {
-  const RefSurface surface(problem);
+  const RefSurface surface(problem, digits);
   surface.check_subcritical(scene.origin);
   return collect_results(scene, problem.profile, *solve_ref_half_space(surface, problem, digits),
                          std::pow(10.0L, -digits));

@@ -189,7 +189,7 @@ bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surfac
 /// Whether a result is compared: those for which the reference takes seconds are compared for a share of the scenes.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
                       const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
-  const RefSurface surface(problem);
+  const RefSurface surface(problem, ref_digits);
   const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved[ResultId::critical_speed].value;

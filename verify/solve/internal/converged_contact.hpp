@@ -59,7 +59,7 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
         return contact_.pressure(y);
       case ResultId::shear:
         if constexpr (has_shear) return contact_.shear(y);
-        return Path::zero();
+        return Path::exactly(0, 16);
       case ResultId::normal_displacement:
         return contact_.normal_displacement(y);
       case ResultId::tangential_displacement:
@@ -113,7 +113,7 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
     if constexpr (is_rolling)
       return contact_.leading_length();
     else
-      return Path::half_of(contact_.contact_length());
+      return 0.5 * contact_.contact_length();
   }
   [[nodiscard]] Number trailing_length() const {
     if constexpr (is_rolling)
@@ -148,18 +148,18 @@ class ConvergedContact : public SolvedContact<typename Path::Number> {
     if constexpr (Path::is_fast) {
       if (is_moment(id)) return moment_of_pressure(*this, id);
     }
-    return Path::zero();
+    return Path::exactly(0, 16);
   }
 
   [[nodiscard]] ProfileExtent ends() const {
     if constexpr (is_rolling)
-      return {-Path::in_double(contact_.trailing_length()), Path::in_double(contact_.leading_length())};
-    const double half = Path::in_double(contact_.contact_length()) / 2;
+      return {-value_of(contact_.trailing_length()), value_of(contact_.leading_length())};
+    const double half = value_of(contact_.contact_length()) / 2;
     return {-half, half};
   }
   /// It is cached, as every number of a field needs it.
   [[nodiscard]] double pressure_in_the_middle() const {
-    if (!middle_) middle_ = Path::in_double(contact_.pressure(0));
+    if (!middle_) middle_ = value_of(contact_.pressure(0));
     return *middle_;
   }
 

@@ -25,6 +25,8 @@ Direction motion_of(const data::HalfSpaceProblem& problem) {
   return Direction::of_degrees(problem.direction);
 }
 
+fast::Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
+
 struct CriticalSpeedOf {
   Direction motion;
 
@@ -112,12 +114,22 @@ fast::LineResponse CountedResponse::operator()(Direction from_motion) const {
   return body_ ? fast::in_contact(half_space, body_(from_motion)) : half_space;
 }
 
-double CountedResponse::critical_speed() const {
+fast::Estimate CountedResponse::compliance(double degrees) const {
+  return to_rounding((*this)(Direction::of_degrees(degrees)).compliance);
+}
+
+fast::Estimate CountedResponse::coupling(double degrees) const {
+  const fast::LineResponse line = (*this)(Direction::of_degrees(degrees));
+  // The couplings of two bodies subtract, and their difference may be far smaller than they are.
+  return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
+}
+
+fast::Estimate CountedResponse::critical_speed() const {
   const CriticalSpeedOf critical{motion_of(*problem_)};
   const auto* sphere = std::get_if<data::ElasticSphere>(&problem_->body);
   const double of_body =
       sphere && sphere->moving_patch ? critical(sphere->solid) : std::numeric_limits<double>::infinity();
-  return std::min(std::visit(critical, problem_->half_space), of_body);
+  return to_rounding(std::min(std::visit(critical, problem_->half_space), of_body));
 }
 
 }  // namespace nipref::verify

@@ -4,6 +4,7 @@
 
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/half_space/response.hpp>
+#include <nipref/fast/number/estimate.hpp>
 
 namespace nipref::verify {
 
@@ -15,8 +16,10 @@ class CountedResponse {
   CountedResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin);
 
   [[nodiscard]] fast::LineResponse operator()(fast::Direction from_motion) const;
-  /// The smallest critical speed of this motion, unit of speed.
-  [[nodiscard]] double critical_speed() const;
+  // Compliances, couplings and the smallest critical speed of this motion, unit of speed; the errors are of rounding.
+  [[nodiscard]] fast::Estimate compliance(double degrees) const;
+  [[nodiscard]] fast::Estimate coupling(double degrees) const;
+  [[nodiscard]] fast::Estimate critical_speed() const;
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
 
  private:

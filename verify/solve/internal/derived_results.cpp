@@ -41,47 +41,11 @@ struct FactorOf {
   double operator()(const data::HalfSpaceProblem&) const { return 1; }
 };
 
-Estimate multiplied(const Estimate& a, const Estimate& b) { return a * b; }
-
-/// The value with `error` plus the rounding error of the value, and with the larger number of digits of the two.
-ref::Estimate estimated_of(ref::Real value, ref::Real error, const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Real rounding(64);
-  mpfr_abs(rounding.get(), value.get(), MPFR_RNDU);
-  mpfr_div_2si(rounding.get(), rounding.get(), value.precision() - 1, MPFR_RNDU);
-  mpfr_add(error.get(), error.get(), rounding.get(), MPFR_RNDU);
-  ref::Estimate result(std::move(value), std::move(error), std::max(a.digits, b.digits));
-  result.proven = a.proven && b.proven;
-  return result;
-}
-
-ref::Estimate multiplied(const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64), part(64);
-  mpfr_mul(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
-  mpfr_mul(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
-  for (const auto& [number, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    mpfr_mul(part.get(), number->value.get(), other->error.get(), MPFR_RNDA);
-    mpfr_abs(part.get(), part.get(), MPFR_RNDU);
-    mpfr_add(error.get(), error.get(), part.get(), MPFR_RNDU);
-  }
-  return estimated_of(std::move(value), std::move(error), a, b);
-}
-
-ref::Estimate less(const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Real value(std::max(a.value.precision(), b.value.precision()) + 64), error(64);
-  mpfr_sub(value.get(), a.value.get(), b.value.get(), MPFR_RNDN);
-  mpfr_add(error.get(), a.error.get(), b.error.get(), MPFR_RNDU);
-  return estimated_of(std::move(value), std::move(error), a, b);
-}
+Estimate exactly(double value, const Estimate&) { return {value, 0}; }
+ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
 
 bool same(const ref::Estimate& a, const ref::Estimate& b) {
   return mpfr_equal_p(a.value.get(), b.value.get()) != 0 && mpfr_equal_p(a.error.get(), b.error.get()) != 0;
-}
-
-Estimate exact_number(double value, const Estimate&) { return {value, 0}; }
-ref::Estimate exact_number(double value, const ref::Estimate& like) {
-  ref::Real real(64);
-  mpfr_set_d(real.get(), value, MPFR_RNDN);
-  return ref::Enclosure{std::move(real), ref::Real(64), like.digits};
 }
 
 /// int p Y dY from a to b, each of which may be an end of the contact, next to which p is like a square root.
@@ -129,8 +93,8 @@ Number WithDerivedResults<Number>::number(ResultId id) const {
   const Product* const product = product_of(id);
   if (product == nullptr) return contact_.number(id);
   Number result = contact_.number(ResultId::rolling_resistance);
-  if (product->has_load) result = multiplied(result, contact_.number(ResultId::load));
-  return multiplied(result, exact_number(std::visit(FactorOf{*product}, scene_.system), result));
+  if (product->has_load) result = result * contact_.number(ResultId::load);
+  return result * exactly(std::visit(FactorOf{*product}, scene_.system), result);
 }
 
 template <class Number>
@@ -153,8 +117,8 @@ ref::Estimate WithDerivedResults<ref::Estimate>::slip(double y) const {
   // Where the surface sticks, its strain is the creep ratio.
   const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
   const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
-  if (!grips || !same(stretched, *creep_)) return less(stretched, *creep_);
-  ref::Estimate none = exact_number(0, stretched);
+  if (!grips || !same(stretched, *creep_)) return stretched - *creep_;
+  ref::Estimate none = exactly(0, stretched);
   none.proven = stretched.proven;
   return none;
 }

@@ -3,37 +3,9 @@
 #include <vector>
 
 #include <nipref/data/problem/field_places.hpp>
-#include <nipref/fast/nip/inner_stresses.hpp>
-#include <nipref/ref/nip/inner_stresses.hpp>
-#include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
 
 namespace nipref::verify {
-
-/// The types of a nip's numbers in each path.
-struct FastPath {
-  static constexpr bool is_fast = true;
-  using Number = fast::Estimate;
-  using Point = fast::InnerPoint;
-  using Stresses = fast::InnerStresses;
-  using Greatest = fast::GreatestShear;
-  static Number half_of(const Number& x) { return 0.5 * x; }
-  static Number zero() { return {0, 0}; }
-  static double in_double(const Number& x) { return x.value; }
-};
-struct RefPath {
-  static constexpr bool is_fast = false;
-  using Number = ref::Estimate;
-  using Point = ref::InnerPoint;
-  using Stresses = ref::InnerStresses;
-  using Greatest = ref::GreatestShear;
-  static Number half_of(Number x) {
-    mpfr_div_2ui(x.value.get(), x.value.get(), 1, MPFR_RNDN);
-    mpfr_div_2ui(x.error.get(), x.error.get(), 1, MPFR_RNDU);
-    return x;
-  }
-  static Number zero() { return ref::exact_zero(16); }
-  static double in_double(const auto& x) { return x.to_double(); }
-};
 
 /// The results inside the sheet of a converged contact. The stresses are computed once and cached, as a scene has one
 /// field.

@@ -38,8 +38,9 @@ struct RefSurface::SurfaceOf {
   }
 };
 
-RefSurface::RefSurface(const data::HalfSpaceProblem& problem)
-    : rolls_(std::holds_alternative<data::RigidRollingSphere>(problem.body)),
+RefSurface::RefSurface(const data::HalfSpaceProblem& problem, int digits)
+    : digits_(digits),
+      rolls_(std::holds_alternative<data::RigidRollingSphere>(problem.body)),
       direction_(problem.direction),
       half_space_(std::visit(SurfaceOf{problem.speed}, problem.half_space)) {
   if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
@@ -89,32 +90,32 @@ ref::SurfaceAnswer RefSurface::answer() const {
   };
 }
 
-ref::Enclosure RefSurface::compliance(double degrees, int digits) const {
-  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).compliance;
+ref::Enclosure RefSurface::compliance(double degrees) const {
+  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits_).compliance;
   if (!body_) return below;
-  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).compliance;
-  return ref::enclosure_of(ref::interval_of(below) + ref::interval_of(above), digits);
+  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits_).compliance;
+  return ref::enclosure_of(ref::interval_of(below) + ref::interval_of(above), digits_);
 }
 
-ref::Enclosure RefSurface::coupling(double degrees, int digits) const {
-  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits).coupling;
+ref::Enclosure RefSurface::coupling(double degrees) const {
+  const ref::Enclosure below = along(half_space_, ref::Exact(degrees), digits_).coupling;
   if (!body_) return below;
-  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits).coupling;
-  return ref::enclosure_of(ref::interval_of(below) - ref::interval_of(above), digits);
+  const ref::Enclosure above = along(*body_, ref::Exact(degrees), digits_).coupling;
+  return ref::enclosure_of(ref::interval_of(below) - ref::interval_of(above), digits_);
 }
 
-ref::Estimate RefSurface::critical(const Surface& surface, int digits) const {
+ref::Estimate RefSurface::critical(const Surface& surface) const {
   const ref::SurfaceDirection motion = ref::SurfaceDirection::of_degrees(ref::Exact(direction_));
-  if (!surface.is_alike) return ref::critical_speed(surface.solid, motion, digits).speed;
-  const auto of_wave = ref::surface_wave_speed(surface.solid, motion, motion, digits);
-  return of_wave ? *of_wave : ref::limiting_speed(surface.solid, motion, motion, digits);
+  if (!surface.is_alike) return ref::critical_speed(surface.solid, motion, digits_).speed;
+  const auto of_wave = ref::surface_wave_speed(surface.solid, motion, motion, digits_);
+  return of_wave ? *of_wave : ref::limiting_speed(surface.solid, motion, motion, digits_);
 }
 
-ref::Estimate RefSurface::critical_speed(int digits) const {
-  ref::Estimate slowest = critical(half_space_, digits);
+ref::Estimate RefSurface::critical_speed() const {
+  ref::Estimate slowest = critical(half_space_);
   // A patch that does not move in the body is never critical there.
   if (body_ && body_->moves) {
-    ref::Estimate of_body = critical(*body_, digits);
+    ref::Estimate of_body = critical(*body_);
     const bool proven = slowest.proven && of_body.proven;
     if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
     slowest.proven = proven;

@@ -14,20 +14,20 @@ namespace nipref::verify {
 /// the scene's doubles; it counts its own evaluations.
 class RefSurface {
  public:
-  explicit RefSurface(const data::HalfSpaceProblem& problem);
+  /// The relative accuracy of what it computes is 10^-digits.
+  RefSurface(const data::HalfSpaceProblem& problem, int digits);
 
   /// BadInput naming the scene's speed unless it is subcritical on every line. Where the slowest line is not known in
   /// advance, all lines are scanned, which takes seconds.
   void check_subcritical(const data::SceneOrigin& origin) const;
 
-  /// The relative accuracy is 10^-digits.
-  [[nodiscard]] ref::SurfaceAnswer answer() const;
+  [[nodiscard]] ref::SurfaceAnswer answer() const;  ///< to as many digits as it is asked for
   /// The error bounds are proven.
-  [[nodiscard]] ref::Enclosure compliance(double degrees, int digits) const;
-  [[nodiscard]] ref::Enclosure coupling(double degrees, int digits) const;
+  [[nodiscard]] ref::Enclosure compliance(double degrees) const;
+  [[nodiscard]] ref::Enclosure coupling(double degrees) const;
   /// The smallest critical speed of this motion, unit of speed. Its error is proven where all lines are alike;
   /// otherwise it is estimated, and the computation takes seconds.
-  [[nodiscard]] ref::Estimate critical_speed(int digits) const;
+  [[nodiscard]] ref::Estimate critical_speed() const;
   [[nodiscard]] bool all_lines_are_alike() const { return half_space_.is_alike; }
   [[nodiscard]] std::uint64_t evaluations() const { return *evaluations_; }
 
@@ -41,8 +41,9 @@ class RefSurface {
   };
   struct SurfaceOf;
   [[nodiscard]] ref::LineResponse along(const Surface& surface, const ref::Exact& degrees, int digits) const;
-  [[nodiscard]] ref::Estimate critical(const Surface& surface, int digits) const;
+  [[nodiscard]] ref::Estimate critical(const Surface& surface) const;
 
+  int digits_;
   bool rolls_;
   double direction_;
   Surface half_space_;
