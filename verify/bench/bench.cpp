@@ -1,65 +1,41 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
-#include <string_view>
 
+#include <nipref/data/directory.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
+#include <nipref/verify/bench/internal/groups.hpp>
+#include <nipref/verify/bench/internal/timed_way.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
-namespace {
-
-/// What is promised: the time of `slow` over the time of `quick` for the same quantity and arguments, both values
-/// being right to `tolerance`, relative: it costs nothing to be quicker than what gives another value.
-struct Promise {
-  std::string_view what;
-  std::string_view quantity;
-  std::string_view arguments;
-  std::string_view slow;
-  std::string_view quick;
-  double target;
-  double tolerance;
-  std::string_view instruction_set = {};  ///< that fast runs on; empty: any
-};
-
-constexpr std::string_view everyday_range = "alpha in [1e-6,20] log-uniform";
-/// Where the rules of the peers in double converge; for larger arguments they are wrong by more than the value.
-constexpr std::string_view converging_range = "alpha in [1e-3,1]";
-constexpr std::string_view digits_arguments = "alpha in {0.01, 0.73, 5}";
-
-constexpr Promise promises[] = {
-    {"fast I1 against Boost's Ooura, both right to 1e-12, alpha in [1e-3,1]", "I1", converging_range,
-     "Boost ooura_fourier_cos", "fast full", 60, 1e-12},
-    {"fast I1 against GSL's QAWF, both right to 1e-12, alpha in [1e-3,1]", "I1", converging_range, "GSL QAWF",
-     "fast full", 500, 1e-12},
-    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 3, 1e-12, "v4"},
-    {"batch I1 against scalar", "I1", everyday_range, "fast full", "fast batch full", 2, 1e-12, "v3"},
-    {"scalar I1, rtol=1e-6 against full", "I1", everyday_range, "fast full", "fast rtol=1e-06", 1.5, 1e-5},
-    {"batch I1, rtol=1e-6 against full", "I1", everyday_range, "fast batch full", "fast batch rtol=1e-06",
-     1.5, 1e-5},
-    {"ref I1 at 50 digits against Boost's exp_sinh, both right to 1e-46", "I1", digits_arguments,
-     "Boost exp_sinh 50 digits", "ref 50 digits", 100, 1e-46},
-};
-
-const BenchRow* find_row(const std::vector<BenchRow>& rows, const Promise& promise, std::string_view method) {
-  const auto found = std::ranges::find_if(rows, [&](const BenchRow& row) {
-    return row.quantity == promise.quantity && row.arguments == promise.arguments && row.method == method &&
-           row.max_relative_error && *row.max_relative_error <= promise.tolerance;
-  });
-  return found == rows.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows) {
+  const Statement file = read_statements(data::statements_directory() / "speed.toml");
   std::vector<BenchRatio> formed;
-  for (const Promise& promise : promises) {
-    if (!promise.instruction_set.empty() && promise.instruction_set != fast::instruction_set()) continue;
-    const BenchRow* slow = find_row(rows, promise, promise.slow);
-    const BenchRow* quick = find_row(rows, promise, promise.quick);
-    if (slow == nullptr || quick == nullptr) continue;
-    formed.push_back({std::string(promise.what), slow->nanoseconds / quick->nanoseconds, promise.target});
+  for (const Statement& promise :
+       file.list("promise", {"what", "quantity", "range", "quick"},
+                 {"of", "slow_range", "slow", "factor", "wanted", "tolerance", "instruction_set"})) {
+    const std::string set = promise.text_or("instruction_set", ""), slow = promise.text_or("slow", "");
+    if (!set.empty() && set != fast::instruction_set()) continue;
+    const bool of_errors = promise.text_or("of", "times") == "errors";
+    const auto size = [&](const std::string& range, const std::string& method) -> std::optional<double> {
+      const auto row = std::ranges::find_if(rows, [&](const BenchRow& one) {
+        return one.quantity == promise.text("quantity") && one.arguments == range && one.method == method;
+      });
+      if (row == rows.end()) return {};
+      const auto& error = row->max_relative_error;
+      const double tolerance = promise.number_or("tolerance", 0);
+      if (tolerance > 0 && !(error && *error <= tolerance)) return {};
+      return of_errors ? error : row->nanoseconds;
+    };
+    const std::string& range = promise.text("range");
+    const auto numerator = slow.empty() ? 1.0 : size(promise.text_or("slow_range", range), slow);
+    const auto denominator = size(range, promise.text("quick"));
+    if (numerator && denominator)
+      formed.push_back({promise.text("what"), promise.number_or("factor", 1) * *numerator / *denominator,
+                        promise.number("wanted"), of_errors});
   }
   return formed;
 }
@@ -83,20 +59,38 @@ void mark_pareto_optimal(std::vector<BenchRow>& rows) {
   }
 }
 
-void append(BenchReport& report, const BenchReport& more) {
-  std::ranges::copy(more.rows, std::back_inserter(report.rows));
-  std::ranges::copy(more.ratios, std::back_inserter(report.ratios));
+std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
+                            const std::vector<OtherKernel>& others) {
+  std::vector<BenchRow> rows = bench_double(quantity, progress, others);
+  std::ranges::move(bench_digits(quantity, progress), std::back_inserter(rows));
+  return rows;
 }
 
-BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress,
-                  const std::vector<OtherKernel>& others) {
-  BenchReport report;
-  for (const Quantity* quantity : quantities) {
-    std::ranges::move(bench_double(*quantity, progress, others), std::back_inserter(report.rows));
-    std::ranges::move(bench_digits(*quantity, progress), std::back_inserter(report.rows));
+std::vector<BenchRow> bench_group(const BenchGroup& group, const BenchProgress& progress, int rounds) {
+  std::vector<BenchRow> rows;
+  for (const BenchPart& part : group.parts(rounds)) {
+    if (interrupted()) break;
+    progress(part.name);
+    std::ranges::move(part.rows(), std::back_inserter(rows));
   }
-  report.ratios = promised_ratios(report.rows);
-  return report;
+  return rows;
+}
+
+std::vector<BenchRow> timed_rows(const std::string& quantity, const std::string& arguments,
+                                 const std::vector<TimedWay>& ways, const TimedRounds& rounds) {
+  std::vector<Contender> contenders;
+  for (const TimedWay& way : ways) contenders.push_back(way.contender);
+  const std::vector<Timing> timings = time_interleaved(contenders, rounds.count, rounds.seconds);
+  const double nanoseconds = 1e9 / rounds.values_in_evaluation;
+  std::vector<BenchRow> rows;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const Timing& timing = timings[i];
+    const WayError error = ways[i].error ? ways[i].error() : WayError{};
+    rows.push_back({quantity, arguments, ways[i].name, nanoseconds * timing.seconds, error.ulps,
+                    error.relative, timing.seconds / timings[rounds.over].seconds,
+                    nanoseconds * timing.quartile_1, nanoseconds * timing.quartile_3});
+  }
+  return rows;
 }
 
 }  // namespace nipref::verify

@@ -14,17 +14,16 @@ struct BenchRow {
   std::string quantity;
   std::string arguments;  ///< range in words
   std::string method;
-  double nanoseconds;  ///< per value, median over interleaved rounds
-  /// In units in the last place of the scale; at N decimal digits the unit is 10^-N of the scale. Empty where
-  /// nothing independent was compared with, here and below.
+  double nanoseconds;  ///< for one value, median over interleaved rounds
+  /// In units in the last place of the scale; at N decimal digits the unit is 10^-N of the scale. Both errors are empty
+  /// where nothing independent was compared.
   std::optional<double> max_error_ulp;
-  std::optional<double> max_relative_error;  ///< over the points that were compared with ref
-  /// Time over that of fast (double) or ref (digits) on the same arguments, full accuracy.
+  std::optional<double> max_relative_error;
+  /// The time over that of fast (double) or ref (digits) for the same arguments, at full accuracy.
   std::optional<double> ratio;
-  /// A quarter of the rounds took less than the first, and a quarter more than the third.
-  double quartile_1 = 0, quartile_3 = 0;
-  /// Of the ways to the same values in this run none is as quick and more right, or as right and quicker, errors
-  /// taken relative to the value. Only where an error is known.
+  double quartile_1 = 0, quartile_3 = 0;  ///< of the rounds' times
+  /// No other way to the same values in this run is both as quick and as right, and better in one of the two. Errors are
+  /// relative to the value; false where the error is not known.
   bool pareto_optimal = false;
 };
 
@@ -36,7 +35,7 @@ struct BenchRatio {
   std::string what;
   double measured;
   double target;
-  bool of_errors = false;  ///< else of times, which depend on the machine and on what else it does
+  bool of_errors = false;  ///< else of times, which depend on the machine and its load
   [[nodiscard]] bool met() const { return measured >= target; }
 };
 
@@ -45,39 +44,36 @@ struct BenchReport {
   std::vector<BenchRatio> ratios;
 };
 
-/// Of the promised ratios those that can be formed from these rows: where one of the two ways is not as right as the
-/// ratio asks, there is none.
+/// The ratios promised in data/statements/speed.toml that can be formed from these rows: a ratio of times is left out where
+/// one of the two ways is less accurate than the promise demands.
 std::vector<BenchRatio> promised_ratios(const std::vector<BenchRow>& rows);
 
 /// True if the promised ratios are met: all if `strict`, otherwise those of errors.
 bool all_met(const BenchReport& report, bool strict);
 
-/// Adds rows and ratios of another report.
-void append(BenchReport& report, const BenchReport& more);
+// A bench that is interrupted (support/internal/interrupt.hpp) returns the rows that it has finished.
 
-// What is interrupted (support/internal/interrupt.hpp) gives what it has finished.
-
-/// Receives what is being timed; may be empty.
+/// A callback with the name of what is being timed; may be empty.
 using BenchProgress = std::function<void(const std::string&)>;
 
-/// Somebody's kernel of a quantity, timed beside fast in a process of its own.
+/// A user's kernel of a quantity, timed beside fast in a process of its own.
 struct OtherKernel {
   std::string name;
   std::string quantity;
   PluginKernel* kernel;  ///< belongs to the caller
 };
 
-/// Double precision: fast at several rtol, scalar and batch, beside the catalogue's peers and those of the other
-/// kernels that are of this quantity, each with its error against ref.
+/// Double precision: fast at several rtol, scalar and batch, the catalogue's peers, and those of the other kernels that
+/// compute this quantity, each with its error against ref.
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
                                    const std::vector<OtherKernel>& others = {});
 
-/// 30 to 200 digits: ref, the first call (which builds the nodes) apart from the steady cost, beside the
-/// catalogue's peers. Only quantities with multiprecision peers have such rows.
+/// 30 to 200 digits: ref and the catalogue's multiprecision peers, and ref's first call, which builds the quadrature nodes.
+/// Empty for a quantity without such peers.
 std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress);
 
-/// All rows of these quantities, and of the promised ratios those that can be formed from them.
-BenchReport bench(const std::vector<const Quantity*>& quantities, const BenchProgress& progress,
-                  const std::vector<OtherKernel>& others = {});
+/// Both.
+std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
+                            const std::vector<OtherKernel>& others = {});
 
 }  // namespace nipref::verify

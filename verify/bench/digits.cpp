@@ -7,116 +7,83 @@
 
 #include <nipref/ref/number/caches.hpp>
 #include <nipref/verify/bench/bench.hpp>
-#include <nipref/verify/bench/internal/timed_row.hpp>
+#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {
 
 const std::array<std::string, 3> alphas{"0.01", "0.73", "5"};
-constexpr auto arguments_text = "alpha in {0.01, 0.73, 5}";
 constexpr int extra_digits = 10;
 
 struct DigitsMethod {
   std::string name;
-  std::function<void(std::size_t)> run;                     ///< evaluates at alphas[i]; this is timed
-  std::function<std::string(const std::string&)> evaluate;  ///< decimal text for a decimal argument
+  std::function<std::string(std::size_t i)> evaluate;  ///< decimal text of the value at alphas[i]
+  std::function<void(std::size_t i)> run;  ///< this is timed: without the text where that is apart
 };
 
-ref::Estimate ref_at(const Quantity& quantity, const std::string& alpha, int digits) {
-  const std::array arguments{ref::Exact::parse(alpha, "alpha")};
-  return quantity.by_ref(arguments, digits);
+ref::Estimate ref_at(const Quantity& quantity, std::size_t i, int digits) {
+  static const std::array exact{ref::Exact::parse(alphas[0], "alpha"), ref::Exact::parse(alphas[1], "alpha"),
+                                ref::Exact::parse(alphas[2], "alpha")};
+  return quantity.by_ref(std::span(exact).subspan(i, 1), digits);
 }
 
-DigitsMethod ref_method(const Quantity& quantity, int digits) {
-  std::vector<ref::Exact> exact;
-  for (const std::string& alpha : alphas) exact.push_back(ref::Exact::parse(alpha, "alpha"));
-  return {
-      fmt::format("ref {} digits", digits),
-      [&quantity, digits, exact](std::size_t i) { quantity.by_ref(std::span(exact).subspan(i, 1), digits); },
-      [&quantity, digits](const std::string& alpha) { return ref_at(quantity, alpha, digits).value_text(); }};
-}
-
-DigitsMethod peer_method(const MultiprecisionPeer& peer, int digits) {
-  const auto evaluate = [&peer, digits](const std::string& alpha) { return peer.evaluate(alpha, digits); };
-  return {fmt::format("{} {} digits", peer.method, digits),
-          [evaluate](std::size_t i) { evaluate(alphas[i]); }, evaluate};
-}
-
-/// The unit that is timed is a pass over all arguments, so that each counts alike.
-Contender contender_of(const DigitsMethod& method) {
-  constexpr std::size_t most = 1000;
-  return {[&method](std::size_t passes) {
-            for (std::size_t pass = 0; pass < passes; ++pass) {
-              for (std::size_t i = 0; i < alphas.size(); ++i) method.run(i);
-            }
-          },
-          1, most};
-}
-
-void compare(const Quantity& quantity, const DigitsMethod& method, int digits, BenchRow& row) {
+WayError largest_error(const Quantity& quantity, const DigitsMethod& method, int digits) {
   double ulps = 0, relative = 0;
-  for (const std::string& alpha : alphas) {
-    const ref::Estimate truth = ref_at(quantity, alpha, digits + extra_digits);
+  for (std::size_t i = 0; i < alphas.size(); ++i) {
+    const ref::Estimate truth = ref_at(quantity, i, digits + extra_digits);
     const double value = std::fabs(truth.to_double());
-    const std::array point{ref::Exact::parse(alpha, "alpha").approximate()};
-    const double error = decimal_distance(method.evaluate(alpha), truth.value_text());
+    const std::array point{ref::Exact::parse(alphas[i], "alpha").approximate()};
+    const double error = decimal_distance(method.evaluate(i), truth.value_text());
     const double scale = std::max(value, quantity.envelope(point));
     ulps = std::max(ulps, error / scale * std::pow(10.0, digits));
     relative = std::max(relative, error / value);
   }
-  row.max_error_ulp = ulps;
-  row.max_relative_error = relative;
+  return {ulps, relative};
 }
 
-/// The steady rows at one number of digits, and ref's first call, which builds its nodes.
-struct Rows {
-  std::vector<BenchRow> steady;
-  BenchRow first_call;
-};
-
-BenchRow first_call_row(const BenchRow& steady, double seconds) {
-  BenchRow row = steady;
-  row.arguments = "alpha = " + alphas[1] + ", first call";
-  row.nanoseconds = seconds * 1e9;
-  row.ratio = row.nanoseconds / steady.nanoseconds;
-  return row;
-}
-
-Rows bench_at(const Quantity& quantity, int digits) {
-  std::vector<DigitsMethod> methods{ref_method(quantity, digits)};
+/// The rows of one number of digits; the last is ref's first call, which builds the quadrature nodes.
+std::vector<BenchRow> bench_at(const Quantity& quantity, int digits) {
+  std::vector<DigitsMethod> methods{{fmt::format("ref {} digits", digits),
+                                     [&](std::size_t i) { return ref_at(quantity, i, digits).value_text(); },
+                                     [&](std::size_t i) { ref_at(quantity, i, digits); }}};
   for (const MultiprecisionPeer& peer : quantity.multiprecision_peers) {
-    methods.push_back(peer_method(peer, digits));
+    const auto evaluate = [&peer, digits](std::size_t i) { return peer.evaluate(alphas[i], digits); };
+    methods.push_back({fmt::format("{} {} digits", peer.method, digits), evaluate, evaluate});
   }
   ref::clear_caches();
   const double first_call = seconds_of([&] { methods.front().run(1); });
-  std::vector<Contender> contenders;
-  for (const DigitsMethod& method : methods) contenders.push_back(contender_of(method));
-  const std::vector<Timing> timings = time_interleaved(contenders, 5, 0.01);
-
-  std::vector<BenchRow> rows;
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    rows.push_back(timed_row(quantity.name, arguments_text, methods[i].name, timings[i], timings.front(),
-                             std::tuple_size_v<decltype(alphas)>));
-    compare(quantity, methods[i], digits, rows.back());
-  }
-  return {rows, first_call_row(rows.front(), first_call)};
+  std::vector<TimedWay> ways;
+  // An evaluation is a pass over all arguments, so that each counts alike.
+  for (const DigitsMethod& method : methods)
+    ways.push_back({method.name, repeated([&](std::size_t) {
+                      for (std::size_t i = 0; i < alphas.size(); ++i) method.run(i);
+                      return 0;
+                    }),
+                    [&] { return largest_error(quantity, method, digits); }});
+  auto rows = timed_rows(quantity.name, "alpha in {0.01, 0.73, 5}", ways,
+                         {.count = 5, .seconds = 0.01, .values_in_evaluation = alphas.size()});
+  BenchRow first = rows.front();
+  first.arguments = "alpha = " + alphas[1] + ", first call";
+  first.nanoseconds = first_call * 1e9;
+  first.ratio = first.nanoseconds / rows.front().nanoseconds;
+  rows.push_back(first);
+  return rows;
 }
 
 }  // namespace
 
 std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress& progress) {
-  std::vector<BenchRow> rows;
-  std::vector<BenchRow> first_calls;
+  std::vector<BenchRow> rows, first_calls;
   if (quantity.multiprecision_peers.empty()) return rows;
   for (const int digits : peer_digits()) {
     if (interrupted()) break;
     if (progress) progress(fmt::format("{} digits", digits));
-    Rows found = bench_at(quantity, digits);
-    std::ranges::move(found.steady, std::back_inserter(rows));
-    first_calls.push_back(std::move(found.first_call));
+    std::vector<BenchRow> found = bench_at(quantity, digits);
+    first_calls.push_back(found.back());
+    found.pop_back();
+    std::ranges::move(found, std::back_inserter(rows));
   }
   std::ranges::move(first_calls, std::back_inserter(rows));
   return rows;

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
-#include <nipref/verify/bench/internal/timed_row.hpp>
+#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
@@ -22,7 +23,7 @@ constexpr std::size_t least_points = 32;
 constexpr std::size_t points_compared = 400;
 constexpr std::size_t costly_points = 12;
 constexpr double seconds_of_costly_truth = 5;
-constexpr std::array tolerances{1e-3, 1e-6, 1e-9, 1e-12, fast::Accuracy::best_rtol};
+constexpr std::array coarse_tolerances{1e-3, 1e-6, 1e-9, 1e-12};
 
 struct TimedRange {
   std::string name;
@@ -31,15 +32,15 @@ struct TimedRange {
   bool logarithmic;
 };
 
-/// The first range is the one that the promised ratios are about.
+/// Only the first range if there is no other library to compare with.
 std::vector<TimedRange> ranges(const Quantity& quantity) {
-  std::vector<TimedRange> all{{"[1e-6,20] log-uniform", 1e-6, 20, true}};
-  if (quantity.peers.empty()) return all;
-  all.push_back({"(0,20] uniform", 0, 20, false});
-  all.push_back({"[1e-6,1e-3]", 1e-6, 1e-3, true});
-  all.push_back({"[1e-3,1]", 1e-3, 1, true});
-  all.push_back({"[1,20]", 1, 20, true});
-  all.push_back({"[20,300]", 20, 300, true});
+  std::vector<TimedRange> all{{"[1e-6,20] log-uniform", 1e-6, 20, true},
+                              {"(0,20] uniform", 0, 20, false},
+                              {"[1e-6,1e-3]", 1e-6, 1e-3, true},
+                              {"[1e-3,1]", 1e-3, 1, true},
+                              {"[1,20]", 1, 20, true},
+                              {"[20,300]", 20, 300, true}};
+  if (quantity.peers.empty()) all.resize(1);
   return all;
 }
 
@@ -65,21 +66,14 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
 
 Columns draw_columns(const Quantity& quantity, const TimedRange& range) {
   Random random("bench " + quantity.name + range.name);
-  Columns columns;
-  if (quantity.draw) {
-    columns.resize(quantity.arguments.size());
-    for (std::size_t i = 0; i < points_in_a_set; ++i) {
-      const Point point = quantity.draw(random);
-      for (std::size_t j = 0; j < point.size(); ++j) columns[j].push_back(point[j]);
-    }
-    return columns;
+  Columns columns(quantity.arguments.size(), std::vector<double>(points_in_a_set));
+  for (std::size_t i = 0; quantity.draw && i < points_in_a_set; ++i) {
+    const Point point = quantity.draw(random);
+    for (std::size_t j = 0; j < point.size(); ++j) columns[j][i] = point[j];
   }
-  for (const Argument& argument : quantity.arguments) {
-    columns.emplace_back();
-    for (std::size_t i = 0; i < points_in_a_set; ++i) {
-      columns.back().push_back(representative(argument.kind, range, random));
-    }
-  }
+  for (std::size_t j = 0; !quantity.draw && j < columns.size(); ++j)
+    std::ranges::generate(columns[j],
+                          [&] { return representative(quantity.arguments[j].kind, range, random); });
   return columns;
 }
 
@@ -90,16 +84,14 @@ std::string range_text(const Quantity& quantity, const TimedRange& range) {
   return fmt::format("{} in {}", quantity.arguments.front().name, range.name);
 }
 
-/// A method fills values[0, count) for the first `count` points.
+/// Fills values[0, count) for the first `count` points.
+using Fill = std::function<void(std::size_t count, std::span<double> values)>;
+
 struct BatchMethod {
   std::string name;
-  std::function<void(std::size_t count, std::span<double> values)> evaluate;
+  Fill evaluate;
   std::function<double(std::size_t count, std::size_t passes)> seconds = {};  ///< see Contender
 };
-
-std::string tolerance_name(double rtol) {
-  return rtol == fast::Accuracy::best_rtol ? "full" : fmt::format("rtol={:.0e}", rtol);
-}
 
 /// The first `count` values of each column.
 std::vector<std::span<const double>> heads(const Columns& columns, std::size_t count) {
@@ -108,17 +100,10 @@ std::vector<std::span<const double>> heads(const Columns& columns, std::size_t c
   return parts;
 }
 
-BatchMethod scalar_method(const Quantity& quantity, const Columns& columns, double rtol) {
-  return {"fast " + tolerance_name(rtol),
+BatchMethod fast_method(const std::string& name, const auto& evaluate, const Columns& columns, double rtol) {
+  return {name + (rtol == fast::Accuracy::best_rtol ? "full" : fmt::format("rtol={:.0e}", rtol)),
           [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
-            quantity.by_fast_loop(heads(columns, count), values.first(count), accuracy);
-          }};
-}
-
-BatchMethod batch_method(const Quantity& quantity, const Columns& columns, double rtol) {
-  return {"fast batch " + tolerance_name(rtol),
-          [&, accuracy = fast::Accuracy(rtol)](std::size_t count, std::span<double> values) {
-            quantity.by_fast_batch(heads(columns, count), values.first(count), accuracy);
+            evaluate(heads(columns, count), values.first(count), accuracy);
           }};
 }
 
@@ -128,45 +113,46 @@ BatchMethod peer_method(const Peer& peer, const Columns& columns) {
           }};
 }
 
-std::vector<Point> points_of(const Columns& columns) {
-  std::vector<Point> points(columns.front().size());
-  for (const auto& column : columns) {
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].push_back(column[i]);
-  }
-  return points;
+Point point_at(const Columns& columns, std::size_t number) {
+  Point point;
+  for (const auto& column : columns) point.push_back(column[number]);
+  return point;
 }
 
 BatchMethod kernel_method(const OtherKernel& other, const Columns& columns) {
-  const auto points = std::make_shared<const std::vector<Point>>(points_of(columns));
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < columns.front().size(); ++i) points.push_back(point_at(columns, i));
+  const auto shared = std::make_shared<const std::vector<Point>>(std::move(points));
   return {other.name,
           [=](std::size_t count, std::span<double> values) {
-            other.kernel->evaluate(std::span(*points).first(count), values.first(count));
+            other.kernel->evaluate(std::span(*shared).first(count), values.first(count));
           },
           [=](std::size_t count, std::size_t passes) {
-            // What fails is infinitely slow; its values, which are none, say so too.
-            return other.kernel->seconds(std::span(*points).first(count), passes)
+            // A kernel that fails counts as infinitely slow; it also has no values.
+            return other.kernel->seconds(std::span(*shared).first(count), passes)
                 .value_or(std::numeric_limits<double>::infinity());
           }};
 }
 
 std::vector<BatchMethod> methods(const Quantity& quantity, const Columns& columns,
                                  const std::vector<OtherKernel>& others) {
-  std::vector<BatchMethod> all{scalar_method(quantity, columns, fast::Accuracy::best_rtol)};
-  if (quantity.by_fast_batch) all.push_back(batch_method(quantity, columns, fast::Accuracy::best_rtol));
+  std::vector<BatchMethod> all;
+  const auto add_fast = [&](double rtol) {
+    all.push_back(fast_method("fast ", quantity.by_fast_loop, columns, rtol));
+    if (quantity.by_fast_batch)
+      all.push_back(fast_method("fast batch ", quantity.by_fast_batch, columns, rtol));
+  };
+  add_fast(fast::Accuracy::best_rtol);
   for (const OtherKernel& other : others) {
     if (other.quantity == quantity.name) all.push_back(kernel_method(other, columns));
   }
   if (quantity.peers.empty()) return all;
-  for (const double rtol : tolerances) {
-    if (rtol == fast::Accuracy::best_rtol) continue;
-    all.push_back(scalar_method(quantity, columns, rtol));
-    all.push_back(batch_method(quantity, columns, rtol));
-  }
+  for (const double rtol : coarse_tolerances) add_fast(rtol);
   for (const Peer& peer : quantity.peers) all.push_back(peer_method(peer, columns));
   return all;
 }
 
-/// What is right at one of a set's points.
+/// The reference's value at one of a set's points.
 struct Truth {
   std::size_t number;
   ref::Estimate value;
@@ -174,8 +160,7 @@ struct Truth {
 };
 
 Truth truth_at(const Quantity& quantity, const Columns& columns, std::size_t number) {
-  Point point;
-  for (const auto& column : columns) point.push_back(column[number]);
+  const Point point = point_at(columns, number);
   return {number, ref_value(quantity, point, digits_beyond_double), quantity.envelope(point)};
 }
 
@@ -186,51 +171,31 @@ std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns
   return truths;
 }
 
-void compare(std::span<const double> values, const std::vector<Truth>& truths, BenchRow& row) {
+WayError largest_deviation(const BatchMethod& method, const std::vector<Truth>& truths) {
+  if (truths.empty()) return {};
+  std::vector<double> values(truths.back().number + 1);
+  method.evaluate(values.size(), values);
   double ulps = 0, relative = 0;
   for (const Truth& truth : truths) {
     const Deviation found = deviation(values[truth.number], truth.value, truth.envelope);
     ulps = std::max(ulps, found.ulps);
     relative = std::max(relative, found.relative);
   }
-  row.max_error_ulp = ulps;
-  row.max_relative_error = relative;
+  return {ulps, relative};
 }
 
-/// What all methods are given.
-struct Trial {
-  std::string arguments;
-  Columns columns;
-  std::size_t least;  ///< points in a round
-  int rounds;
-};
-
-std::vector<BenchRow> rows_of(const Quantity& quantity, const Trial& trial, const std::vector<Truth>& truths,
-                              const std::vector<OtherKernel>& others) {
-  const std::vector<BatchMethod> contestants = methods(quantity, trial.columns, others);
-  std::vector<double> values(trial.columns.front().size());
-  std::vector<Contender> contenders;
-  for (const BatchMethod& method : contestants) {
-    contenders.push_back({[&](std::size_t count) { method.evaluate(count, values); }, trial.least,
-                          values.size(), method.seconds});
-  }
-  const std::vector<Timing> timings = time_interleaved(contenders, trial.rounds, 1e-3);
-
-  std::vector<BenchRow> rows;
-  for (std::size_t i = 0; i < contestants.size(); ++i) {
-    rows.push_back(
-        timed_row(quantity.name, trial.arguments, contestants[i].name, timings[i], timings.front()));
-    if (truths.empty()) continue;
-    contestants[i].evaluate(truths.back().number + 1, values);
-    compare(values, truths, rows.back());
-  }
-  return rows;
-}
-
-std::vector<BenchRow> bench_range(const Quantity& quantity, const TimedRange& range,
-                                  const std::vector<OtherKernel>& others) {
-  const Trial trial{range_text(quantity, range), draw_columns(quantity, range), least_points, 15};
-  return rows_of(quantity, trial, first_truths(quantity, trial.columns), others);
+std::vector<BenchRow> rows_of(const Quantity& quantity, const std::string& arguments, const Columns& columns,
+                              const std::vector<Truth>& truths, const std::vector<OtherKernel>& others,
+                              std::size_t least, int rounds) {
+  const std::vector<BatchMethod> contestants = methods(quantity, columns, others);
+  std::vector<double> values(columns.front().size());
+  std::vector<TimedWay> ways;
+  for (const BatchMethod& method : contestants)
+    ways.push_back(
+        {method.name,
+         {[&](std::size_t count) { method.evaluate(count, values); }, least, values.size(), method.seconds},
+         [&] { return largest_deviation(method, truths); }});
+  return timed_rows(quantity.name, arguments, ways, {.count = rounds, .seconds = 1e-3});
 }
 
 /// Points of the audit that fast takes.
@@ -260,23 +225,23 @@ std::vector<Truth> costly_truths(const Quantity& quantity, const Columns& column
   return truths;
 }
 
-std::vector<BenchRow> bench_costly(const Quantity& quantity, const std::vector<OtherKernel>& others) {
-  const Trial trial{fmt::format("as in the audit, {} points", costly_points), draw_costly_columns(quantity),
-                    costly_points, 3};
-  return rows_of(quantity, trial, costly_truths(quantity, trial.columns), others);
-}
-
 }  // namespace
 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
                                    const std::vector<OtherKernel>& others) {
-  if (quantity.is_costly) return bench_costly(quantity, others);
+  if (quantity.is_costly) {
+    const Columns columns = draw_costly_columns(quantity);
+    return rows_of(quantity, fmt::format("as in the audit, {} points", costly_points), columns,
+                   costly_truths(quantity, columns), others, costly_points, 3);
+  }
   std::vector<BenchRow> rows;
   for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;
     if (progress) progress(range.name);
-    std::vector<BenchRow> more = bench_range(quantity, range, others);
-    rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+    const Columns columns = draw_columns(quantity, range);
+    std::ranges::move(rows_of(quantity, range_text(quantity, range), columns, first_truths(quantity, columns),
+                              others, least_points, 15),
+                      std::back_inserter(rows));
   }
   return rows;
 }

@@ -1,11 +1,10 @@
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 
-#include <nipref/verify/bench/internal/elastic_nip.hpp>
-#include <nipref/verify/bench/internal/half_space.hpp>
-#include <nipref/verify/bench/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/bench.hpp>
@@ -83,7 +82,11 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   return all_met(report, line.has("strict")) ? 0 : 1;
 }
 
-std::vector<std::string_view> bench_groups() { return {"elastic-nip", "viscoelastic-nip", "half-space"}; }
+std::vector<std::string_view> bench_groups() {
+  std::vector<std::string_view> names;
+  std::ranges::transform(bench_group_table, std::back_inserter(names), &BenchGroup::name);
+  return names;
+}
 
 Selection bench_everything() {
   Selection all{select_quantities({}), bench_groups()};
@@ -98,16 +101,14 @@ BenchReport bench_all(const Selection& selected, Progress& progress, const std::
   for (const Quantity* quantity : selected.quantities) {
     if (interrupted()) break;
     progress.next(quantity->name);
-    append(report, bench({quantity}, show, others));
+    std::ranges::move(bench(*quantity, show, others), std::back_inserter(report.rows));
   }
-  const auto add = [&](const char* group, BenchReport (*bench_group)(const BenchProgress&)) {
-    if (!selected.has(group) || interrupted()) return;
-    progress.next(group);
-    append(report, bench_group(show));
-  };
-  add("elastic-nip", bench_contacts);
-  add("viscoelastic-nip", bench_viscoelastic);
-  add("half-space", bench_half_space);
+  for (const BenchGroup& group : bench_group_table) {
+    if (!selected.has(group.name) || interrupted()) continue;
+    progress.next(std::string(group.name));
+    std::ranges::move(bench_group(group, show), std::back_inserter(report.rows));
+  }
+  report.ratios = promised_ratios(report.rows);
   mark_pareto_optimal(report.rows);
   return report;
 }

@@ -62,17 +62,17 @@ ClaimOutcome check(const Claim& claim) {
   ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
   for (const Statement& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
     const Propagated number = formulas.value(one.text("is"));
-    if (const std::string name = one.optional_text("name"); !name.empty()) formulas.define(name, number);
-    outcome.numbers.push_back({one.text("what"), number, one.optional_text("origin") == "printed"});
+    if (const std::string name = one.text_or("name", ""); !name.empty()) formulas.define(name, number);
+    outcome.numbers.push_back({one.text("what"), number, one.text_or("origin", "") == "printed"});
   }
   for (const Statement& one : entry.list("verdict", {"is"}, {"if", "why"})) {
-    const std::string condition = one.optional_text("if");
+    const std::string condition = one.text_or("if", "");
     if (!condition.empty() && !formulas.is_true(condition)) continue;
     const auto verdict =
         std::ranges::find(verdicts, one.text("is"), [](const auto& known) { return known.second; });
     if (verdict == verdicts.end()) one.refuse("must be holds, false or holds in a range");
     outcome.verdict = verdict->first;
-    outcome.why = filled(one.optional_text("why"), formulas);
+    outcome.why = filled(one.text_or("why", ""), formulas);
     return outcome;
   }
   entry.refuse("must have a [[claim.verdict]] whose condition is fulfilled");

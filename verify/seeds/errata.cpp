@@ -39,12 +39,12 @@ std::vector<FormulaErratum> formula_errata() {
 Settlement settle(const FormulaErratum& erratum) {
   const Statement& entry = errata_file().entry("erratum", erratum.id);
   StatementFormulas formulas(errata_file(), entry);
-  if (const std::string quantity = entry.optional_text("quantity"); !quantity.empty()) {
+  if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
     const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
     return {quantity, by("printed"), by("fast"), by("ref")};
   }
   std::optional<Propagated> printed;
-  if (const std::string formula = entry.optional_text("printed_value"); !formula.empty())
+  if (const std::string formula = entry.text_or("printed_value", ""); !formula.empty())
     printed = formulas.value(formula);
   return {entry.text("at") + formulas.setting(), printed, formulas.value(entry.text("right_value")),
           formulas.value(entry.text("truth"))};

@@ -1,29 +1,25 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <vector>
+#include <memory>
 
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/verify/bench/internal/half_space.hpp>
-#include <nipref/verify/bench/internal/timed_row.hpp>
+#include <nipref/verify/bench/internal/groups.hpp>
+#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/support/internal/stopwatch.hpp>
 
 namespace nipref::verify {
 namespace {
 
 using fast::Direction;
+using PointOfAngle = std::function<Point(double psi_deg)>;
 
 constexpr auto half_space = "half-space";
-constexpr std::size_t directions = 1000;
+constexpr std::size_t direction_count = 1000, most_evaluations = 100'000'000;
 constexpr double theta_deg = 45, speed = 0.3;
 
 /// The seed's graphite epoxy, as the catalogue has it.
@@ -32,34 +28,22 @@ Point line_point(double axis, double psi_deg) {
                   {{"theta_deg", theta_deg}, {"psi_deg", psi_deg}, {"speed", speed}, {"axis", axis}});
 }
 
-std::vector<double> angles() {
-  std::vector<double> all;
-  for (std::size_t i = 0; i < directions; ++i)
-    all.push_back(-90 + 180 * (static_cast<double>(i) + 0.5) / directions);
+/// The response of its surface, symmetry axis normal (0) or in the plane (1).
+fast::SurfaceResponse epoxy_surface(double axis) {
+  const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(
+      transverse_surface_of({find_quantity("ti.compliance").arguments, line_point(axis, 0)}));
+  return [surface](Direction psi) { return surface->along(psi); };
+}
+
+std::vector<Direction> directions() {
+  std::vector<Direction> all;
+  for (std::size_t i = 0; i < direction_count; ++i)
+    all.push_back(Direction::of_degrees(-90 + 180 * (static_cast<double>(i) + 0.5) / direction_count));
   return all;
 }
 
-struct HalfSpaceMethod {
-  std::string name;
-  std::function<void(std::size_t count)> run;  ///< so many values
-  std::optional<double> error = {};            ///< relative, if there is something to compare with
-};
-
-void append_rows(BenchReport& report, const std::string& arguments,
-                 const std::vector<HalfSpaceMethod>& methods) {
-  std::vector<Contender> contenders;
-  for (const HalfSpaceMethod& method : methods) contenders.push_back({method.run, 1, 100'000'000});
-  const auto timings = time_interleaved(contenders);
-  for (std::size_t i = 0; i < methods.size(); ++i) {
-    const std::optional<double> error = methods[i].error;
-    report.rows.push_back(timed_row(half_space, arguments, methods[i].name, timings[i], timings[0]));
-    report.rows.back().max_error_ulp = error ? std::optional(*error / 0x1p-52) : std::nullopt;
-    report.rows.back().max_relative_error = error;
-  }
-}
-
-/// Largest relative error of fast's K at a few of the angles.
-double error_of(const Quantity& quantity, const std::function<Point(double psi_deg)>& point) {
+/// The largest relative error of fast's compliance K at a few angles.
+double error_of(const Quantity& quantity, const PointOfAngle& point) {
   double largest = 0;
   for (const double psi : {-80.0, -30.0, 0.0, 20.0, 45.0, 70.0}) {
     const Point at = point(psi);
@@ -69,72 +53,62 @@ double error_of(const Quantity& quantity, const std::function<Point(double psi_d
   return largest;
 }
 
-/// ns of one K, which the row before the reference's has.
-double bench_line(BenchReport& report, const std::string& what, const fast::SurfaceResponse& response,
-                  const Quantity& quantity, const std::function<Point(double psi_deg)>& point) {
-  std::vector<Direction> lines;
-  for (const double angle : angles()) lines.push_back(Direction::of_degrees(angle));
-  double sink = 0;
-  const HalfSpaceMethod fast_K{"fast K " + what,
-                               [&](std::size_t count) {
-                                 for (std::size_t i = 0; i < count; ++i)
-                                   sink += response(lines[i % directions]).compliance;
-                               },
-                               error_of(quantity, point)};
-  const HalfSpaceMethod ref_K{
-      "ref K " + what + ", 20 digits", [&](std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i)
-          static_cast<void>(ref_value(quantity, point(static_cast<double>(i % 90)), 20));
-      }};
-  append_rows(report, "1000 directions", {fast_K, ref_K});
-  return report.rows[report.rows.size() - 2].nanoseconds;
+/// The compliance of one line.
+std::vector<BenchRow> lines(const std::string& what, const fast::SurfaceResponse& response,
+                            const Quantity& quantity, const PointOfAngle& point, int rounds) {
+  const auto by_fast = [&, all = directions()](std::size_t i) {
+    return response(all[i % direction_count]).compliance;
+  };
+  const auto by_ref = [&](std::size_t i) {
+    return ref_value(quantity, point(static_cast<double>(i % 90)), 20);
+  };
+  return timed_rows(half_space, "1000 directions",
+                    {{"fast K " + what, repeated(by_fast, most_evaluations),
+                      [&] { return of_relative(error_of(quantity, point)); }},
+                     {"ref K " + what + ", 20 digits", repeated(by_ref, most_evaluations)}},
+                    {.count = rounds});
 }
 
-/// ns of a contour of 1000 directions with its force.
-double bench_contour(BenchReport& report, const fast::SurfaceResponse& in_plane) {
-  std::vector<Direction> lines;
-  for (const double angle : angles()) lines.push_back(Direction::of_degrees(angle));
-  double sink = 0;
-  const Direction motion = Direction::of_degrees(theta_deg);
-  append_rows(report, "axis in plane",
-              {{"fast sliding contact: force and contour of 1000 directions",
-                [&](std::size_t count) {
-                  for (std::size_t i = 0; i < count; ++i) {
-                    const auto contact = fast::sliding_for_force(in_plane, {1, 1}, 0, motion, 1);
-                    for (const Direction psi : lines) sink += contact.along(psi).leading_end().value;
-                  }
-                }},
-               {"fast exact ellipse", [&](std::size_t count) {
-                  for (std::size_t i = 0; i < count; ++i)
-                    sink += fast::EllipticContact(in_plane, {1, 1}).for_force(1).semi_major.value;
-                }}});
-  return report.rows[report.rows.size() - 2].nanoseconds;
+std::vector<BenchRow> contacts(int rounds) {
+  const fast::SurfaceResponse in_plane = epoxy_surface(1);
+  const auto contour = [&, all = directions()](std::size_t) {
+    const auto contact = fast::sliding_for_force(in_plane, {1, 1}, 0, Direction::of_degrees(theta_deg), 1);
+    double sum = 0;
+    for (const Direction psi : all) sum += contact.along(psi).leading_end().value;
+    return sum;
+  };
+  const auto ellipse = [&](std::size_t) {
+    return fast::EllipticContact(in_plane, {1, 1}).for_force(1).semi_major.value;
+  };
+  return timed_rows(
+      half_space, "axis in plane",
+      {{"fast sliding contact: force and contour of 1000 directions", repeated(contour, most_evaluations)},
+       {"fast exact ellipse", repeated(ellipse, most_evaluations)}},
+      {.count = rounds});
 }
 
 }  // namespace
 
-BenchReport bench_half_space(const BenchProgress& progress) {
-  BenchReport report;
-  progress("lines");
-  const Quantity& transverse = find_quantity("ti.compliance");
-  const Point normal = line_point(0, 0), in_plane = line_point(1, 0);
-  const auto normal_surface = transverse_surface_of({transverse.arguments, normal});
-  const auto in_plane_surface = transverse_surface_of({transverse.arguments, in_plane});
-  const fast::SurfaceResponse in_plane_response = [&](Direction psi) { return in_plane_surface.along(psi); };
-  bench_line(report, "isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
-             [](double psi) {
-               return Point{0.3, 0.5, psi};
-             });
-  bench_line(
-      report, "axis normal", [&](Direction psi) { return normal_surface.along(psi); }, transverse,
-      [](double psi) { return line_point(0, psi); });
-  const double one_K = bench_line(report, "axis in plane", in_plane_response, transverse,
-                                  [](double psi) { return line_point(1, psi); });
-  progress("contacts");
-  const double contour = bench_contour(report, in_plane_response);
-  report.ratios.push_back({"200 ns over fast K with the axis in the plane", 200 / one_K, 1});
-  report.ratios.push_back({"1 ms over a sliding contact's force and 1000 directions", 1e6 / contour, 1});
-  return report;
+std::vector<BenchPart> half_space_bench(int rounds) {
+  const auto isotropic = [=] {
+    return lines(
+        "isotropic", isotropic_surface(0.3, 0.5), find_quantity("halfspace.compliance"),
+        [](double psi) {
+          return Point{0.3, 0.5, psi};
+        },
+        rounds);
+  };
+  const auto transverse = [=](const char* what, double axis) {
+    return BenchPart{std::string("lines, ") + what, [=] {
+                       return lines(
+                           what, epoxy_surface(axis), find_quantity("ti.compliance"),
+                           [=](double psi) { return line_point(axis, psi); }, rounds);
+                     }};
+  };
+  return {{"lines, isotropic", isotropic},
+          transverse("axis normal", 0),
+          transverse("axis in plane", 1),
+          {"contacts", [=] { return contacts(rounds); }}};
 }
 
 }  // namespace nipref::verify

@@ -53,8 +53,11 @@ const std::string& Statement::text(const std::string& key) const {
 }
 double Statement::number(const std::string& key) const { return found(numbers, key, *this, "a number"); }
 
-std::string Statement::optional_text(const std::string& key) const {
-  return texts.contains(key) ? texts.at(key) : "";
+std::string Statement::text_or(const std::string& key, const std::string& otherwise) const {
+  return texts.contains(key) ? text(key) : otherwise;
+}
+double Statement::number_or(const std::string& key, double otherwise) const {
+  return numbers.contains(key) ? number(key) : otherwise;
 }
 
 const std::vector<Statement>& Statement::list(const std::string& key,
@@ -80,7 +83,7 @@ const Statement& Statement::entry(const std::string& key, const std::string& id)
   const auto all = lists.find(key);
   if (all != lists.end()) {
     const auto one =
-        std::ranges::find(all->second, id, [](const Statement& of) { return of.optional_text("id"); });
+        std::ranges::find(all->second, id, [](const Statement& of) { return of.text_or("id", ""); });
     if (one != all->second.end()) return *one;
   }
   refuse(fmt::format("must have a [[{}]] with the id '{}'", key, id));
@@ -101,12 +104,12 @@ Statement read_statements(const std::filesystem::path& file) {
 
 StatementFormulas::StatementFormulas(const Statement& file, const Statement& entry)
     : entry_(entry), formulas_(solved_numbers()) {
-  if (const std::string named = entry.optional_text("setting"); !named.empty()) {
+  if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
     const Statement& setting = file.entry("setting", named);
     setting.located([&] { formulas_.define(setting.text("given")); });
-    setting_ = setting.optional_text("at");
+    setting_ = setting.text_or("at", "");
   }
-  entry.located([&] { formulas_.define(entry.optional_text("given")); });
+  entry.located([&] { formulas_.define(entry.text_or("given", "")); });
 }
 
 Propagated StatementFormulas::value(const std::string& formula) {

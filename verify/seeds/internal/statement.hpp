@@ -20,8 +20,8 @@ struct Statement {
   // What the key holds. BadInput that names the line if it is missing or of another type.
   [[nodiscard]] const std::string& text(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
-  /// Empty if the key is missing.
-  [[nodiscard]] std::string optional_text(const std::string& key) const;
+  [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
+  [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
   /// BadInput that names the line of the first entry that has another key, or lacks one of the texts.
   [[nodiscard]] const std::vector<Statement>& list(const std::string& key,
                                                    std::initializer_list<std::string_view> required,

@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <nipref/data/material/viscoelastic_models.hpp>
+#include <nipref/data/problem/seed_nips.hpp>
+#include <nipref/data/table/index.hpp>
+#include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
+#include <nipref/fast/memory/moving_load.hpp>
+#include <nipref/fast/memory/plain_moving_load.hpp>
+#include <nipref/fast/number/caches.hpp>
+#include <nipref/fast/viscoelastic_nip/converged.hpp>
+#include <nipref/fast/viscoelastic_nip/line_loads.hpp>
+#include <nipref/ref/elastic_nip/converged.hpp>
+#include <nipref/ref/memory/moving_load.hpp>
+#include <nipref/verify/bench/internal/groups.hpp>
+#include <nipref/verify/bench/internal/timed_way.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
+#include <nipref/verify/replay/internal/elastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/replay/internal/viscoelastic_row.hpp>
+
+namespace nipref::verify {
+namespace {
+
+using data::Friction;
+
+constexpr auto elastic_nip = "elastic-nip", viscoelastic_nip = "viscoelastic-nip";
+
+/// A method that finds the contact length.
+struct LengthMethod {
+  std::string name;
+  std::function<double()> length;
+  bool has_truth = true;
+};
+
+std::vector<BenchRow> rows_of_lengths(const char* group, const std::string& arguments,
+                                      const std::vector<LengthMethod>& methods, const TimedRounds& rounds,
+                                      const std::function<WayError(double length)>& error_of) {
+  std::vector<TimedWay> ways;
+  for (const LengthMethod& method : methods) {
+    ways.push_back({method.name, repeated([&](std::size_t) { return method.length(); })});
+    if (method.has_truth) ways.back().error = [&] { return error_of(method.length()); };
+  }
+  return timed_rows(group, arguments, ways, rounds);
+}
+
+/// Contacts at the middle of the thesis's loads.
+std::vector<BenchRow> elastic_contacts(double thickness, int rounds) {
+  constexpr double load = 100;
+  constexpr int length_digits = 20;
+  const data::ElasticNip nip = data::seed::nip(thickness);
+  const auto converged = [&](Friction friction, double accuracy) {
+    return [=] { return fast::converged_for_load(nip, friction, load, accuracy).contact_length().value; };
+  };
+  std::vector<LengthMethod> methods{
+      {"thesis: m=10, 500 terms",
+       [&] {
+         const fast::LoadSearch search{fast::LoadSearch::Iteration::thesis, 2e-3};
+         return fast::line_loads_for_load(nip, {10, 500}, load, search).contact_length;
+       }},
+      {"line loads, m=10, fast kernels",
+       [&] { return fast::line_loads_for_load(nip, 10, load).contact_length; }}};
+  for (const double accuracy : {1e-4, 1e-7, 1e-10, 1e-13})
+    methods.push_back({fmt::format("converged {:.0e}", accuracy), converged(Friction::none, accuracy)});
+  methods.push_back({"converged 1e-10, full friction", converged(Friction::full, 1e-10), false});
+  const ref::Estimate truth = ref::converged_for_load(nip, load, length_digits).contact_length();
+  return rows_of_lengths(elastic_nip, fmt::format("B={} W=100", thickness), methods, {4, rounds},
+                         [&](double length) {
+                           const double error = std::fabs(truth.error_of(length));
+                           return WayError{error / ulp_of(length), error / length};
+                         });
+}
+
+/// The time for all rows of Tables III to X does not include that for loading the tables.
+std::vector<BenchRow> elastic_replay(int rounds) {
+  std::vector<data::Table> tables;
+  for (const LineLoadTable& how : line_load_tables())
+    tables.push_back(data::load_table_by_id(std::string(how.id)));
+  const auto replay_all = [&](std::size_t) {
+    std::size_t cells = 0;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      const LineLoadTable& how = line_load_tables()[i];
+      cells += replay_line_loads(tables[i], how.friction, how.elements_per_side).cells.size();
+    }
+    return cells;
+  };
+  auto rows = timed_rows(elastic_nip, "all rows of Tables III-X", {{"replay", repeated(replay_all)}},
+                         {.count = rounds});
+  rows.front().ratio.reset();
+  return rows;
+}
+
+/// Bulk modulus 1 and relaxation time 1, at unit speed and half-thickness.
+data::ViscoelasticMaterial unit_solid() {
+  return data::single_relaxation_time_solid(1, data::thesis_shear_over_bulk, 1);
+}
+
+struct Times {
+  double t, T;
+};
+
+/// Loads that have moved by up to ten half-thicknesses; the point lies ahead of them or behind them.
+std::vector<Times> load_paths(std::size_t count) {
+  Random random("bench Un");
+  std::vector<Times> all;
+  while (all.size() < count) {
+    const double t = random.log_uniform(1e-2, 10);
+    all.push_back({t, draw_passing_time(t, random)});
+  }
+  return all;
+}
+
+struct UnMethod {
+  std::string name;
+  std::function<double(const Times&)> evaluate;
+};
+
+std::vector<UnMethod> methods_for_Un() {
+  std::vector<UnMethod> all;
+  const auto add = [&](const std::string& name, const auto& load) {
+    all.push_back({name, [load](const Times& at) { return load.normal_displacement(at.t, at.T); }});
+  };
+  for (const double rtol : {fast::Accuracy::best_rtol, 1e-9, 1e-6, 1e-3})
+    add(rtol == fast::Accuracy::best_rtol ? "fast Un full" : fmt::format("fast Un rtol={:.0e}", rtol),
+        fast::MovingLoad(unit_solid(), 1, 1, fast::Accuracy(rtol)));
+  for (const int terms : {500, 100, 20})
+    add(fmt::format("thesis Un, {} terms", terms), fast::PlainMovingLoad(unit_solid(), 1, 1, terms));
+  return all;
+}
+
+/// The error over the scale of the catalogue's Un, at the first few of the points.
+double largest_error(const UnMethod& method, const std::vector<Times>& points) {
+  constexpr std::size_t compared = 30;
+  const auto material = ref::exact_material(unit_solid(), 40);
+  const Quantity& Un = find_quantity("Un");
+  double largest = 0;
+  for (std::size_t i = 0; i < compared; ++i) {
+    const auto [t, T] = points[i];
+    const auto truth = ref::moving_load_normal_displacement(ref::Exact(t), ref::Exact(T), ref::Exact(1.0),
+                                                            ref::Exact(1.0), material, 20);
+    const double scale = Un.envelope(std::vector<double>{t, T, 1, 1, 0, 1, 1});
+    largest = std::max(largest, std::fabs(truth.error_of(method.evaluate(points[i]))) / scale);
+  }
+  return largest;
+}
+
+std::vector<BenchRow> displacements_under_moving_load(int rounds) {
+  const auto points = load_paths(200);
+  const auto methods = methods_for_Un();
+  std::vector<TimedWay> ways;
+  for (const UnMethod& method : methods) {
+    Contender contender = repeated([&](std::size_t i) { return method.evaluate(points[i % points.size()]); });
+    contender.least = points.size();
+    ways.push_back({method.name, contender, [&] { return of_relative(largest_error(method, points)); }});
+  }
+  return timed_rows(viscoelastic_nip, "t in [0.01,10], T around", ways, {.count = rounds});
+}
+
+/// The contact lengths for B = 0.005 in, W = 100 lbf/in, F0 tau = 0.1 in. The reference path does not solve this contact:
+/// the truth is that of the finest accuracy of fast, which the names of the methods say.
+std::vector<BenchRow> rolling_contacts(int rounds) {
+  const data::Table table = data::load_table_by_id("thesis-XXIV");
+  const ViscoelasticTable& how = *find_viscoelastic_table(table.id);
+  constexpr std::size_t row = 4;
+  const data::ViscoelasticNip nip = viscoelastic_nip_of_the_tables(table, row, false);
+  const double load = table.parameter("W").value;
+  const auto converged = [&](double accuracy) {
+    return fast::converged_for_load(nip, load, accuracy).contact_length().value;
+  };
+  std::vector<LengthMethod> methods{
+      {"thesis: m1=10, 500 terms, search for m2 (against 1e-12)", [&] {
+         return fast::viscoelastic_line_loads_by_search(nip, viscoelastic_method(how), load).contact_length();
+       }}};
+  for (const double accuracy : {1e-4, 1e-6, 1e-8, 1e-10})
+    methods.push_back({fmt::format("converged {:.0e} (against 1e-12)", accuracy),
+                       [&converged, accuracy] { return converged(accuracy); }});
+  const double truth = converged(1e-12);
+  return rows_of_lengths(viscoelastic_nip, "B=0.005 W=100 F0tau=0.1", methods, {2, rounds},
+                         [=](double length) { return of_relative(std::fabs(length / truth - 1)); });
+}
+
+/// All rows of Tables XI to XXVI, from their lengths, in one thread.
+double seconds_of_replay(int residue_terms) {
+  fast::clear_caches();
+  return seconds_of([&] {
+    for (const ViscoelasticTable& how : viscoelastic_tables()) {
+      const data::Table table = data::load_table_by_id(std::string(how.id));
+      for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const auto nip = viscoelastic_nip_of_the_tables(table, row, false);
+        auto method = viscoelastic_method(how);
+        const auto input = viscoelastic_row_input(table, row, nip, method);
+        method.trailing_elements = input.trailing_elements;
+        method.residue_terms = residue_terms;
+        static_cast<void>(replay_viscoelastic_row(nip, method, input.leading_length));
+      }
+    }
+  });
+}
+
+std::vector<BenchRow> rolling_replay() {
+  std::vector<BenchRow> rows;
+  for (const auto& [method, terms] : {std::pair{"replay, 500 terms", 500}, {"replay, exact kernels", 0}})
+    rows.push_back(
+        {viscoelastic_nip, "all rows of Tables XI-XXVI", method, 1e9 * seconds_of_replay(terms), {}, {}, {}});
+  return rows;
+}
+
+}  // namespace
+
+std::vector<BenchPart> elastic_bench(int rounds) {
+  std::vector<BenchPart> parts;
+  for (const double thickness : data::seed::sheet_thicknesses)
+    parts.push_back(
+        {fmt::format("B={} W=100", thickness), [=] { return elastic_contacts(thickness, rounds); }});
+  parts.push_back({"replay of Tables III-X", [=] { return elastic_replay(rounds); }});
+  return parts;
+}
+
+std::vector<BenchPart> viscoelastic_bench(int rounds) {
+  return {{"Un", [=] { return displacements_under_moving_load(rounds); }},
+          {"contacts", [=] { return rolling_contacts(rounds); }},
+          {"replay of Tables XI-XXVI", rolling_replay}};
+}
+
+}  // namespace nipref::verify
