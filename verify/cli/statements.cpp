@@ -6,9 +6,7 @@
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/seeds/errata.hpp>
-#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

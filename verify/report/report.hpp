@@ -12,9 +12,7 @@
 #include <nipref/verify/golden/golden.hpp>
 #include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/report/comparison.hpp>
-#include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/seeds/errata.hpp>
-#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/witness/witness.hpp>
 
 namespace nipref::verify {

@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/seeds/errata.hpp>
-#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 
 using namespace nipref;
 using verify::Claim;

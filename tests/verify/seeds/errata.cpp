@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 
 using namespace nipref;
 using verify::FormulaErratum;

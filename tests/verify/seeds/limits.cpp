@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include <nipref/verify/seeds/internal/thin_standard_solid.hpp>
-#include <nipref/verify/seeds/limits.hpp>
+#include <nipref/verify/seeds/internal/computed.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 
 using namespace nipref;
 using verify::LimitRow;

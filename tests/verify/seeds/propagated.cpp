@@ -18,8 +18,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/seeds/claims.hpp>
-#include <nipref/verify/seeds/errata.hpp>
+#include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
 #include <nipref/verify/solve/solve.hpp>

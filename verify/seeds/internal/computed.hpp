@@ -7,6 +7,16 @@
 
 namespace nipref::verify {
 
+/// A very thin frictionless sheet of the solid with one relaxation time tau that ends up twice as compliant as it
+/// begins: springs with N p + (N/tau) int e^(-t/tau) p = 2 u/b, in closed form.
+struct ThinStandardSolid {
+  Propagated leading_share;  ///< L1/L
+  Propagated resistance;     ///< mu_R R/L
+};
+
+/// memory: F0 tau/L, > 0.
+ThinStandardSolid thin_standard_solid(double memory);
+
 /// Numbers of statements that are no formula of other numbers, by name.
 const std::map<std::string, std::function<Propagated()>>& computed_numbers();
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <span>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>
@@ -32,65 +30,70 @@ constexpr std::array<std::array<Operator, 2>, 3> operators{
        {'>', [](const Propagated& a, const Propagated& b) { return truth_of(has_less_value(b, a)); }}}},
      {{{'+', operator+ }, {'-', operator- } } }, {{{'*', operator* }, {'/', operator/ } } } } };
 
-using UnaryFunction = Propagated (*)(const Propagated&);
-const std::map<std::string, UnaryFunction>& unary_functions() {
-  static const std::map<std::string, UnaryFunction> all{
-      {"fabs", fabs},
-      {"sqrt", sqrt},
-      {"exp", exp},
-      {"expm1", expm1},
-      {"log", log},
-      {"sinh", sinh},
-      {"cosh", cosh},
-      {"tanh", tanh},
-      {"atanh", atanh},
-      {"sin", sin},
-      {"cos", cos},
-      {"tan", tan},
-      {"atan", atan},
-      {"certain", [](const Propagated& x) { return truth_of(x.is_positive()); }},
-      {"within", [](const Propagated& x) { return Propagated(0, x.value()); }},
-      {"exactly", [](const Propagated& x) { return Propagated::exact(x.value()); }}};
+template <Propagated (*f)(const Propagated&)>
+Propagated of_one(const Numbers& x) {
+  return f(x[0]);
+}
+template <Propagated (*f)(const Propagated&, const Propagated&)>
+Propagated of_two(const Numbers& x) {
+  return f(x[0], x[1]);
+}
+
+struct NumberFunction {
+  std::size_t arguments;  ///< 0: two or more
+  Propagated (*apply)(const Numbers&);
+};
+const std::map<std::string, NumberFunction>& number_functions() {
+  static const std::map<std::string, NumberFunction> all{
+      {"fabs", {1, of_one<fabs>}},
+      {"sqrt", {1, of_one<sqrt>}},
+      {"exp", {1, of_one<exp>}},
+      {"expm1", {1, of_one<expm1>}},
+      {"log", {1, of_one<log>}},
+      {"sinh", {1, of_one<sinh>}},
+      {"cosh", {1, of_one<cosh>}},
+      {"tanh", {1, of_one<tanh>}},
+      {"atanh", {1, of_one<atanh>}},
+      {"sin", {1, of_one<sin>}},
+      {"cos", {1, of_one<cos>}},
+      {"tan", {1, of_one<tan>}},
+      {"atan", {1, of_one<atan>}},
+      {"hypot", {2, of_two<hypot>}},
+      {"pow", {2, of_two<pow>}},
+      {"certain", {1, [](const Numbers& x) { return truth_of(x[0].is_positive()); }}},
+      {"within", {1, [](const Numbers& x) { return Propagated(0, x[0].value()); }}},
+      {"exactly", {1, [](const Numbers& x) { return Propagated::exact(x[0].value()); }}},
+      {"min", {0, [](const Numbers& x) { return *std::ranges::min_element(x, has_less_value); }}},
+      {"max", {0, [](const Numbers& x) { return *std::ranges::max_element(x, has_less_value); }}}};
   return all;
 }
 
-using FunctionOfMany = Propagated (*)(const Numbers&);
-const std::map<std::string, FunctionOfMany>& functions_of_many() {
-  static const std::map<std::string, FunctionOfMany> all{
-      {"min", [](const Numbers& all_of) { return *std::ranges::min_element(all_of, has_less_value); }},
-      {"max", [](const Numbers& all_of) { return *std::ranges::max_element(all_of, has_less_value); }},
-      {"hypot", [](const Numbers& of) { return hypot(of.at(0), of.at(1)); }},
-      {"pow", [](const Numbers& of) { return pow(of.at(0), of.at(1)); }}};
-  return all;
+template <Propagated (*functional)(const Function&, double, double)>
+Propagated of_range(const Function& f, const Numbers& at) {
+  return functional(f, at[0].value(), at[1].value());
 }
 
-/// A functional of f: what stands between the variable and f(variable) are its numbers.
+/// A functional of f: between the variable and f(variable) it has so many numbers.
 struct Functional {
   std::size_t numbers;
   Propagated (*apply)(const Function& f, const Numbers& at);
 };
 const std::map<std::string, Functional>& functionals() {
   static const std::map<std::string, Functional> all{
-      {"integral",
-       {2, [](const Function& f, const Numbers& at) { return integral(f, at[0].value(), at[1].value()); }}},
-      {"smooth_integral",
-       {2, [](const Function& f,
-              const Numbers& at) { return smooth_integral(f, at[0].value(), at[1].value()); }}},
-      {"half_line_integral", {0, [](const Function& f, const Numbers&) { return half_line_integral(f); }}},
-      {"hilbert",
-       {3, [](const Function& f,
-              const Numbers& at) { return hilbert(f, at[0].value(), at[1].value(), at[2].value()); }}},
-      {"derivative",
-       {2, [](const Function& f, const Numbers& at) { return derivative(f, at[0].value(), at[1].value()); }}},
-      {"sign_change",
-       {2,
-        [](const Function& f, const Numbers& at) { return sign_change(f, at[0].value(), at[1].value()); }}},
+      {"integral", {2, of_range<integral>}},
+      {"smooth_integral", {2, of_range<smooth_integral>}},
+      {"derivative", {2, of_range<derivative>}},
+      {"sign_change", {2, of_range<sign_change>}},
       {"place_of_largest",
        {2,
         [](const Function& f, const Numbers& at) { return largest(f, at[0].value(), at[1].value()).place; }}},
       {"largest",
        {2,
         [](const Function& f, const Numbers& at) { return largest(f, at[0].value(), at[1].value()).value; }}},
+      {"half_line_integral", {0, [](const Function& f, const Numbers&) { return half_line_integral(f); }}},
+      {"hilbert",
+       {3, [](const Function& f,
+              const Numbers& at) { return hilbert(f, at[0].value(), at[1].value(), at[2].value()); }}},
       {"monotonic", {1, [](const Function& f, const Numbers& at) { return monotonic(f, at[0]); }}}};
   return all;
 }
@@ -220,12 +223,10 @@ class FormulaParser {
   Expression call(const std::string& called, std::vector<Expression> arguments) {
     if (called == "if" && arguments.size() == 3)
       return [=] { return arguments[0]().value() != 0 ? arguments[1]() : arguments[2](); };
-    if (const auto unary = unary_functions().find(called);
-        unary != unary_functions().end() && arguments.size() == 1)
-      return [apply = unary->second, of = arguments[0]] { return apply(of()); };
-    if (const auto many = functions_of_many().find(called);
-        many != functions_of_many().end() && arguments.size() > 1)
-      return [apply = many->second, arguments] { return apply(values(arguments)); };
+    if (const auto known = number_functions().find(called);
+        known != number_functions().end() && (known->second.arguments == arguments.size() ||
+                                              (known->second.arguments == 0 && arguments.size() > 1)))
+      return [apply = known->second.apply, arguments] { return apply(values(arguments)); };
     const auto defined = formulas_.functions_.find(called);
     if (defined == formulas_.functions_.end() || defined->second.parameters.size() != arguments.size())
       fail(fmt::format("a function of {} arguments instead of '{}' before", arguments.size(), called));

@@ -17,7 +17,6 @@
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/seeds/internal/computed.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/seeds/internal/thin_standard_solid.hpp>
 
 namespace nipref::verify {
 namespace {

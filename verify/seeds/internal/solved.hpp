@@ -9,7 +9,7 @@ namespace nipref::verify {
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
 ///     for the place of a distribution, and young, poisson, friction or solid, memory; the nip of the thesis is default;
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
-///   - thin_solid: leading_share or resistance of thin_standard_solid.hpp. Key: memory;
+///   - thin_solid: leading_share or resistance of computed.hpp. Key: memory;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: what has code of its own.
 /// A contact is solved once for all of its results.

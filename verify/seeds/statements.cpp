@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <nipref/data/directory.hpp>
+#include <nipref/verify/seeds/internal/statement.hpp>
+#include <nipref/verify/seeds/statements.hpp>
+#include <nipref/verify/support/internal/parallel.hpp>
+
+namespace nipref::verify {
+namespace {
+
+/// A text of an entry: its key in the file and in JSON, and the member that holds it.
+template <class Entry>
+struct TextMember {
+  std::string_view key;
+  std::string Entry::*member;
+};
+
+constexpr TextMember<Claim> claim_texts[] = {
+    {"id", &Claim::id}, {"seed", &Claim::seed}, {"place", &Claim::place}, {"statement", &Claim::statement}};
+constexpr TextMember<LimitRow> limit_texts[] = {{"name", &LimitRow::name},
+                                                {"statement", &LimitRow::statement},
+                                                {"source", &LimitRow::source},
+                                                {"size", &LimitRow::size}};
+constexpr TextMember<FormulaErratum> erratum_texts[] = {{"id", &FormulaErratum::id},
+                                                        {"seed", &FormulaErratum::seed},
+                                                        {"equation", &FormulaErratum::equation},
+                                                        {"printed", &FormulaErratum::printed},
+                                                        {"right", &FormulaErratum::right},
+                                                        {"proof", &FormulaErratum::proof}};
+
+template <class Entry, std::size_t count>
+std::vector<Entry> read(const std::vector<Statement>& list, const TextMember<Entry> (&texts)[count]) {
+  std::vector<Entry> all;
+  for (const Statement& one : list) {
+    Entry& entry = all.emplace_back();
+    for (const auto& [key, member] : texts) entry.*member = one.text(std::string(key));
+  }
+  return all;
+}
+
+template <class Entry, std::size_t count>
+Json texts_json(const Entry& entry, const TextMember<Entry> (&texts)[count]) {
+  Json all = Json::object();
+  for (const auto& [key, member] : texts) all.set(key, entry.*member);
+  return all;
+}
+
+/// Sets the decimals of a number and of its error; both are null where there is no number.
+void set_number(Json& row, std::string_view key, std::string_view error_key,
+                const std::optional<Propagated>& number) {
+  const Stated decimals = number ? stated(*number) : Stated{};
+  row.set(key, number ? Json::number(decimals.value) : Json());
+  row.set(error_key, number ? Json::number(decimals.error) : Json());
+}
+
+Statement file_of(const char* name) { return read_statements(data::statements_directory() / name); }
+
+constexpr std::pair<ClaimVerdict, std::string_view> verdicts[] = {
+    {ClaimVerdict::holds, "holds"},
+    {ClaimVerdict::fails, "false"},
+    {ClaimVerdict::holds_in_a_range, "holds in a range"}};
+
+/// `text` with the values of the formulas in it, {FORMULA:FORMAT}.
+std::string with_values(const std::string& text, StatementFormulas& formulas) {
+  std::string all;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t open = std::min(text.find('{', at), text.size()), close = text.find('}', open);
+    all += text.substr(at, open - at);
+    if (open == text.size()) break;
+    const std::string field = text.substr(open + 1, close - open - 1);
+    const std::size_t colon = field.find(':');
+    all += fmt::format(fmt::runtime("{:" + field.substr(colon + 1) + "}"),
+                       formulas.value(field.substr(0, colon)).value());
+    at = close + 1;
+  }
+  return all;
+}
+
+const Statement& claims_file() {
+  static const Statement file = file_of("claims.toml");
+  return file;
+}
+
+const Statement& errata_file() {
+  static const Statement file = file_of("errata.toml");
+  return file;
+}
+
+}  // namespace
+
+std::string_view name_of(ClaimVerdict verdict) {
+  return std::ranges::find(verdicts, verdict, [](const auto& one) { return one.first; })->second;
+}
+
+std::string_view ClaimNumber::origin() const {
+  if (is_printed) return "printed";
+  return number.error() == 0 ? "exact" : "computed";
+}
+
+std::vector<Claim> claims() {
+  return read(claims_file().list("claim", {"id", "seed", "place", "statement"},
+                                 {"setting", "given", "number", "verdict"}),
+              claim_texts);
+}
+
+ClaimOutcome check(const Claim& claim) {
+  const Statement& entry = claims_file().entry("claim", claim.id);
+  StatementFormulas formulas(claims_file(), entry);
+  ClaimOutcome outcome{ClaimVerdict::holds, "", {}};
+  for (const Statement& one : entry.list("number", {"what", "is"}, {"name", "origin"})) {
+    const Propagated number = formulas.value(one.text("is"));
+    if (const std::string name = one.text_or("name", ""); !name.empty()) formulas.define(name, number);
+    outcome.numbers.push_back({one.text("what"), number, one.text_or("origin", "") == "printed"});
+  }
+  for (const Statement& one : entry.list("verdict", {"is"}, {"if", "why"})) {
+    if (!formulas.is_true(one.text_or("if", "1"))) continue;
+    const auto verdict =
+        std::ranges::find(verdicts, one.text("is"), [](const auto& known) { return known.second; });
+    if (verdict == std::end(verdicts)) one.refuse("must be holds, false or holds in a range");
+    outcome.verdict = verdict->first;
+    outcome.why = with_values(one.text_or("why", ""), formulas);
+    return outcome;
+  }
+  entry.refuse("must have a [[claim.verdict]] whose condition is fulfilled");
+}
+
+std::vector<CheckedClaim> check_all(std::vector<Claim> claims) {
+  std::vector<CheckedClaim> checked;
+  for (Claim& claim : claims) checked.push_back({std::move(claim), {}});
+  parallel_for(checked.size(), [&](std::size_t i) { checked[i].outcome = check(checked[i].claim); }, {});
+  return checked;
+}
+
+Json claims_json(const std::vector<CheckedClaim>& claims) {
+  return json_list(claims, [](const CheckedClaim& checked) {
+    const ClaimOutcome& outcome = checked.outcome;
+    Json row = texts_json(checked.claim, claim_texts);
+    row.append(
+        {{"verdict", name_of(outcome.verdict)},
+         {"why", Json::unless_empty(outcome.why)},
+         {"numbers", json_list(outcome.numbers, [](const ClaimNumber& one) {
+            Json number{{"what", one.what}, {"value", Json()}, {"error", Json()}, {"origin", one.origin()}};
+            set_number(number, "value", "error", one.number);
+            return number;
+          })}});
+    return row;
+  });
+}
+
+Propagated LimitSample::distance() const { return fabs(found - limit) / fabs(limit); }
+
+std::optional<Propagated> LimitRow::measured_order() const {
+  const LimitSample &before = *std::prev(samples.end(), 2), &last = samples.back();
+  if (!last.distance().is_positive()) return {};
+  return log(before.distance() / last.distance()) /
+         log(Propagated::exact(before.size) / Propagated::exact(last.size));
+}
+
+bool LimitRow::approached() const {
+  constexpr double agreement = 0.1, faster_than_powers = 4, told_apart = 0.01;
+  const Propagated last = samples.back().distance();
+  const std::optional<Propagated> measured = measured_order();
+  if (order == 0) return !measured || measured->value() > faster_than_powers;
+  return measured && last.error() < told_apart * last.value() &&
+         std::fabs(measured->value() - order) <= agreement;
+}
+
+std::vector<LimitRow> limits() {
+  constexpr int sizes = 3;
+  const Statement file = file_of("limits.toml");
+  const std::vector<Statement>& entries =
+      file.list("limit", {"name", "statement", "source", "size", "found", "limit"},
+                {"order", "first", "setting", "given"});
+  std::vector<LimitRow> rows = read(entries, limit_texts);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Statement& entry = entries[i];
+    rows[i].order = entry.number("order");
+    StatementFormulas formulas(file, entry);
+    for (int k = 0; k < sizes; ++k) {
+      const double size = std::ldexp(entry.number("first"), -k);
+      formulas.define("s", Propagated::exact(size));
+      rows[i].samples.push_back(
+          {size, formulas.value(entry.text("found")), formulas.value(entry.text("limit"))});
+    }
+  }
+  return rows;
+}
+
+Json limits_json(const std::vector<LimitRow>& limits) {
+  return json_list(limits, [](const LimitRow& limit) {
+    Json row = texts_json(limit, limit_texts);
+    row.set("order", limit.order == 0 ? Json() : Json(limit.order));
+    set_number(row, "measured_order", "measured_order_error", limit.measured_order());
+    row.set("approached", limit.approached());
+    row.set("samples", json_list(limit.samples, [](const LimitSample& sample) {
+              Json numbers{{"size", sample.size}};
+              set_number(numbers, "found", "found_error", sample.found);
+              set_number(numbers, "limit", "limit_error", sample.limit);
+              set_number(numbers, "distance", "distance_error", sample.distance());
+              return numbers;
+            }));
+    return row;
+  });
+}
+
+bool Settlement::settled() const {
+  const auto are_apart = [&](const Propagated& other) {
+    const double allowed = other.error() + truth.error();
+    return !(std::fabs(other.value() - truth.value()) <= allowed);
+  };
+  return !are_apart(right) && (!printed || are_apart(*printed));
+}
+
+std::vector<FormulaErratum> formula_errata() {
+  return read(
+      errata_file().list("erratum", {"id", "seed", "equation", "printed", "right", "proof"},
+                         {"quantity", "setting", "given", "at", "printed_value", "right_value", "truth"}),
+      erratum_texts);
+}
+
+Settlement settle(const FormulaErratum& erratum) {
+  const Statement& entry = errata_file().entry("erratum", erratum.id);
+  StatementFormulas formulas(errata_file(), entry);
+  if (const std::string quantity = entry.text_or("quantity", ""); !quantity.empty()) {
+    const auto by = [&](const char* kind) { return formulas.value(fmt::format("[{} {}]", kind, quantity)); };
+    return {quantity, by("printed"), by("fast"), by("ref")};
+  }
+  std::optional<Propagated> printed;
+  if (const std::string formula = entry.text_or("printed_value", ""); !formula.empty())
+    printed = formulas.value(formula);
+  return {entry.text("at") + formulas.setting(), printed, formulas.value(entry.text("right_value")),
+          formulas.value(entry.text("truth"))};
+}
+
+std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata) {
+  std::vector<SettledErratum> settled;
+  for (const FormulaErratum& erratum : errata) settled.push_back({erratum, settle(erratum)});
+  return settled;
+}
+
+Json errata_json(const std::vector<SettledErratum>& errata) {
+  return json_list(errata, [](const SettledErratum& one) {
+    Json row = texts_json(one.erratum, erratum_texts);
+    row.set("at", one.settlement.at);
+    set_number(row, "printed_value", "printed_error", one.settlement.printed);
+    set_number(row, "right_value", "right_error", one.settlement.right);
+    set_number(row, "truth", "truth_error", one.settlement.truth);
+    row.set("settled", one.settlement.settled());
+    return row;
+  });
+}
+
+}  // namespace nipref::verify

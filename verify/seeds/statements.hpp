@@ -1,0 +1,122 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/json.hpp>
+
+// What the seeds state in words, in limits and in formulas that are printed wrong: the files of data/statements. Reading them
+// throws BadInput that names the line.
+
+namespace nipref::verify {
+
+/// A number that decides about a claim.
+struct ClaimNumber {
+  std::string what;
+  Propagated number;
+  bool is_printed = false;  ///< by the seed
+
+  /// "printed", "exact", "computed"
+  [[nodiscard]] std::string_view origin() const;
+};
+
+enum class ClaimVerdict { holds, fails, holds_in_a_range };
+
+/// "holds", "false", "holds in a range"
+std::string_view name_of(ClaimVerdict verdict);
+
+/// The result of checking a claim: the verdict follows from the numbers.
+struct ClaimOutcome {
+  ClaimVerdict verdict;
+  std::string why;  ///< one sentence with the numbers that decide, or the range in which it holds
+  std::vector<ClaimNumber> numbers;
+};
+
+/// A claim that a seed makes in words.
+struct Claim {
+  std::string id;         ///< "thesis-creep-with-friction"
+  std::string seed;       ///< thesis, brock2012 or brock2013
+  std::string place;      ///< "(5.14)"
+  std::string statement;  ///< the claim, in our words
+};
+
+struct CheckedClaim {
+  Claim claim;
+  ClaimOutcome outcome;
+};
+
+std::vector<Claim> claims();
+/// Computes the numbers of one of claims().
+ClaimOutcome check(const Claim& claim);
+/// Checks many, on all cores; the order is kept.
+std::vector<CheckedClaim> check_all(std::vector<Claim> claims);
+Json claims_json(const std::vector<CheckedClaim>& claims);
+
+/// The converged contact at one place on the way to a limit.
+struct LimitSample {
+  double size;       ///< what goes to 0; exact
+  Propagated found;  ///< by the solver
+  Propagated limit;  ///< by the closed form, which is independent of the solver
+
+  /// |found - limit|/|limit|
+  [[nodiscard]] Propagated distance() const;
+};
+
+/// How the solver's contact approaches one of the known limits.
+struct LimitRow {
+  std::string name;       ///< "limit.hertz.load"
+  std::string statement;  ///< the closed form
+  std::string source;     ///< where the closed form comes from
+  std::string size;       ///< what goes to 0, dimensionless
+  /// The exponent with which the distance must fall, by the first term that the limit leaves out; 0: faster than any
+  /// power.
+  double order = 0;
+  std::vector<LimitSample> samples = {};  ///< sizes falling by halves
+
+  /// The exponent between the last two samples; empty where the last distance is no larger than its error.
+  [[nodiscard]] std::optional<Propagated> measured_order() const;
+  /// Whether distances fall with that exponent, to 0.1, or faster than with exponent 4 where it is 0; false too where the
+  /// errors are too large to decide it.
+  [[nodiscard]] bool approached() const;
+};
+
+/// Computes all limits: of the elastic nip thick and thin with and without friction, and of the rolling one with short memory,
+/// with long memory and thin.
+[[nodiscard]] std::vector<LimitRow> limits();
+Json limits_json(const std::vector<LimitRow>& limits);
+
+/// A formula that a seed prints wrong.
+struct FormulaErratum {
+  std::string id;        ///< "thesis-4.8"
+  std::string seed;      ///< thesis, brock2012 or brock2013
+  std::string equation;  ///< "(4.8b)"
+  std::string printed;   ///< what is wrong with it
+  std::string right;     ///< what must stand there
+  std::string proof;     ///< the method that computes the truth of its Settlement
+};
+
+/// The formula as printed and as it must be, at one place, against a truth that is computed by neither.
+struct Settlement {
+  std::string at;                     ///< the place, and what is computed there
+  std::optional<Propagated> printed;  ///< empty: the printed formula has no value
+  Propagated right;
+  Propagated truth;
+
+  /// The right one agrees with the truth and the printed one does not, to the sum of both errors.
+  [[nodiscard]] bool settled() const;
+};
+
+struct SettledErratum {
+  FormulaErratum erratum;
+  Settlement settlement;
+};
+
+std::vector<FormulaErratum> formula_errata();
+/// Computes the numbers of one of formula_errata().
+Settlement settle(const FormulaErratum& erratum);
+std::vector<SettledErratum> settle_all(std::vector<FormulaErratum> errata);
+Json errata_json(const std::vector<SettledErratum>& errata);
+
+}  // namespace nipref::verify
