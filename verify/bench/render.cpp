@@ -6,7 +6,7 @@
 #include <span>
 
 #include <nipref/verify/bench/render.hpp>
-#include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 #include <nipref/verify/support/text_table.hpp>
 

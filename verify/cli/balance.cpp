@@ -6,7 +6,7 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/render.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

@@ -9,7 +9,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/cli/programs.hpp>
-#include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {

@@ -15,7 +15,7 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/met_text.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/json.hpp>
 #include <nipref/verify/support/text.hpp>
 

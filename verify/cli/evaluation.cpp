@@ -11,8 +11,8 @@
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/evaluation.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
 
 namespace nipref::verify {
 namespace {

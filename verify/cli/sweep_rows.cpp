@@ -7,8 +7,8 @@
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
-#include <nipref/verify/support/internal/csv_field.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 

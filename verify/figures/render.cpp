@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <nipref/verify/figures/render.hpp>
-#include <nipref/verify/support/internal/csv_field.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {
 namespace {

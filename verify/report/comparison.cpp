@@ -40,24 +40,20 @@ std::string text_at(const json& row, const std::string& key) {
   return row[key].is_string() ? row[key].get<std::string>() : row[key].dump();
 }
 
-/// How a value of a row is compared with the older one.
-enum class Measure {
-  verdict,  ///< true is good
-  word,     ///< neither is better
-  error,    ///< smaller is better
-  speed,    ///< a ratio to the time of others: larger is quicker
-  cells     ///< how many of a table's cells have each verdict
-};
-
+/// A value of a row that is compared with the older one, and what it means that a number is smaller or larger now. For a text
+/// the second holds if it is "true" now.
 struct Column {
-  const char* key;
-  Measure measure;
-  const char* title = "";             ///< after the name of the row
-  double differs = 1;                 ///< numbers do whose ratio is larger
+  std::string key;
+  std::string title;  ///< after the name of the row
+  Change smaller, larger;
+  double differs = 0;                 ///< the ratio above which two numbers differ; 0: texts are compared
   const char* where_equal = nullptr;  ///< compared only where this member of both rows is the same
 };
 
-/// A list of the report, what identifies its rows, and what is compared: a row ends at the first column that has changed.
+Column verdict_column(const std::string& key) { return {key, ", " + key, Change::worse, Change::better}; }
+
+/// A list of the report, the members that identify its rows, and what is compared: a row ends at the first text that has
+/// changed.
 struct Part {
   const char* path;
   const char* name;
@@ -66,29 +62,48 @@ struct Part {
 };
 
 const std::vector<Part>& parts() {
+  using enum Change;
   static const std::vector<Part> all{
       {"/audit/rows",
        "audit",
        {"quantity"},
-       {{"kept", Measure::verdict, ", kept"},
-        {"max_error_ulp", Measure::error, ", largest error, ulp", 1.1, "points"}}},
+       {verdict_column("kept"), {"max_error_ulp", ", largest error, ulp", better, worse, 1.1, "points"}}},
       {"/audit/scenes",
        "random contacts",
        {"kind"},
-       {{"kept", Measure::verdict, ", kept"},
-        {"median_overestimate", Measure::error, ", statement over error, median", 1.1, "scenes"}}},
+       {verdict_column("kept"),
+        {"median_overestimate", ", statement over error, median", better, worse, 1.1, "scenes"}}},
       {"/audit/contacts",
        "hard case",
        {"system", "length_over_thickness", "poisson", "unknowns"},
-       {{"kept", Measure::verdict, ", kept"}}},
-      {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", Measure::speed, "", 1.25}}},
-      {"/bench/error_ratios", "error,", {"what"}, {{"met", Measure::verdict, ", met"}}},
-      {"/tables/tables", "table", {"id"}, {{"cells", Measure::cells, ", cells: "}}},
-      {"/claims", "claim", {"id"}, {{"verdict", Measure::word}}},
-      {"/limits", "limit", {"name"}, {{"approached", Measure::verdict, ", approached"}}},
-      {"/errata", "erratum", {"id"}, {{"settled", Measure::verdict, ", settled"}}},
-      {"/golden", "golden", {"quantity"}, {{"kept", Measure::verdict, ", kept"}}}};
+       {verdict_column("kept")}},
+      {"/bench/times/ratios", "speed,", {"what"}, {{"ratio", "", slower, quicker, 1.25}}},
+      {"/bench/error_ratios", "error,", {"what"}, {verdict_column("met")}},
+      {"/tables/tables",
+       "table",
+       {"id"},
+       {{"match", ", cells: match", worse, better, 1},
+        {"misprint", ", cells: misprint", changed, changed, 1},
+        {"seed-error", ", cells: seed-error", changed, changed, 1},
+        {"unexplained", ", cells: unexplained", better, worse, 1}}},
+      {"/claims", "claim", {"id"}, {{"verdict", "", changed, changed}}},
+      {"/limits", "limit", {"name"}, {verdict_column("approached")}},
+      {"/errata", "erratum", {"id"}, {verdict_column("settled")}},
+      {"/golden", "golden", {"quantity"}, {verdict_column("kept")}}};
   return all;
+}
+
+/// The report with the number of each table's cells of each verdict as a member of the table.
+json with_counts(json report) {
+  const json::json_pointer tables("/tables/tables");
+  if (!report.contains(tables)) return report;
+  for (json& table : report[tables]) {
+    if (!table.is_object()) continue;
+    for (const char* verdict : {"match", "misprint", "seed-error", "unexplained"})
+      table[verdict] = std::ranges::count_if(
+          list_at(table, "/cells"), [&](const json& cell) { return text_at(cell, "verdict") == verdict; });
+  }
+  return report;
 }
 
 std::map<std::string, const json*> by_name(const json& rows, const std::vector<const char*>& keys) {
@@ -101,57 +116,19 @@ std::map<std::string, const json*> by_name(const json& rows, const std::vector<c
   return named;
 }
 
-long cells_with(const json& table, const char* verdict) {
-  return std::ranges::count_if(list_at(table, "/cells"),
-                               [&](const json& cell) { return text_at(cell, "verdict") == verdict; });
-}
-
-/// Matches are good, what is unexplained is not; the others are neither.
-std::vector<ChangedItem> changed_cells(const std::string& what, const json& before, const json& now) {
-  std::vector<ChangedItem> items;
-  for (const char* verdict : {"match", "misprint", "seed-error", "unexplained"}) {
-    const long was = cells_with(before, verdict), is = cells_with(now, verdict);
-    const std::string_view name = verdict;
-    const bool is_judged = name == "match" || name == "unexplained";
-    const Change change = !is_judged                        ? Change::changed
-                          : (name == "match") == (is > was) ? Change::better
-                                                            : Change::worse;
-    if (was != is) items.push_back({change, what + verdict, std::to_string(was), std::to_string(is)});
+std::optional<ChangedItem> change_of(const Column& column, const std::string& row, const json& before,
+                                     const json& now) {
+  const std::string what = row + column.title;
+  if (column.differs == 0) {
+    const std::string was = text_at(before, column.key), is = text_at(now, column.key);
+    if (was == is) return {};
+    return ChangedItem{is == "true" ? column.larger : column.smaller, what, was, is};
   }
-  return items;
-}
-
-std::optional<ChangedItem> changed_number(const Column& column, const std::string& what, const json& before,
-                                          const json& now) {
   const auto was = number_at(before, column.key), is = number_at(now, column.key);
-  if (!was || !is || std::max(*was, *is) <= column.differs * std::min(*was, *is)) return std::nullopt;
-  const bool is_speed = column.measure == Measure::speed;
-  const Change change = is_speed ? (*is < *was ? Change::slower : Change::quicker)
-                                 : (*is < *was ? Change::better : Change::worse);
-  const int digits = is_speed ? 3 : 4;
-  return ChangedItem{change, what, fmt::format("{:.{}g}", *was, digits), fmt::format("{:.{}g}", *is, digits)};
-}
-
-/// What a column has to say of two rows.
-std::vector<ChangedItem> changed(const Column& column, const std::string& row, const json& before,
-                                 const json& now) {
-  const std::string what = row + column.title, was = text_at(before, column.key),
-                    is = text_at(now, column.key);
-  switch (column.measure) {
-    case Measure::verdict:
-    case Measure::word: {
-      const Change change = column.measure == Measure::word ? Change::changed
-                            : is == "true"                  ? Change::better
-                                                            : Change::worse;
-      return was == is ? std::vector<ChangedItem>{} : std::vector{ChangedItem{change, what, was, is}};
-    }
-    case Measure::cells:
-      return changed_cells(what, before, now);
-    default: {
-      const auto item = changed_number(column, what, before, now);
-      return item ? std::vector{*item} : std::vector<ChangedItem>{};
-    }
-  }
+  if (!was || !is || std::max(*was, *is) <= column.differs * std::min(*was, *is)) return {};
+  const int digits = column.smaller == Change::slower ? 3 : 4;
+  return ChangedItem{*is < *was ? column.smaller : column.larger, what, fmt::format("{:.{}g}", *was, digits),
+                     fmt::format("{:.{}g}", *is, digits)};
 }
 
 /// Adds what has changed in the rows of a part, and which are new or gone. Gives the number of rows with numbers that are of
@@ -178,9 +155,9 @@ std::size_t compare(const Part& part, const json& older, const json& newer, std:
                               text_at(*old->second, column.where_equal) == text_at(*row, column.where_equal);
       of_other_points += !comparable;
       const auto found =
-          comparable ? changed(column, name + id, *old->second, *row) : std::vector<ChangedItem>{};
-      items.insert(items.end(), found.begin(), found.end());
-      if (!found.empty()) break;
+          comparable ? change_of(column, name + id, *old->second, *row) : std::optional<ChangedItem>();
+      if (found) items.push_back(*found);
+      if (found && column.differs == 0) break;
     }
   }
   for (const auto& [id, row] : before) {
@@ -211,7 +188,7 @@ bool is_report(const std::string& text) {
 }
 
 ReportComparison compare_reports(const std::string& older, const std::string& newer) {
-  const json before = json::parse(older), now = json::parse(newer);
+  const json before = with_counts(json::parse(older)), now = with_counts(json::parse(newer));
   ReportComparison comparison{version_of(before), "", {}};
   std::size_t of_other_points = 0;
   for (const Part& part : parts()) of_other_points += compare(part, before, now, comparison.items);

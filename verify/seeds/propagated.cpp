@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include <nipref/verify/seeds/propagated.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {
 namespace {

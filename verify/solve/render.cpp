@@ -7,8 +7,7 @@
 #include <iterator>
 
 #include <nipref/verify/solve/render.hpp>
-#include <nipref/verify/support/internal/met_text.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {

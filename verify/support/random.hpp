@@ -6,8 +6,8 @@
 
 namespace nipref::verify {
 
-/// Reproducible random numbers. The standard's distributions differ between libraries, so the mapping from
-/// bits to numbers is written here: the same seed text gives the same points everywhere.
+/// Reproducible random numbers: the same seed text gives the same points everywhere. The standard's distributions are not
+/// used, since they differ between libraries.
 class Random {
  public:
   /// The seed is a text, so that every quantity and every purpose has its own stream.

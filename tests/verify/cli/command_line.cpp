@@ -10,7 +10,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/upward_text.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 
 #include "support/run_nipref.hpp"
 #include "support/unfolded.hpp"

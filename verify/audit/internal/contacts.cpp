@@ -15,7 +15,7 @@
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 #include <nipref/verify/support/text_table.hpp>
 

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
-#include <nipref/verify/support/internal/or_dash.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 #include <nipref/verify/support/text_table.hpp>
 

@@ -24,7 +24,7 @@ bool can_overwrite() {
   return isatty(STDERR_FILENO) == 1 && term != nullptr && *term != '\0' && std::string_view(term) != "dumb";
 }
 
-/// Asked anew each time: windows change.
+/// Not cached, since a window may change its size.
 std::size_t columns_of_terminal() {
   constexpr std::size_t usual = 80;
   winsize size{};
@@ -44,7 +44,7 @@ ProgressOutput standard_error(bool quiet) {
 }
 
 Progress::Progress(ProgressOutput output) : output_(std::move(output)) {
-  if (output_.write) started_ = told_ = output_.seconds();
+  if (output_.write) started_ = shown_ = output_.seconds();
 }
 
 Progress::~Progress() {
@@ -64,47 +64,40 @@ void Progress::next(std::string item) {
   item_ = std::move(item);
   part_ = 0;
   detail_.clear();
-  if (output_.write) tell(0);
+  show(0);
 }
 
 void Progress::at(double part, std::string detail) {
   part_ = std::min(part, 1.0);
   detail_ = std::move(detail);
-  if (output_.write) tell(seconds_between_bars);
+  show(seconds_between_bars);
 }
 
-void Progress::tell(double seconds_since_bar) {
+void Progress::show(double seconds_since_bar) {
+  if (!output_.write) return;
   const double now = output_.seconds();
   const std::size_t columns = output_.columns();
-  if (now - told_ < (columns > 0 ? seconds_since_bar : seconds_between_lines)) return;
-  told_ = now;
+  if (now - shown_ < (columns > 0 ? seconds_since_bar : seconds_between_lines)) return;
+  shown_ = now;
   line_is_open_ = columns > 0;
-  output_.write(columns > 0 ? start_and_wipe + bar(columns, now)
-                            : fmt::format("nipref: {}: {} of {} done, now {}, {}\n", stage_, done_, items_,
-                                          item_text(), time_text(now)));
-}
-
-double Progress::share() const {
-  return items_ == 0 ? 0 : (static_cast<double>(done_) + part_) / static_cast<double>(items_);
-}
-
-std::string Progress::item_text() const { return detail_.empty() ? item_ : item_ + " " + detail_; }
-
-std::string Progress::time_text(double now) const {
-  const double left = (now - stage_started_) * (1 / share() - 1);
-  return fmt::format("{:.0f} s{}", now - started_,
-                     share() > 0 ? fmt::format(", about {:.0f} s left", left) : "");
-}
-
-/// The last column stays empty: terminals go on to the next line there.
-std::string Progress::bar(std::size_t columns, double now) const {
+  const double share = items_ == 0 ? 0 : (static_cast<double>(done_) + part_) / static_cast<double>(items_);
+  const double left = (now - stage_started_) * (1 / share - 1);
+  const std::string item = detail_.empty() ? item_ : item_ + " " + detail_;
+  const std::string time =
+      fmt::format("{:.0f} s{}", now - started_, share > 0 ? fmt::format(", about {:.0f} s left", left) : "");
+  if (columns == 0)
+    return output_.write(
+        fmt::format("nipref: {}: {} of {} done, now {}, {}\n", stage_, done_, items_, item, time));
   const std::string before = fmt::format("{} {}/{} ", stage_, done_, items_);
-  const std::string after = fmt::format(" {}, {}", item_text(), time_text(now));
+  const std::string after = fmt::format(" {}, {}", item, time);
   const std::size_t taken = before.size() + after.size() + 3;
-  if (taken + narrowest_bar > columns) return (before + after.substr(1)).substr(0, columns - 1);
+  // The last column stays empty: terminals go on to the next line there.
+  if (taken + narrowest_bar > columns)
+    return output_.write(start_and_wipe + (before + after.substr(1)).substr(0, columns - 1));
   const std::size_t length = std::min(columns - taken, widest_bar);
-  const auto filled = static_cast<std::size_t>(share() * static_cast<double>(length));
-  return fmt::format("{}[{:#<{}}{:.<{}}]{}", before, "", filled, "", length - filled, after);
+  const auto filled = static_cast<std::size_t>(share * static_cast<double>(length));
+  output_.write(
+      fmt::format("{}{}[{:#<{}}{:.<{}}]{}", start_and_wipe, before, "", filled, "", length - filled, after));
 }
 
 }  // namespace nipref::verify
