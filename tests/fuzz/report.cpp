@@ -1,4 +1,4 @@
-#include <nipref/verify/report/comparison.hpp>
+#include <nipref/verify/report/report.hpp>
 
 #include "reading.hpp"
 

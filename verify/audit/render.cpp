@@ -6,7 +6,6 @@
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -5,7 +5,6 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/seeds/internal/statement.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 

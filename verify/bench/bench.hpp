@@ -6,6 +6,7 @@
 
 #include <nipref/verify/catalogue/quantity.hpp>
 #include <nipref/verify/grade/plugin.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -75,5 +76,14 @@ std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress
 /// Both.
 std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
                             const std::vector<OtherKernel>& others = {});
+
+/// Table for people, one line a row; quantity and range are not repeated.
+std::string bench_text(const std::vector<BenchRow>& rows);
+
+/// The promised ratios with their verdicts.
+std::string ratios_text(const std::vector<BenchRatio>& ratios);
+
+/// What `bench` answers, and what stands for it in a report.
+Json bench_json(const BenchReport& report);
 
 }  // namespace nipref::verify

@@ -9,7 +9,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
-#include <nipref/verify/bench/internal/timed_way.hpp>
+#include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>

@@ -5,10 +5,9 @@
 #include <iterator>
 #include <span>
 
-#include <nipref/verify/bench/render.hpp>
+#include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {

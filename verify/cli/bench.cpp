@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
+#include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/cli/machine.hpp>

@@ -10,7 +10,7 @@
 #include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
-#include <nipref/verify/support/text_table.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {

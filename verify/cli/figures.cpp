@@ -7,7 +7,6 @@
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -27,7 +26,7 @@ int list_figures(const std::vector<FigurePlan>& plans, const CommandLine& line, 
 }
 
 std::string figure_svg(const Figure& figure, const std::string& file) {
-  const auto drawn = drawn_by_gnuplot(gnuplot_script(figure));
+  const auto drawn = drawn_by_gnuplot(gnuplot_script(figure_json(figure)));
   if (!drawn)
     throw data::BadInput("svg", file,
                          "must wait for the program gnuplot, which is not installed (Debian's gnuplot-nox)");

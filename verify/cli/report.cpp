@@ -6,7 +6,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/render.hpp>
-#include <nipref/verify/bench/render.hpp>
+#include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/bench.hpp>
@@ -18,7 +18,6 @@
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/report/render.hpp>

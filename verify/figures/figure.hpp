@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <nipref/verify/support/json.hpp>
+
 namespace nipref::verify {
 
 /// What is along an axis of a figure.
@@ -71,5 +73,21 @@ struct Figure {
 /// Computes a figure: a part of a second, for rolling sheets seconds. Where the seed printed a table, the figure has its
 /// cells with their rounding, but no doubtful ones, and what the seed's own method gives for their rows.
 [[nodiscard]] Figure compute(const FigurePlan& plan);
+
+/// A line for each point: panel, label, role, x, y, low, high, value. Where there are no bars, low and high are y; value
+/// is what contours are of, which have neither.
+std::string figure_csv(const Figure& figure);
+
+Json panel_json(const Panel& panel);
+Json figure_json(const Figure& figure);
+
+/// Title, parameters, the command that draws it, and what is in it.
+std::string figure_text(const Figure& figure);
+
+/// A script with which gnuplot writes an SVG to its standard output, of what figure_json answers; of what panel_json answers a
+/// drawing without a caption, small enough for a page: readable at half the width of a sheet of paper and on a telephone.
+/// Labels differ in colour (Okabe and Ito's, which colour-blind readers tell apart), in dashes and in symbols; roles in how
+/// they are drawn.
+std::string gnuplot_script(const Json& drawing);
 
 }  // namespace nipref::verify

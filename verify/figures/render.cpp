@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 
 namespace nipref::verify {

@@ -10,7 +10,6 @@
 
 #include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {

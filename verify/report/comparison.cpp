@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include <nipref/verify/report/comparison.hpp>
+#include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/figures/internal/gnuplot.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/report/render.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/template.hpp>
@@ -65,7 +65,7 @@ std::string percent_encoded(const std::string& svg) {
 void draw_all(const std::vector<TemplateData*>& drawn, const Drawer& draw) {
   parallel_for(drawn.size(),
                [&](std::size_t i) {
-                 const auto svg = draw(gnuplot_script(drawn[i]->at("plot")));
+                 const auto svg = draw(gnuplot_script(Json::parse(drawn[i]->at("plot").dump())));
                  (*drawn[i])["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
                  drawn[i]->erase("plot");
                },

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/report/render.hpp>
 
 namespace nipref::verify {

@@ -10,7 +10,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
-#include <nipref/verify/bench/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>

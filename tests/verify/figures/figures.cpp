@@ -9,7 +9,6 @@
 #include <vector>
 
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/figures/render.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 
 #include "support/run_nipref.hpp"

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/report/comparison.hpp>
+#include <nipref/verify/report/report.hpp>
 
 #include "support/run_nipref.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include <nipref/verify/seeds/internal/computed.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
 
 using namespace nipref;

@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 using namespace nipref::verify;
 

@@ -17,7 +17,6 @@
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {

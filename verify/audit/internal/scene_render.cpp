@@ -3,7 +3,6 @@
 #include <nipref/verify/audit/internal/scene_tally.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
-#include <nipref/verify/support/text_table.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -7,7 +7,6 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>

@@ -16,7 +16,6 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/bench/internal/timed_way.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/memory/internal/passing_times.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>

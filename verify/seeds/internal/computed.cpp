@@ -6,8 +6,8 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/seeds/internal/computed.hpp>
 #include <nipref/verify/seeds/internal/numerics.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -15,7 +15,6 @@
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
-#include <nipref/verify/seeds/internal/computed.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
 
 namespace nipref::verify {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include <nipref/verify/figures/internal/gnuplot.hpp>
-#include <nipref/verify/figures/render.hpp>
+#include <nipref/verify/figures/figure.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -122,9 +122,9 @@ TemplateData parts_of(const std::string& text) {
 
 }  // namespace
 
-std::string gnuplot_script(const TemplateData& drawing) {
-  TemplateData figure =
-      drawing.contains("panels") ? drawing : TemplateData{{"panels", TemplateData::array({drawing})}};
+std::string gnuplot_script(const Json& drawing) {
+  TemplateData figure = TemplateData::parse(drawing.line());
+  if (!figure.contains("panels")) figure = {{"panels", TemplateData::array({figure})}};
   TemplateData& panels = figure["panels"];
   for (TemplateData& panel : panels) prepare(panel);
   const std::size_t columns = panels.size() == 4 ? 2 : 1, rows = panels.size() / columns;
@@ -135,10 +135,6 @@ std::string gnuplot_script(const TemplateData& drawing) {
                  {"width", columns * 950},
                  {"height", 110 + rows * 460}});
   return filled(template_text("figure.gnuplot"), figure, escaped_for_gnuplot);
-}
-
-std::string gnuplot_script(const Figure& figure) {
-  return gnuplot_script(TemplateData::parse(figure_json(figure).line()));
 }
 
 }  // namespace nipref::verify
