@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a unit in the last place of the scale.
+/// The widest bounds, in units in the last place of the scale.
 constexpr double widest = 1e-3;
 
-/// Rows that are compared with the reference, however long that takes.
+/// The least number of rows that are compared with the reference, however slow it is.
 constexpr std::size_t fewest = 6;
 
 bool is_useless(const ref::Estimate& golden, const ref::Estimate& now, double scale) {
@@ -32,7 +32,7 @@ bool is_useless(const ref::Estimate& golden, const ref::Estimate& now, double sc
   return !(mpfr_lessequal_p(sum.get(), most.get()) != 0);
 }
 
-/// Failures of one row.
+/// The faults of one row.
 std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& row, std::size_t number,
                                      int digits, bool by_ref) {
   std::vector<GoldenFailure> failures;
@@ -69,7 +69,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   return failures;
 }
 
-/// Whether the i-th of `count` items is one of `wanted` evenly taken ones.
+/// Whether the i-th of `count` items is among `wanted` evenly spaced ones.
 bool is_taken(std::size_t i, std::size_t count, std::size_t wanted) {
   return wanted >= count || (i * wanted) / count != ((i + 1) * wanted) / count;
 }

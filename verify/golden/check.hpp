@@ -12,9 +12,9 @@
 namespace nipref::verify {
 
 enum class GoldenFault {
-  wrong,         ///< the reference, or fast within its promise, does not meet the value
-  useless,       ///< a bound so wide that nothing can be said
-  text_changed,  ///< a file is not what its checksum says
+  wrong,         ///< the reference's value, or fast's, contradicts the golden value
+  useless,       ///< the bounds are too wide for a comparison
+  text_changed,  ///< a file does not have its checksum
   missing        ///< a quantity of the catalogue has no golden values
 };
 
@@ -23,44 +23,43 @@ std::string_view name(GoldenFault fault);
 
 struct GoldenFailure {
   GoldenFault fault;
-  std::optional<std::size_t> row;  ///< counted from 1; none: of the file
+  std::optional<std::size_t> row;  ///< counted from 1; nothing for a fault of the whole file
   std::string what;                ///< one line
 };
 
 struct CheckOptions {
-  /// Reference values are made anew at every row. Otherwise at a quarter as many rows, evenly taken and six at least, as
-  /// the quantity has audit points, which are few where a value takes seconds.
+  /// Whether the reference computes the values of all rows again. Otherwise it computes evenly spaced rows, a quarter
+  /// as many as the quantity has audit points, but at least six; slow quantities have few audit points.
   bool all = false;
-  /// Of the rows every so many-th is looked at, > 0.
-  std::size_t every = 1;
-  std::function<void(double part)> progress = {};  ///< 0 to 1; may be empty
+  std::size_t every = 1;  ///< only one of so many rows is compared, > 0
+  std::function<void(double part)> progress =
+      {};  ///< called with the finished part, from 0 to 1; may be empty
 };
 
 struct CheckedGolden {
   std::filesystem::path path;
   std::string quantity;        ///< empty if the file cannot be read
-  std::size_t rows = 0;        ///< that were compared with fast
-  std::size_t recomputed = 0;  ///< and with the reference
-  bool hashed = false;         ///< there was a checksum
+  std::size_t rows = 0;        ///< number of rows compared with fast
+  std::size_t recomputed = 0;  ///< number of rows compared with the reference
+  bool hashed = false;         ///< whether the file has a checksum
   std::vector<GoldenFailure> failures = {};
 
   [[nodiscard]] bool kept() const { return failures.empty(); }
 };
 
-/// Compares the values of a file with what is computed now. A row is wrong if the reference's value lies farther from
-/// it than both bounds together, or fast's farther than promised; it is useless if the bounds are more than a
+/// Computes the values of a file again and compares. A row is wrong if the reference's value differs from it by more
+/// than the sum of both bounds, or fast's value by more than its promise. A row is useless if the bounds exceed a
 /// thousandth of a unit in the last place of the scale.
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options);
 
-/// The same of a file, its checksum first, which must be in SHA256SUMS beside it if there is one. A file that cannot be
-/// read is text-changed if its checksum says so; otherwise BadInput.
+/// The same for a file, whose checksum in the folder's SHA256SUMS is compared first, if there is one. If the file
+/// cannot be read, the result is text-changed where the checksum is wrong; otherwise BadInput.
 CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions& options);
 
-/// What the SHA256SUMS of the folder of golden values lists or lacks: files that are not there, and files that are not
-/// listed.
+/// The files that the folder's SHA256SUMS lists but that do not exist, and the golden files that it does not list.
 std::vector<GoldenFailure> check_folder(const std::filesystem::path& folder);
 
-/// Whether both numbers can be of one truth: their distance is at most the sum of their errors.
+/// Whether both numbers can belong to the same truth: whether their distance is at most the sum of their errors.
 bool intersect(const ref::Estimate& a, const ref::Estimate& b);
 
 }  // namespace nipref::verify

@@ -15,7 +15,7 @@ Checksums Checksums::of(const std::filesystem::path& folder) {
   std::istringstream lines(data::text_of_input_file(path, "checksums"));
   constexpr std::size_t digits = 64;
   for (std::string line; std::getline(lines, line);) {
-    // Two blanks, or a blank and the star of a file read as binary.
+    // The digest is followed by two blanks, or by a blank and a star for a file that was read as binary.
     const bool is_one = line.size() > digits + 2 && line[digits] == ' ' &&
                         line.find_first_not_of("0123456789abcdef") == digits;
     if (!is_one) throw data::BadInput("checksums", path.string(), "must have lines as sha256sum writes them");

@@ -8,10 +8,10 @@
 
 namespace nipref::verify {
 
-/// The SHA256SUMS of a folder, as sha256sum writes and checks it.
+/// The SHA256SUMS of a folder, in the format of sha256sum.
 class Checksums {
  public:
-  /// Of none if there is no such file. BadInput if it is not one.
+  /// Reads the file; empty if the folder has none. BadInput if it has another format.
   static Checksums of(const std::filesystem::path& folder);
 
   [[nodiscard]] const std::map<std::string, std::string>& by_name() const { return by_name_; }

@@ -28,7 +28,8 @@ std::vector<std::string> columns_of(const std::vector<Argument>& arguments) {
   return columns;
 }
 
-/// The quantity's arguments that a file names: one that has a default may be younger than the file.
+/// The quantity's arguments that are columns of a file. A file may lack an argument with a default, which the
+/// quantity may have got after the file was written.
 std::vector<Argument> arguments_in(const Quantity& quantity, const std::vector<CsvField>& names) {
   std::vector<Argument> named;
   for (const Argument& argument : written_arguments(quantity)) {
@@ -38,16 +39,16 @@ std::vector<Argument> arguments_in(const Quantity& quantity, const std::vector<C
   return named;
 }
 
-/// Bits that hold a decimal text so well that what is lost is nothing beside two digits of a bound.
+/// A precision at which the rounding error of a decimal text is negligible against a bound of two digits.
 mpfr_prec_t bits_for(const std::string& text) { return static_cast<mpfr_prec_t>(4 * text.size() + 128); }
 
-/// False if it is no number.
+/// Reads a decimal number; false if the text is none.
 bool read_decimal(const std::string& text, ref::Real& number, mpfr_rnd_t rounding) {
   return !text.empty() && mpfr_set_str(number.get(), text.c_str(), 10, rounding) == 0 &&
          mpfr_number_p(number.get()) != 0;
 }
 
-/// The whole field as a double, decimal or hexadecimal.
+/// The double in a field, decimal or hexadecimal; nothing if the field is no number.
 std::optional<double> read_double(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
@@ -55,7 +56,7 @@ std::optional<double> read_double(const std::string& text) {
   return value;
 }
 
-/// Reads rows of a file that is about `quantity`.
+/// Reads the rows of a file of the quantity's golden values.
 class Reader {
  public:
   Reader(const std::filesystem::path& path, const Quantity& quantity, std::vector<Argument> named)
@@ -91,7 +92,7 @@ class Reader {
   }
 
  private:
-  /// Of the argument itself, or of the material that holds it.
+  /// The column of the argument itself, or of the material or solid that contains it.
   [[nodiscard]] std::size_t column_of(const Argument& argument) const {
     const auto column = std::ranges::find(named_, written_name(quantity_, argument), &Argument::name);
     return static_cast<std::size_t>(column - named_.begin());
@@ -130,7 +131,7 @@ class Reader {
   std::vector<Argument> named_;
 };
 
-/// Of a value that is 0 the text rounds nothing.
+/// The bound includes the rounding of the value to its text. The text of the value 0 is not rounded.
 std::string bound_text(const ref::Estimate& reference) {
   if (!mpfr_zero_p(reference.value.get()) || mpfr_zero_p(reference.error.get()))
     return reference.error_text();

@@ -10,18 +10,17 @@
 
 namespace nipref::verify {
 
-/// A value that was made once, confirmed by a second method, and is kept.
+/// A stored value of a quantity, which a second method has confirmed.
 struct GoldenRow {
   Point arguments;
-  std::string value;  ///< decimal text
-  std::string bound;  ///< of |value - truth|, decimal text
-  double scale;       ///< what errors of other values are measured against, unit of the quantity
-  bool proven;        ///< whether bound is a proven one; otherwise it is an estimate
-  std::string
-      confirmed_by;    ///< the second method, and the largest distance from the value that it leaves open
-  std::string origin;  ///< hard, worst:fast@COMMIT, dense or user
+  std::string value;         ///< decimal text
+  std::string bound;         ///< of |value - truth|, decimal text
+  double scale;              ///< what errors of other values are measured against, unit of the quantity
+  bool proven;               ///< whether the bound is proven; otherwise it is an estimate
+  std::string confirmed_by;  ///< the second method, and how far its result may be from the value
+  std::string origin;        ///< hard, worst:fast@COMMIT, dense or user
 
-  /// The number that value is, with bound.
+  /// The value and its bound as a number.
   [[nodiscard]] ref::Estimate number() const;
 };
 
@@ -32,22 +31,22 @@ struct GoldenFile {
 
   /// BadInput naming the key if it is not there.
   [[nodiscard]] const std::string& entry(const std::string& key) const;
-  /// The quantity of the catalogue that the file is about; BadInput if it is none.
+  /// The quantity whose values the file holds. BadInput if the catalogue has none of that name.
   [[nodiscard]] const Quantity& quantity() const;
   [[nodiscard]] int digits() const;
   void set(const std::string& key, const std::string& text);
 };
 
-/// A golden value out of what the reference says; `scale` as above. The rest is empty.
+/// A golden value from the reference's estimate, without a confirmation and an origin.
 GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference);
 
-/// Text of a file as data/golden/README.md describes it.
+/// The text of a file, as data/golden/README.md describes it.
 std::string golden_text(const Quantity& quantity, const GoldenFile& file);
 
-/// BadInput with file, line and column for what is not so.
+/// Reads such a file. BadInput that names file, line and column of the first fault.
 GoldenFile read_golden(const std::filesystem::path& path);
 
-/// Where the golden values of the quantity are: QUANTITY.csv of data/golden.
+/// The file of the quantity's golden values: data/golden/QUANTITY.csv.
 std::filesystem::path golden_path(const Quantity& quantity);
 
 }  // namespace nipref::verify

@@ -19,21 +19,20 @@
 namespace nipref::verify {
 namespace {
 
-// Shares of the points asked for; the rest is dense.
+// Shares of the requested points; the remaining points are spread over the domain.
 constexpr double share_of_hard = 0.4, share_of_zeros = 0.1, share_of_worst = 0.1;
-/// Of filling up with dense points where some were no new ones, or are not taken.
+/// The number of rounds in which points of the domain replace points that occur twice or have no value.
 constexpr int most_rounds = 8;
-/// The audit's points for each that is made, however cheap the quantity is.
+/// The largest number of audit points for each golden value.
 constexpr std::size_t most_audited = 16;
-// Of the progress.
-constexpr double part_of_audit = 0.2;
+constexpr double part_of_audit = 0.2;  ///< of the progress
 
 struct Candidate {
   Point point;
   std::string origin;
 };
 
-/// The audit's worst point, and the worst of as many others, worst first.
+/// The worst point of an audit, followed by the worst of as many other points in the order of their errors.
 std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& golden, std::size_t count) {
   const std::size_t audited = std::min(quantity.audit_points, most_audited * golden.points);
   Random random("golden worst " + quantity.drawn_for() + " " + golden.seed);
@@ -61,7 +60,7 @@ std::vector<Point> worst_points(const Quantity& quantity, const GoldenOptions& g
   return worst;
 }
 
-/// Points that are not there yet.
+/// Points for golden values, each once.
 class Candidates {
  public:
   Candidates(const Quantity& quantity, const GoldenOptions& options)
@@ -74,12 +73,12 @@ class Candidates {
   }
   void add_dense(std::size_t count) { add(dense_points(quantity_, {}, count, random_), "dense"); }
 
-  /// Hard cases, zeros, and what an audit finds worst.
+  /// Adds hard cases, zeros, and the points where an audit finds the largest errors.
   void add_first(const GoldenOptions& options, const Provenance& provenance) {
     const auto share = [&](double part) {
       return static_cast<std::size_t>(std::ceil(part * static_cast<double>(options.points)));
     };
-    // The worst first: a hard case that is among them is both.
+    // The worst points come first, so that a hard case among them gets their origin.
     add(worst_points(quantity_, options, share(share_of_worst)),
         "worst:fast@" + provenance.commit.substr(0, 12));
     add(thinned(hard_points(quantity_, {}, random_), share(share_of_hard)), "hard");
@@ -87,7 +86,7 @@ class Candidates {
   }
 
   [[nodiscard]] std::size_t size() const { return fresh_.size(); }
-  /// Those added since it was last asked.
+  /// Returns the points that were added since the last call.
   std::vector<Candidate> taken() { return std::exchange(fresh_, {}); }
 
  private:
@@ -97,7 +96,7 @@ class Candidates {
   std::vector<Candidate> fresh_;
 };
 
-/// What became of a candidate; nothing where the reference does not take it.
+/// The golden value at a candidate, or the reason why there is none; both empty if the reference refuses the point.
 struct MadeRow {
   std::optional<GoldenRow> row;
   std::optional<RefusedRow> refused;
@@ -139,13 +138,13 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   const Confirm confirm = confirmer_of(quantity.name);
   if (!confirm)
     throw data::BadInput("quantity", quantity.name, "must have a second method that confirms its values");
-  const Confirmation confirmed = confirm(row.arguments);
+  const Confirmation confirmed = confirm(NamedPoint(quantity.arguments, row.arguments));
   const ref::Estimate golden = row.number();
   ref::Real distance(64), allowed(64);
   mpfr_sub(distance.get(), golden.value.get(), confirmed.value.get(), MPFR_RNDA);
   mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
   mpfr_add(allowed.get(), golden.error.get(), confirmed.error.get(), MPFR_RNDU);
-  // Written so that a NaN confirms nothing.
+  // The comparison is negated so that a NaN is no confirmation.
   if (!(mpfr_lessequal_p(distance.get(), allowed.get()) != 0))
     return fmt::format("{} differs by {}, more than {}", confirmed.method, real_text(distance),
                        real_text(allowed));

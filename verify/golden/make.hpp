@@ -8,32 +8,32 @@
 
 namespace nipref::verify {
 
-/// What golden values are made with; stands in their header.
+/// The program that computed golden values, as written in their header.
 struct Provenance {
   std::string nipref, compiler, mpfr;
-  std::string commit;  ///< full hash; "unknown"
-  bool clean;          ///< nothing differed from the commit
+  std::string commit;  ///< the full hash, or "unknown"
+  bool clean;          ///< whether no file differed from the commit
 };
 
-/// Whether a value of many digits takes seconds.
+/// Whether the reference takes seconds for a value of many digits.
 bool is_slow(const Quantity& quantity);
 
 struct GoldenOptions {
   std::size_t points;
   int digits;
-  std::string seed = "1";  ///< any text, from which the points are drawn
-  /// Called now and then with the part done, 0 to 1; may be empty.
+  std::string seed = "1";  ///< of the random points; any text
+  /// Is called now and then with the finished part, from 0 to 1; may be empty.
   std::function<void(double part)> progress = {};
 };
 
-/// 50 digits at 250 points; 30 digits at 200 where values are slow; 21 digits at 30 where several quantities come out
-/// of one solution that takes seconds.
+/// 50 digits at 250 points; for a slow quantity 30 digits at 200 points; for a quantity of a whole contact, whose
+/// solution takes seconds, 21 digits at 30 points.
 inline GoldenOptions golden_options(const Quantity& quantity) {
   if (!quantity.family.empty()) return {30, 21};
   return is_slow(quantity) ? GoldenOptions{200, 30} : GoldenOptions{250, 50};
 }
 
-/// A point whose value was not taken.
+/// A point without a golden value.
 struct RefusedRow {
   Point arguments;
   std::string reason;
@@ -41,18 +41,19 @@ struct RefusedRow {
 
 struct MadeGolden {
   GoldenFile file;
-  std::vector<RefusedRow> refused;  ///< that no second method confirms
+  std::vector<RefusedRow> refused;  ///< points whose value no second method confirms
 };
 
-/// Golden values of a quantity: hard cases, zeros and their neighbours, the points at which fast was found worst by an
-/// audit, and points spread over the whole domain. Each has been confirmed by a second method: their distance is at
-/// most the sum of bound and the method's own error, and that is small beside a double's last place. Points that the
-/// reference does not take are left out, and of points where the value is nothing but 0 no more than a twentieth are
-/// kept. Deterministic, whatever the number of threads. BadInput if the quantity has no second method. Throws
-/// Interrupted if the process is.
+/// Golden values of a quantity at hard cases, at zeros and their neighbours, at the points where an audit finds the
+/// largest errors of fast, and at points spread over the whole domain. A second method confirms each value: the two
+/// differ by at most the sum of the bound and the method's own error, and this sum is small against a unit in the last
+/// place of a double. Points that the reference refuses are left out, and at most a twentieth of the values are exactly
+/// 0. The result does not depend on the number of threads. BadInput if the quantity has no second method. Throws
+/// Interrupted if the process is interrupted.
 MadeGolden make_golden(const Quantity& quantity, const GoldenOptions& options, const Provenance& provenance);
 
-/// The row confirmed: confirmed_by is set, or the reason why it is not is given back.
+/// Confirms the row by the second method and sets its confirmed_by. Returns the reason if the method does not confirm
+/// it, otherwise an empty text.
 std::string confirm_row(const Quantity& quantity, GoldenRow& row);
 
 }  // namespace nipref::verify

@@ -8,7 +8,7 @@
 
 namespace nipref::verify {
 
-/// What was made of a quantity.
+/// The new golden values of a quantity and their file.
 struct MadeFile {
   std::string quantity, path;
   MadeGolden made;
@@ -16,7 +16,7 @@ struct MadeFile {
 std::string made_text(const std::vector<MadeFile>& files);
 Json made_json(const std::vector<MadeFile>& files);
 
-/// `folder`: failures of none of the files.
+/// `folder`: failures that belong to no single file.
 std::string checked_text(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files);
 Json checked_file_json(const CheckedGolden& file);
 Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files);
@@ -32,7 +32,7 @@ struct ListedFile {
   std::string quantity, path;
   GoldenFile file;
 };
-/// `missing`: quantities that have no golden values.
+/// `missing`: the quantities without golden values.
 std::string listed_text(const std::vector<ListedFile>& files, const std::vector<std::string>& missing);
 Json listed_json(const std::vector<ListedFile>& files, const std::vector<std::string>& missing);
 

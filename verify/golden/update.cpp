@@ -11,12 +11,12 @@
 namespace nipref::verify {
 namespace {
 
-/// A scale may have been rounded otherwise.
+/// Whether the scales differ by more than rounding errors.
 bool is_other_scale(double before, double after) {
   return std::fabs(before - after) > 1e-12 * std::max(std::fabs(before), std::fabs(after));
 }
 
-/// Empty if nothing has.
+/// Why the row has to change; empty if it stays.
 std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bool all) {
   if (!intersect(before.number(), after.number())) return "another value";
   if (before.proven != after.proven) return "another status";

@@ -13,15 +13,15 @@ struct ChangedRow {
 };
 
 struct UpdatedGolden {
-  GoldenFile file;  ///< as it should be
+  GoldenFile file;  ///< with the changed rows
   std::vector<ChangedRow> changed;
   std::vector<RefusedRow>
-      refused;  ///< what should change to them is confirmed by no second method: they stay
+      refused;  ///< rows that stay as they are because no second method confirms their new values
 };
 
-/// Computes all values of the file again. Rows change whose value the reference's of now does not meet, whose status
-/// or scale is another, or, with `all`, every one. Each changed row is confirmed by a second method. Throws Interrupted
-/// if the process is.
+/// Computes all values of the file again. A row changes if the reference's new value contradicts its value, if its
+/// status or scale differs, or, with `all`, in any case. A second method confirms each changed row. Throws
+/// Interrupted if the process is interrupted.
 UpdatedGolden update_golden(const Quantity& quantity, const GoldenFile& file, bool all,
                             const Provenance& provenance, const std::function<void(double part)>& progress);
 

@@ -4,27 +4,25 @@
 #include <string>
 
 #include <nipref/fast/half_space/anisotropic.hpp>
-#include <nipref/verify/golden/confirm/anisotropic.hpp>
+#include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/golden/confirm/stroh.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
-
-/// The upper triangle of Voigt's matrix row by row, then the density, from the argument number `at` on.
+/// Of the upper triangle of Voigt's matrix row by row, which begins with c11, and the density.
 template <unsigned digits>
 class AnySolid {
  public:
   using Float = Number<digits>;
 
-  AnySolid(Arguments x, std::size_t at) {
+  explicit AnySolid(Arguments x) : density_(x["density"]) {
+    auto modulus = x.from("c11").begin();
     for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t k = i; k < 6; ++k) voigt_[i][k] = voigt_[k][i] = Float(x[at++]);
-    density_ = Float(x[at]);
+      for (std::size_t k = i; k < 6; ++k) voigt_[i][k] = voigt_[k][i] = Float(*modulus++);
   }
 
-  /// Y of lines at psi that see the speed `phase`; axes (n, across, 3).
+  /// Y for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
   [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
     const Float psi = psi_degrees * pi<Float>() / 180;
     return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
@@ -37,12 +35,11 @@ class AnySolid {
 
 enum class Part { re, minus_im };
 
-/// theta, psi, speed, solid.
 Confirm entry_of(std::size_t row, std::size_t column, Part part) {
   return [=](Arguments x) {
     using Float = Number<150>;
-    const Float phase = Float(x[2]) * cosine_between<150>(x[1], x[0]);
-    const auto y = AnySolid<150>(x, 3).admittance(x[1], phase);
+    const Float phase = Float(x["speed"]) * cosine_between<150>(x["psi_deg"], x["theta_deg"]);
+    const auto y = AnySolid<150>(x).admittance(x["psi_deg"], phase);
     const Wave value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
     const Wave size = std::max<Wave>(abs(Wave(y[2][2].real())),
                                      std::max<Wave>(abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real()))));
@@ -50,15 +47,16 @@ Confirm entry_of(std::size_t row, std::size_t column, Part part) {
   };
 }
 
-/// theta, solid.
 Confirmation critical_of_any(Arguments x) {
-  data::Stiffness solid{{}, x[22]};
-  std::size_t at = 1;
+  data::Stiffness solid{{}, x["density"]};
+  auto modulus = x.from("c11").begin();
   for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = x[at++];
-  const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x[0]));
-  return lowest_surface_wave(AnySolid<130>(x, 1), near.psi * 180 / std::numbers::pi, x[0], near.speed);
+    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *modulus++;
+  const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x["theta_deg"]));
+  return lowest_surface_wave(AnySolid<130>(x), near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
 }
+
+}  // namespace
 
 const Methods& anisotropic_methods() {
   static const Methods methods{{"anisotropic.compliance", entry_of(2, 2, Part::re)},
@@ -71,9 +69,5 @@ const Methods& anisotropic_methods() {
                                {"anisotropic.critical", critical_of_any}};
   return methods;
 }
-
-}  // namespace
-
-Confirm of_anisotropic(std::string_view quantity) { return found_in(anisotropic_methods(), quantity); }
 
 }  // namespace nipref::verify::confirm

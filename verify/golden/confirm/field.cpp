@@ -2,20 +2,17 @@
 #include <cstddef>
 #include <vector>
 
-#include <nipref/verify/golden/confirm/field.hpp>
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
-
-using Arguments = std::span<const double>;
 
 /// alpha >= 0 and 0 <= depth <= 1.
 struct InnerPoint {
   Float alpha, depth;
 };
 
-/// A node of the rule of the kernels' confirmation, with 2 sinh z/S - 2 e^-z and 2 cosh z/S - 2 e^-z.
+/// A node of the double exponential rule of kernels.cpp, with 2 sinh z/S - 2 e^-z and 2 cosh z/S - 2 e^-z.
 struct Rests {
   Float z, weight, sine, cosine;
 };
@@ -37,8 +34,8 @@ const std::vector<Rests>& rests() {
 
 enum class Part { sx, sy, txy, u, v };
 
-/// What the thesis's integrand is with `sine` for 2 sinh z/S and `cosine` for 2 cosh z/S, apart from cos or sin of
-/// alpha z; K is complex at poles.
+/// The thesis's integrand without its factor cos or sin of alpha z, with `sine` in place of 2 sinh z/S and `cosine` in
+/// place of 2 cosh z/S. K is a complex type for the residues at poles.
 template <class K>
 K integrand(Part part, bool normal, const Float& s, const Float& t1, const K& z, const K& sine,
             const K& cosine) {
@@ -69,8 +66,8 @@ bool is_sine(Part part, bool normal) {
   return odd_for_normal == normal;
 }
 
-/// pi times the half-planes' part, the integral over e^-z in place of sinh z/S and cosh z/S: by the complex distances
-/// from the loads.
+/// pi times the fields of two half-planes under the loads: the integral with e^-z in place of sinh z/S and cosh z/S, in
+/// closed form.
 Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   const Float &a = at.alpha, &s = at.depth;
   const Float d = 1 - s, D = 1 + s, r2 = d * d + a * a, R2 = D * D + a * a, t2 = 1 - t1;
@@ -93,7 +90,7 @@ Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1)
                 : Float(-log(r2 * R2) / 2 - t1 * (d * d / r2 + D * D / R2));
 }
 
-/// pi times the quantity; of v what does not depend on eta.
+/// pi times the quantity; for v the part that does not depend on eta.
 Split near_sum(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   const bool sine = is_sine(part, normal), twofold = part == Part::v && !normal;
   Float even = 0, odd = 0;
@@ -146,16 +143,18 @@ Confirmation over_pi(const Split& sum) {
                              sum.error / pi<Float>() + abs(value) * Float("1e-90"));
 }
 
+bool is_normal(Arguments x) { return x["load"] == 0; }
+
 Confirmation stress(Part part, Arguments x) {
-  const bool on_face = x[1] == 1 || x[1] == -1;
+  const bool on_face = x["depth"] == 1 || x["depth"] == -1;
   if (on_face && part != Part::sy) return over_pi({});
-  return over_pi(sum_of(part, x[2] == 0, x[0], x[1], 0));
+  return over_pi(sum_of(part, is_normal(x), x["alpha"], x["depth"], 0));
 }
 
 Confirmation v(Arguments x) {
-  const mpq_class eta(x[1]), poisson(x[4]), t1 = 1 / (2 * (1 - poisson));
-  const bool normal = x[3] == 0;
-  Split sum = sum_of(Part::v, normal, x[0], x[2], poisson);
+  const mpq_class eta(x["eta"]), poisson(x["poisson"]), t1 = 1 / (2 * (1 - poisson));
+  const bool normal = is_normal(x);
+  Split sum = sum_of(Part::v, normal, x["alpha"], x["depth"], poisson);
   if (normal) {
     sum.add(1 - t1, kernel_I4(eta)).add(-t1, kernel_I5(eta));
   } else {
@@ -164,16 +163,19 @@ Confirmation v(Arguments x) {
   return over_pi(sum);
 }
 
+Confirmation u(Arguments x) {
+  return over_pi(sum_of(Part::u, is_normal(x), x["alpha"], x["depth"], mpq_class(x["poisson"])));
+}
+
 }  // namespace
 
-Confirm of_field(std::string_view quantity) {
-  if (quantity == "sheet.sx") return [](Arguments x) { return stress(Part::sx, x); };
-  if (quantity == "sheet.sy") return [](Arguments x) { return stress(Part::sy, x); };
-  if (quantity == "sheet.txy") return [](Arguments x) { return stress(Part::txy, x); };
-  if (quantity == "sheet.u")
-    return [](Arguments x) { return over_pi(sum_of(Part::u, x[2] == 0, x[0], x[1], mpq_class(x[3]))); };
-  if (quantity == "sheet.v") return v;
-  return {};
+const Methods& field_methods() {
+  static const Methods methods{{"sheet.sx", [](Arguments x) { return stress(Part::sx, x); }},
+                               {"sheet.sy", [](Arguments x) { return stress(Part::sy, x); }},
+                               {"sheet.txy", [](Arguments x) { return stress(Part::txy, x); }},
+                               {"sheet.u", u},
+                               {"sheet.v", v}};
+  return methods;
 }
 
 }  // namespace nipref::verify::confirm

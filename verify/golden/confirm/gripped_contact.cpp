@@ -10,7 +10,7 @@ namespace {
 
 using Digits = Number<40>;
 
-/// Where tractions are known: multiples of the step, and where slopes are: half a step farther.
+/// The tractions are values at multiples of the step, the slopes of the surface are those half a step farther.
 struct Grid {
   Digits step;
   int last;
@@ -19,9 +19,9 @@ struct Grid {
   [[nodiscard]] Digits middle(int k) const { return step * k + step / 2; }
 };
 
-/// What the surface of the sheet answers, lengths in half-thicknesses: kernels beside -ln|x|, and their slopes.
+/// The kernels of the sheet's surface without the term -ln|x|, and their slopes; lengths in half-thicknesses.
 struct Kernels {
-  Smooth normal, stretch, coupling;  ///< I1 + ln|x|, I6 + ln|x| as far as it is of alpha, I3
+  Smooth normal, stretch, coupling;  ///< I1 + ln|x|, the part of I6 that depends on alpha + ln|x|, I3
 
   Kernels(double half_length, double digits)
       : normal(made(
@@ -48,7 +48,7 @@ Digits sinc(const Digits& x) {
   return sin(angle) / angle;
 }
 
-/// Pressure even, shear odd: by their values on the right.
+/// A contact with an even pressure and an odd shear, which are given by their values for x >= 0.
 class Contact {
  public:
   Contact(double half_length, double poisson, const Grid& grid, double digits)
@@ -63,7 +63,7 @@ class Contact {
     Digits load = 0, depth = 0;
     for (int j = -grid_.last; j <= grid_.last; ++j) {
       const Digits weight = half_length_ * grid_.step / square(cosh(grid_.node(j)));
-      // A - x, without cancellation
+      // The distance A - x from the end, without cancellation.
       const Digits distance = 2 * half_length_ / (exp(2 * grid_.node(j)) + 1);
       load += weight * pressure(j);
       depth += weight * (pressure(j) * (Digits(kernels_.normal(Solved(distance))) - log(distance)) -
@@ -120,7 +120,7 @@ class Contact {
     for (int j = -grid_.last; j <= grid_.last; ++j) sum += shear(j) * sinc((w - grid_.node(j)) / grid_.step);
     return abs(sum);
   }
-  /// By the golden section about the largest value known.
+  /// By golden section search about the largest of the known values.
   [[nodiscard]] Digits largest_shear() const {
     int largest = 1;
     for (int j = 1; j < grid_.last; ++j) {

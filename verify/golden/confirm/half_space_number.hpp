@@ -3,7 +3,7 @@
 
 namespace nipref::verify::confirm {
 
-/// Of half-spaces: X = 1e-44 leaves a hundred digits.
+/// Numbers for half-spaces: at X = 1e-44 a hundred of their digits are left after cancellation.
 using Wave = Number<150>;
 
 inline Wave radians(const Wave& degrees) { return degrees * pi<Wave>() / 180; }
@@ -11,16 +11,16 @@ inline Wave radians(const Wave& degrees) { return degrees * pi<Wave>() / 180; }
 inline Wave cosine_of(const Wave& degrees) { return sin(radians(90 - abs(degrees))); }
 inline Wave sine_of(const Wave& degrees) { return sin(radians(degrees)); }
 
-/// What a line answers, over 1/mu.
+/// The response of a line times mu.
 struct LineAnswerByFormula {
   Wave compliance, coupling, coupling_across, in_line;
 };
 
-/// Of an isotropic half-space of mu = 1 at the phase speed squared X, in closed form without 0/0 at X = 0.
-/// (brock2012 18a and its counterpart for the shear)
+/// The response of an isotropic half-space with mu = 1 at the squared phase speed X, in closed form without 0/0 at X
+/// = 0. (brock2012 18a and its counterpart for the shear)
 LineAnswerByFormula isotropic_answer(const Wave& poisson, const Wave& X);
 
-/// A line of a sliding contact: shares of the span ahead of the load and behind it, h and Q of brock2012 (33).
+/// A line of a sliding contact: the parts of the span ahead of the load and behind it, and h and Q of brock2012 (33).
 struct SlidingShape {
   Wave ahead, behind, h, Q;
 

@@ -10,7 +10,7 @@ namespace {
 
 using boost::math::quadrature::gauss;
 
-/// A function on [0, 3] by its values at Chebyshev points.
+/// The Chebyshev interpolant of a function on [0, 3].
 class Interpolant {
  public:
   explicit Interpolant(const std::function<Float(const Float& x)>& f) {
@@ -38,7 +38,8 @@ class Interpolant {
   }
 
  private:
-  static constexpr int points = 180;  // the nearest singularity, at +-i, is on the ellipse of 2.4
+  static constexpr int points =
+      180;  // the nearest singularity, +-i, is on Bernstein's ellipse of parameter 2.4
   std::vector<Float> coefficients_;
 };
 
@@ -79,23 +80,23 @@ Complex Pole::*residue_of(Remembered kernel) {
   }
 }
 
-/// A piece of the way on one side of the load, by distances from it; the memory fades towards `fades_to_far` or
-/// away from it, counted from the end where it is freshest.
+/// An interval of distances on one side of the load. The memory decays from the near end on if `freshest_near`,
+/// otherwise from the distant end on.
 struct Piece {
   Float near, distant;
   bool freshest_near;
   Complex rate;
 
-  /// What is left of what came at x.
+  /// The factor by which the memory of x has decayed.
   [[nodiscard]] Complex left(const Float& x) const {
     return exp(Complex(-rate * (freshest_near ? Float(x - near) : Float(distant - x))));
   }
 };
 
-/// Of what is smaller than this part of the freshest nothing is left.
+/// A memory is neglected where it has decayed by e to this power.
 constexpr int forgotten = 200;
 
-/// int f left dx, f real.
+/// int f(x) piece.left(x) dx for a real f.
 Complex by_gauss(const std::function<Float(const Float&)>& f, const Piece& piece, const Float& a,
                  const Float& b, bool coarse) {
   const bool swings = piece.rate.imag() != 0;
@@ -108,7 +109,7 @@ Complex by_gauss(const std::function<Float(const Float&)>& f, const Piece& piece
   return {real, swings ? part([](const Complex& z) -> Float { return z.imag(); }) : Float(0)};
 }
 
-/// Of -ln x from 0 on, where the panels would never end: x = end e^(-v), as far as 10^-70 of it.
+/// The same of f = -ln x from 0 to `end` by the substitution x = end e^(-v), for x down to 10^-70 of `end`.
 Complex logarithm_at_zero(const Piece& piece, const Float& end, bool coarse) {
   Complex sum = 0;
   const auto part = [&](int v, auto part_of) {
@@ -126,14 +127,14 @@ Complex logarithm_at_zero(const Piece& piece, const Float& end, bool coarse) {
   return sum;
 }
 
-/// Within 3 of the load, 0 <= near < distant <= 3.
+/// The integral over a piece with 0 <= near < distant <= 3.
 Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
   const Float fades = piece.rate.real(), turns = abs(piece.rate);
   if (fades * (piece.distant - piece.near) > forgotten) {
     if (piece.freshest_near) {
       piece.distant = piece.near + forgotten / fades;
     } else {
-      // The ages still count from the far end.
+      // The memory still decays from the distant end on.
       piece.near = piece.distant - forgotten / fades;
     }
   }
@@ -159,7 +160,8 @@ Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
   return sum;
 }
 
-/// int e^(i x z) left dx over near <= x <= distant (none: infinity), as parts at the two ends.
+/// int e^(i x z) piece.left(x) dx from near to distant, or to infinity if `endless`, as the difference of its
+/// antiderivative at both ends.
 Complex of_wave(const Complex& z, const Piece& piece, bool endless) {
   const Complex slope =
       Complex(-z.imag(), z.real()) + (piece.freshest_near ? Complex(-piece.rate) : piece.rate);
@@ -169,7 +171,8 @@ Complex of_wave(const Complex& z, const Piece& piece, bool endless) {
   return endless ? Complex(-at(piece.near)) : Complex(at(piece.distant) - at(piece.near));
 }
 
-/// Beyond 3: of the two waves of a pole, z and the one at -conj z, which are conjugate but for the memory.
+/// The integral over a piece with near >= 3, as a sum over the pairs of poles z and -conj z. The terms of a pair are
+/// conjugate but for the factor of the memory.
 Complex far_piece(Remembered kernel, const Piece& piece, bool endless) {
   const bool is_odd = kernel != Remembered::I1;
   const Complex i(Float(0), Float(1));
@@ -183,7 +186,7 @@ Complex far_piece(Remembered kernel, const Piece& piece, bool endless) {
   return sum * pi<Float>();
 }
 
-/// One side of the load: distances from `near` to `distant` (none: infinity); freshest at the near end or at the other.
+/// The integral over the distances from `near` to `distant`, or to infinity without `distant`, on one side of the load.
 Complex one_side(Remembered kernel, const mpq_class& near, const std::optional<mpq_class>& distant,
                  bool freshest_near, const Complex& rate, bool coarse) {
   const mpq_class border = far;
@@ -193,7 +196,7 @@ Complex one_side(Remembered kernel, const mpq_class& near, const std::optional<m
   if (near < border) {
     const mpq_class end = goes_far ? border : *distant;
     const Piece piece{to_number<Float>(near), to_number<Float>(end), freshest_near, rate};
-    // Counted from the piece's own end: what has faded until there is a factor.
+    // The piece counts the decay from its own end, so that the decay up to this end is a factor.
     const Complex faded =
         freshest_near ? Complex(1) : exp(Complex(-rate * Float(freshest_at() - piece.distant)));
     sum += faded * close_piece(kernel, piece, coarse);
@@ -238,7 +241,7 @@ LongComplex history_of_sign(const mpq_class& from, const std::optional<mpq_class
   if (from < 0) sum -= over((to && *to < 0 ? *to : mpq_class(0)) - from);
   if (!to || *to > 0) {
     const mpq_class begin = from > 0 ? from : mpq_class(0);
-    // At rate 0 beside an infinite length, which is the same wherever it begins.
+    // At rate 0 the integral of the two parts to infinity differs from that of sign w by a constant, which is left out.
     const LongComplex endless = rate == LongComplex(0) ? LongComplex(to_number<Long>(mpq_class(from - begin)))
                                                        : LongComplex(LongComplex(1) / rate);
     const LongComplex rest = to ? over(mpq_class(*to - begin)) : endless;

@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/golden/confirm/isotropic.hpp>
+#include <nipref/verify/golden/confirm/half_space_number.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
-
-using Arguments = std::span<const double>;
 
 /// c_T^2/c_L^2.
 Wave squared_ratio(const Wave& poisson) { return (1 - 2 * poisson) / (2 - 2 * poisson); }
@@ -35,18 +33,17 @@ Wave squared_speed(double speed, const Wave& cosine) {
   return along * along;
 }
 
-/// poisson, speed, degrees.
 LineAnswerByFormula line_at(Arguments x) {
-  return isotropic_answer(x[0], squared_speed(x[1], cosine_of(x[2])));
+  return isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine_of(x["psi_deg"])));
 }
 
 Confirmation closed(const Wave& value) {
   return confirmation<Wave>("closed form", value, abs(value) * Wave("1e-80"));
 }
 
-/// d ln K/d ln speed, the closed form differentiated.
+/// d ln K/d ln speed by the derivative of the closed form.
 Wave condition(Arguments x) {
-  const Wave k = squared_ratio(x[0]), X = squared_speed(x[1], cosine_of(x[2]));
+  const Wave k = squared_ratio(x["poisson"]), X = squared_speed(x["speed"], cosine_of(x["psi_deg"]));
   const Wave wS = sqrt(1 - X), wD = sqrt(1 - k * X), product = wS * wD;
   const Wave product_slope = -(wD / wS + k * wS / wD) / 2;
   const Wave defect = (1 + k - k * X) / (1 + product);
@@ -56,10 +53,11 @@ Wave condition(Arguments x) {
 
 SlidingShape shape_at(Arguments x, double friction, const Wave& degrees) {
   const Wave cosine = cosine_of(degrees);
-  return {isotropic_answer(x[0], squared_speed(x[1], cosine)), friction, cosine, sine_of(degrees)};
+  return {isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine)), friction, cosine,
+          sine_of(degrees)};
 }
 
-/// int_0^b (b - s) s^a (1 - s)^b ds, a = 1 - b, by the binomial series, b <= 1/2 or so.
+/// int_0^b (b - s) s^a (1 - s)^b ds with a = 1 - b by the binomial series; b is at most about 1/2.
 Wave small_moment(const Wave& b) {
   const Wave a = 1 - b;
   Wave sum = 0, term = pow(b, a + 2);
@@ -95,28 +93,28 @@ Wave rolling_moment(const Wave& index) {
 }
 
 Wave rolling_index(Arguments x, const Wave& cosine) {
-  const LineAnswerByFormula line = isotropic_answer(x[0], squared_speed(x[1], cosine));
+  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
   const Wave q = line.coupling / sqrt(line.compliance * line.in_line);
   return log((1 + q) / (1 - q)) / (2 * pi<Wave>());
 }
 
 Wave rolling_amplitude(Arguments x, const Wave& cosine) {
-  const LineAnswerByFormula line = isotropic_answer(x[0], squared_speed(x[1], cosine));
+  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
   return sqrt(line.in_line /
               (line.compliance * (line.compliance * line.in_line - line.coupling * line.coupling)));
 }
 
 /// poisson, speed, span over radius, degrees.
 Wave rolling_creep(Arguments x) {
-  const Wave cosine = cosine_of(x[3]), index = rolling_index(x, cosine);
-  const LineAnswerByFormula line = isotropic_answer(x[0], squared_speed(x[1], cosine));
-  const Wave span = rolling_amplitude(x, 1) / rolling_amplitude(x, cosine) * x[2];
+  const Wave cosine = cosine_of(x["psi_deg"]), index = rolling_index(x, cosine);
+  const LineAnswerByFormula line = isotropic_answer(x["poisson"], squared_speed(x["speed"], cosine));
+  const Wave span = rolling_amplitude(x, 1) / rolling_amplitude(x, cosine) * x["span_over_radius"];
   return span * (span / 16 * (1 - 4 * index * index) + index * sqrt(line.in_line / line.compliance));
 }
 
 using Integrand = std::function<Wave(const Wave& psi)>;
 
-/// Ends of panels from 0 to pi/2 that grow from `first` at 0 and from `last` at pi/2, radians.
+/// The ends of panels from 0 to pi/2, radians, whose lengths grow from `first` at 0 and from `last` at pi/2.
 std::vector<Wave> panels(const Wave& first, const Wave& last) {
   std::vector<Wave> ends{Wave(0)}, behind{pi<Wave>() / 2};
   const Wave middle = pi<Wave>() / 4;
@@ -129,7 +127,7 @@ std::vector<Wave> panels(const Wave& first, const Wave& last) {
   return ends;
 }
 
-/// Directions with weights of Gauss's rule.
+/// The directions and weights of Gauss's rule on the panels.
 struct Direction {
   Wave cosine, sine, weight;
 };
@@ -155,18 +153,19 @@ std::vector<Direction> directions_between(const std::vector<Wave>& ends, bool co
   return coarse ? directions_of<40>(ends) : directions_of<52>(ends);
 }
 
-/// How far the peak of K about the direction of motion reaches, radians.
+/// The width of the peak of K about the direction of motion, radians.
 Wave peak_width(Arguments x) {
-  const Wave X = squared_speed(x[1], 1), critical = rayleigh_squared(x[0]);
+  const Wave X = squared_speed(x["speed"], 1), critical = rayleigh_squared(x["poisson"]);
   return X == 0 ? Wave(1) : std::min<Wave>(1, sqrt((critical - X) / X));
 }
 
 Wave die_force(Arguments x, bool coarse) {
-  const SlidingShape along = shape_at(x, x[2], 0);
+  const SlidingShape along = shape_at(x, x["friction"], 0);
   const Wave steepness = along.Q / along.h;
   Wave sum = 0;
   for (const Direction& at : directions_between(panels(peak_width(x), 1), coarse)) {
-    const SlidingShape line(isotropic_answer(x[0], squared_speed(x[1], at.cosine)), x[2], at.cosine, at.sine);
+    const SlidingShape line(isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)),
+                            x["friction"], at.cosine, at.sine);
     const Wave span = steepness * line.h / line.Q;
     sum += at.weight * span * span * span / line.h * line.moment();
   }
@@ -183,22 +182,22 @@ Wave rolling_force(Arguments x, bool coarse) {
   return sum * along / 2;
 }
 
-/// w^2 = e^eta cos^2 + e^-eta sin^2, eta > 0 where the ellipse is longer along the motion, and the integrals of
+/// The ellipse w^2 = e^eta cos^2 + e^-eta sin^2 with eta > 0 if it is longer along the motion, and the integrals of
 /// K/w, K cos^2/w^3 and K sin^2/w^3 over half a turn.
 struct Ellipse {
   Wave eta, first, along, across;
 };
 
 Ellipse ellipse_at(Arguments x, bool coarse) {
-  const double rough = 0.62 * std::log(x[2]);
-  // Room for an ellipse that the peak of K makes longer; a narrower first panel does no harm.
+  const double rough = 0.62 * std::log(x["curvature_ratio"]);
+  // The first panel also resolves an ellipse that the peak of K makes longer.
   const Wave narrow = exp(-Wave(std::fabs(rough) * 1.2)) / 2, width = peak_width(x) / 2;
   const auto lines = directions_between(panels(rough < 0 ? std::min<Wave>(narrow, width) : width,
                                                rough > 0 ? std::min<Wave>(narrow, width) : Wave(width)),
                                         coarse);
   std::vector<Wave> compliances;
   for (const Direction& at : lines)
-    compliances.push_back(isotropic_answer(x[0], squared_speed(x[1], at.cosine)).compliance);
+    compliances.push_back(isotropic_answer(x["poisson"], squared_speed(x["speed"], at.cosine)).compliance);
   Ellipse ellipse{rough, 0, 0, 0};
   for (int step = 0; step < 60; ++step) {
     const Wave wide = exp(ellipse.eta), narrow_side = 1 / wide;
@@ -215,7 +214,7 @@ Ellipse ellipse_at(Arguments x, bool coarse) {
       along_slope -= 3 * cubed * cc * slope / 2;
       across_slope -= 3 * cubed * ss * slope / 2;
     }
-    const Wave change = -log(ellipse.along / ellipse.across * Wave(x[2])) /
+    const Wave change = -log(ellipse.along / ellipse.across * Wave(x["curvature_ratio"])) /
                         (along_slope / ellipse.along - across_slope / ellipse.across);
     if (abs(change) < Wave("1e-75")) break;
     ellipse.eta += change / std::max<Wave>(1, abs(change));
@@ -239,44 +238,46 @@ Confirm by_gauss_rule(Wave (*value)(Arguments, bool coarse)) {
   };
 }
 
-const Methods& all() {
+}  // namespace
+
+const Methods& isotropic_methods() {
   static const Methods methods{
       {"halfspace.compliance", [](Arguments x) { return closed(line_at(x).compliance); }},
       {"halfspace.coupling", [](Arguments x) { return closed(line_at(x).coupling); }},
       {"halfspace.condition", [](Arguments x) { return closed(condition(x)); }},
       {"halfspace.rayleigh",
        [](Arguments x) {
-         const Wave value = sqrt(rayleigh_squared(x[0]));
+         const Wave value = sqrt(rayleigh_squared(x["poisson"]));
          return confirmation<Wave>("root of Rayleigh's cubic", value, value * Wave("1e-80"));
        }},
-      {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x[2], x[3]).ahead); }},
+      {"die.exponent", [](Arguments x) { return closed(-shape_at(x, x["friction"], x["psi_deg"]).ahead); }},
       {"die.span_ratio",
        [](Arguments x) {
-         const SlidingShape along = shape_at(x, x[2], 0), across = shape_at(x, x[2], 90);
+         const SlidingShape along = shape_at(x, x["friction"], 0), across = shape_at(x, x["friction"], 90);
          return closed(along.Q / across.Q * across.h / along.h);
        }},
       {"die.force", by_gauss_rule(die_force)},
-      {"rolling.index", [](Arguments x) { return closed(rolling_index(x, cosine_of(x[2]))); }},
+      {"rolling.index", [](Arguments x) { return closed(rolling_index(x, cosine_of(x["psi_deg"]))); }},
       {"rolling.span_ratio",
        [](Arguments x) { return closed(rolling_amplitude(x, 1) / rolling_amplitude(x, 0)); }},
       {"rolling.strip",
-       [](Arguments x) { return closed(exp(-pi<Wave>() / (2 * rolling_index(x, cosine_of(x[2]))))); }},
+       [](Arguments x) {
+         return closed(exp(-pi<Wave>() / (2 * rolling_index(x, cosine_of(x["psi_deg"])))));
+       }},
       {"rolling.creep", [](Arguments x) { return closed(rolling_creep(x)); }},
       {"rolling.force", by_gauss_rule(rolling_force)},
       {"halfspace.in_line", [](Arguments x) { return closed(line_at(x).in_line); }},
       {"halfspace.across",
-       [](Arguments x) { return closed(1 / sqrt(1 - squared_speed(x[1], cosine_of(x[2])))); }},
+       [](Arguments x) { return closed(1 / sqrt(1 - squared_speed(x["speed"], cosine_of(x["psi_deg"])))); }},
       {"halfspace.separation",
        [](Arguments x) {
-         const Wave rayleigh = sqrt(rayleigh_squared(x[0]));
-         return closed(acos(rayleigh / x[1]) * 180 / pi<Wave>());
+         const Wave rayleigh = sqrt(rayleigh_squared(x["poisson"]));
+         return closed(acos(rayleigh / x["speed"]) * 180 / pi<Wave>());
        }},
       {"ellipse.axis_ratio", by_gauss_rule(axis_ratio)},
       {"ellipse.stiffness", by_gauss_rule(stiffness)}};
   return methods;
 }
-
-}  // namespace
 
 LineAnswerByFormula isotropic_answer(const Wave& poisson, const Wave& X) {
   const Wave k = squared_ratio(poisson), wS = sqrt(1 - X), wD = sqrt(1 - k * X);
@@ -298,7 +299,5 @@ Wave SlidingShape::moment() const {
   const Wave a = 1 - b, beta = a * b * pi<Wave>() / (2 * sin(pi<Wave>() * b));
   return 2 * small_moment(b) + beta * ((a + 1) / 3 - b);
 }
-
-Confirm of_isotropic(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

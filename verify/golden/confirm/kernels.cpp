@@ -14,8 +14,8 @@ struct Node {
   Float T, I3, I4, I5, I7, I6_alpha, I6_eta;  ///< weight times symbol
 };
 
-/// Node j stands at t = j/256; the coarse rule has the even ones. Where |x| <= 3 the integrands are analytic and
-/// bounded for |Im t| < 0.3.
+/// Node j is at t = j/256; the coarse rule has the even nodes. For kernels at |x| <= 3 the integrands are analytic and
+/// bounded in the strip |Im t| < 0.3.
 std::vector<Node> make_nodes() {
   std::vector<Node> nodes;
   const Float step = Float(1) / 256;
@@ -34,7 +34,7 @@ const std::vector<Node>& nodes() {
   return all;
 }
 
-/// Sum of `integrand` over the nodes, and how much it differs from twice that over the even ones.
+/// The sum of `integrand` over the nodes; the error is its difference from twice the sum over the even nodes.
 template <class Integrand>
 Split integral(Integrand integrand) {
   Float even = 0, odd = 0;
@@ -46,7 +46,7 @@ Split integral(Integrand integrand) {
   return {0, even + odd, abs(odd - even) + abs(even) * Float("1e-90")};
 }
 
-/// e^(i x z) times residues, summed over the poles.
+/// The sum of e^(i x z) times the residue over the poles.
 Complex around_poles(const Float& x, Complex Pole::*residue) {
   Complex sum = 0;
   for (std::size_t n = poles; n >= 1; --n) {
@@ -78,7 +78,7 @@ Split odd(const mpq_class& x, Float Node::*symbol, Complex Pole::*residue) {
   return integral([&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
 }
 
-/// Newton's iteration in double: only to put a circle around the root.
+/// An approximate root by Newton's iteration in double, which is only the centre of a circle around the root.
 std::complex<double> near_root(std::size_t n) {
   const double y = (static_cast<double>(n) - 0.25) * std::numbers::pi;
   std::complex<double> z(std::acosh(2 * y) / 2, y);
@@ -111,7 +111,7 @@ Pole make_pole(std::size_t n) {
   return pole;
 }
 
-/// I1 with the logarithm taken out: - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
+/// I1 as - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
 Split I1_near(const mpq_class& alpha) {
   const Float at = abs(to_number<Float>(alpha));
   Split sum = integral([&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
@@ -185,7 +185,7 @@ Split kernel_I6_alpha(const mpq_class& alpha) {
     Split value = I1_near(alpha);
     return value.add(1, alpha_from_far(alpha)).add(1, kernel_I6_eta(far));
   }
-  // Of 2 cosh^2 z/(z S) = 2/(z S) + 2 sinh^2 z/(z S).
+  // The symbol is 2 cosh^2 z/(z S) = 2/(z S) + 2 sinh^2 z/(z S).
   Split value = even_far(alpha, &Pole::I6_alpha).add(1, even_far(alpha, &Pole::I1));
   value.quarters = -abs(alpha);
   return value;

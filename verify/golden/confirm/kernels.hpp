@@ -1,16 +1,16 @@
 #pragma once
 #include <nipref/verify/golden/confirm/number.hpp>
 
-/// The sheet's kernels by a second method. Up to |x| = 3 by their integrals along the real axis with a double
-/// exponential rule, x = e^(t - e^-t), and with half as many nodes; beyond, by integrals around the poles of their
-/// symbols: residues and the places of the poles are numerical integrals over circles of 128 points, no formula of a
-/// residue and no root is taken from anywhere.
+/// The sheet's kernels by a second method. For |x| <= 3 it integrates along the real axis by a double exponential
+/// rule, x = e^(t - e^-t), and estimates the error by half as many nodes. Beyond, it adds the integrals around the
+/// poles of the symbols: the residues and the poles themselves are contour integrals over circles of 128 points, so
+/// that it uses no formula for a residue and no known root.
 namespace nipref::verify::confirm {
 
 using Float = Number<100>;
 using Complex = ComplexNumber<100>;
 
-/// quarters pi/4 + rest. At large arguments rest decays and may be all that is left of a sum.
+/// The number quarters pi/4 + rest. At large arguments the rest decays, but it may be all that remains of a sum.
 struct Split {
   mpq_class quarters;
   Float rest;
@@ -26,20 +26,20 @@ Split kernel_I3(const mpq_class& alpha);
 Split kernel_I4(const mpq_class& eta);
 Split kernel_I5(const mpq_class& eta);
 Split kernel_I7(const mpq_class& eta);
-/// I6(alpha, eta) is the difference of these two, each of one argument.
+/// I6(alpha, eta) is the difference of these two functions of one argument.
 Split kernel_I6_alpha(const mpq_class& alpha);
 Split kernel_I6_eta(const mpq_class& eta);
 
-/// One of the kernels' poles in the first quadrant with the residues of their symbols there.
+/// A pole of the kernels in the first quadrant with the residues of their symbols.
 struct Pole {
   Complex z;
   Complex I1, I3, I4, I5, I7, I6_alpha, I6_eta;
 };
-/// Counted from 1, up to 16: what is beyond decays like e^(-16.5 pi x).
+/// The poles are counted from 1 to 16; the terms of the others decay like e^(-16.5 pi x).
 const Pole& pole(std::size_t n);
 inline constexpr std::size_t poles = 16;
 
-/// Beyond it by the poles.
+/// The kernels are sums over the poles for |x| >= far.
 inline constexpr int far = 3;
 
 }  // namespace nipref::verify::confirm

@@ -5,7 +5,7 @@
 
 namespace nipref::verify::confirm {
 
-/// A square system of equations, zero at first, solved by elimination with row exchanges.
+/// A square linear system, at first zero, which is solved by Gaussian elimination with partial pivoting.
 template <class Float>
 class LinearSystem {
  public:
@@ -14,7 +14,7 @@ class LinearSystem {
   Float& operator()(std::size_t row, std::size_t column) { return rows_[row][column]; }
   Float& right(std::size_t row) { return rows_[row].back(); }
 
-  /// Uses the system up.
+  /// Overwrites the system.
   std::vector<Float> solution() {
     const std::size_t size = rows_.size();
     for (std::size_t pivot = 0; pivot < size; ++pivot) {

@@ -4,22 +4,20 @@
 #include <string>
 #include <vector>
 
-#include <nipref/verify/golden/confirm/material.hpp>
 #include <nipref/verify/golden/confirm/number.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
 using Wide = Number<400>;
 using WideComplex = ComplexNumber<400>;
 
-/// x' = A x
+/// The linear differential equations x' = A x.
 struct States {
   std::array<std::array<Wide, 2>, 2> change;
   std::array<Wide, 2> start;
 
-  /// By the exponential's series at t/2^k, squared k times.
+  /// The solution at t by the series of the matrix exponential at t/2^k, which is squared k times.
   [[nodiscard]] std::array<Wide, 2> after(const Wide& t) const {
     Matrix step{change[0][0] * t, change[0][1] * t, change[1][0] * t, change[1][1] * t};
     int halvings = 0;
@@ -51,42 +49,43 @@ struct States {
 
 enum Model { standard_linear, kelvin_voigt, maxwell, elastic, prony, operators, thesis };
 
-/// Springs and dashpot of a modulus; the second spring 0 where there is none.
+/// The springs and the dashpot of a modulus; the second spring is 0 in models that have none.
 struct Parts {
   Wide spring, second, viscosity;
 };
 
-Model model_of(Arguments x) { return static_cast<Model>(static_cast<int>(x[1])); }
+Model model_of(Arguments x) { return static_cast<Model>(static_cast<int>(x["material"])); }
 
-Parts parts(Arguments x, std::size_t at) {
-  return {x[at], model_of(x) == standard_linear ? x[at + 1] : 0.0, x[at + 2]};
+/// modulus: shear or bulk.
+Parts parts(Arguments x, const std::string& modulus) {
+  return {x[modulus], model_of(x) == standard_linear ? x[modulus + "_2"] : 0.0, x[modulus + "_viscosity"]};
 }
 
-/// The strain e of what is beside the dashpot, and 1: e' = drive - fade e.
+/// The strain e of a spring parallel to the dashpot: e' = drive - fade e, e(0) = 0.
 Wide internal(const Wide& drive, const Wide& fade, double t) {
   const States states{{{{-fade, drive}, {0, 0}}}, {0, 1}};
   return states.after(t)[0];
 }
 
-Wide relaxation(Arguments x, std::size_t at) {
-  const Parts m = parts(x, at);
+Wide relaxation(Arguments x, const std::string& modulus) {
+  const Parts m = parts(x, modulus);
   if (model_of(x) == elastic || model_of(x) == kelvin_voigt) return m.spring;
-  // Written so that what fades is not left over of a difference: e is short of its last value by what fades.
+  // The state is the distance of e from its limit, so that the decaying part is not a difference of larger numbers.
   const Wide both = m.spring + m.second, part = m.spring / both;
   const States states{{{{-both / m.viscosity, 0}, {0, 0}}}, {part, 1}};
-  return m.spring * (m.second / both + states.after(x[0])[0]);
+  return m.spring * (m.second / both + states.after(x["t"])[0]);
 }
 
-Wide creep(Arguments x, std::size_t at) {
-  const Parts m = parts(x, at);
+Wide creep(Arguments x, const std::string& modulus) {
+  const Parts m = parts(x, modulus);
   if (model_of(x) == elastic) return 1 / m.spring;
-  if (model_of(x) == kelvin_voigt) return internal(1 / m.viscosity, m.spring / m.viscosity, x[0]);
-  return 1 / m.spring + internal(1 / m.viscosity, m.second / m.viscosity, x[0]);
+  if (model_of(x) == kelvin_voigt) return internal(1 / m.viscosity, m.spring / m.viscosity, x["t"]);
+  return 1 / m.spring + internal(1 / m.viscosity, m.second / m.viscosity, x["t"]);
 }
 
-WideComplex modulus(Arguments x, std::size_t at) {
-  const Parts m = parts(x, at);
-  const WideComplex dashpot(Wide(0), m.viscosity * x[0]), spring(m.spring);
+WideComplex complex_modulus(Arguments x, const std::string& modulus) {
+  const Parts m = parts(x, modulus);
+  const WideComplex dashpot(Wide(0), m.viscosity * x["omega"]), spring(m.spring);
   if (model_of(x) == elastic) return spring;
   if (model_of(x) == kelvin_voigt) return spring + dashpot;
   const WideComplex beside = WideComplex(m.second) + dashpot;
@@ -94,28 +93,28 @@ WideComplex modulus(Arguments x, std::size_t at) {
 }
 
 Wide theta1(Arguments x) {
-  const Parts m = parts(x, 2);
+  const Parts m = parts(x, "shear");
   if (model_of(x) == elastic) return 0;
   const Wide beside = model_of(x) == kelvin_voigt ? m.spring : m.second;
   const States states{{{{-beside / m.viscosity, 0}, {0, 0}}}, {1 / m.viscosity, 0}};
-  return states.after(x[0])[0] / 2;
+  return states.after(x["t"])[0] / 2;
 }
 
-/// Six bulk moduli and two shear moduli side by side, under three units of impulse.
+/// The response of 6 K + 2 G, two models in parallel, to an impulse of 3.
 Wide theta2(Arguments x) {
-  const Parts G = parts(x, 2), K = parts(x, 5);
+  const Parts G = parts(x, "shear"), K = parts(x, "bulk");
   if (model_of(x) == elastic) return 0;
   if (model_of(x) == kelvin_voigt) {
     const Wide viscosity = 6 * K.viscosity + 2 * G.viscosity;
     const States states{{{{-(6 * K.spring + 2 * G.spring) / viscosity, 0}, {0, 0}}}, {3 / viscosity, 0}};
-    return states.after(x[0])[0];
+    return states.after(x["t"])[0];
   }
   const Wide at_once = 6 * K.spring + 2 * G.spring, a = 6 * K.spring / at_once, b = 2 * G.spring / at_once;
   const Wide k = K.spring / K.viscosity, g = G.spring / G.viscosity;
   const States states{
       {{{a * k - k - K.second / K.viscosity, b * k}, {a * g, b * g - g - G.second / G.viscosity}}},
       {3 * k / at_once, 3 * g / at_once}};
-  const auto strain = states.after(x[0]);
+  const auto strain = states.after(x["t"]);
   return a * strain[0] + b * strain[1];
 }
 
@@ -146,7 +145,8 @@ Ratio operator+(const Ratio& a, const Ratio& b) {
 Ratio operator*(const Wide& a, const Ratio& b) { return {times({a}, b.above), b.below}; }
 Ratio inverse(const Ratio& a) { return {a.below, a.above}; }
 
-Ratio series(Arguments x) {
+/// instantaneous, amplitude, rate, amplitude, rate
+Ratio series(std::span<const double> x) {
   Ratio sum{{x[0]}, {1}};
   for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
     if (x[k] != 0) sum = sum + Ratio{{x[k]}, {x[k + 1], 1}};
@@ -154,28 +154,29 @@ Ratio series(Arguments x) {
   return sum;
 }
 
-/// 1/(2G), 3/(6K + 2G), G, K by the constants of what is not made of springs.
+/// 1/(2G), 3/(6K + 2G), G and K of the models that are not given by springs.
 struct Responses {
   Ratio theta1, theta2, G, K;
 
   explicit Responses(Arguments x) {
     if (model_of(x) == operators) {
-      const auto coefficients = [&](std::size_t at) {
-        return Coefficients{x[19 + at], x[20 + at], x[21 + at]};
+      const auto coefficients = [&](const std::string& name) {
+        return Coefficients{x[name + "_0"], x[name + "_1"], x[name + "_2"]};
       };
-      G = {coefficients(3), coefficients(0)};
-      K = {coefficients(9), coefficients(6)};
+      G = {coefficients("Q"), coefficients("P")};
+      K = {coefficients("Q_dilatation"), coefficients("P_dilatation")};
       theta1 = inverse(Wide(2) * G);
       theta2 = Wide(3) * inverse(Wide(6) * K + Wide(2) * G);
       return;
     }
     if (model_of(x) == thesis) {
-      const Wide rate = 1 / Wide(x[8]), at_once = 3 / (6 * Wide(x[5]) + 2 * Wide(x[2]));
-      theta1 = (1 / (2 * Wide(x[2]))) * Ratio{{2 * rate, 1}, {rate, 1}};
+      const Wide rate = 1 / Wide(x["relaxation_time"]),
+                 at_once = 3 / (6 * Wide(x["bulk"]) + 2 * Wide(x["shear"]));
+      theta1 = (1 / (2 * Wide(x["shear"]))) * Ratio{{2 * rate, 1}, {rate, 1}};
       theta2 = at_once * Ratio{{3 * rate, 1}, {2 * rate, 1}};
     } else {
-      theta1 = series(x.subspan(9));
-      theta2 = series(x.subspan(14));
+      theta1 = series(x.from("theta1_instantaneous"));
+      theta2 = series(x.from("theta2_instantaneous"));
     }
     G = (Wide(1) / 2) * inverse(theta1);
     K = (Wide(1) / 6) * (Wide(3) * inverse(theta2) + Wide(-1) * inverse(theta1));
@@ -194,8 +195,9 @@ Rows squared(const Rows& a, const Rows& b) {
   return c;
 }
 
-/// Beside impulses: the solution of the differential equation whose characteristic polynomial is the denominator, by
-/// the exponential's series at t/2^k, squared k times. In the unit of time that the fastest of it sets.
+/// The inverse Laplace transform without impulses: the solution of the differential equation whose characteristic
+/// polynomial is the denominator, by the series of the matrix exponential at t/2^k, which is squared k times. The
+/// unit of time is that of the largest root.
 Wide in_time(Ratio r, double t) {
   const auto trim = [](Coefficients& c) {
     while (c.size() > 1 && c.back() == 0) c.pop_back();
@@ -211,7 +213,8 @@ Wide in_time(Ratio r, double t) {
   if (unit == 0) unit = 1;
   Coefficients d(n), at_start;
   for (std::size_t k = 0; k < n; ++k) d[k] = r.below[k] / last / pow(unit, Wide(n - k));
-  // f and its derivatives at 0: the expansion of the ratio in 1/p; what is of p^0 and more is an impulse.
+  // f and its derivatives at 0 are the coefficients of the ratio's expansion in 1/p; p^0 and higher powers are
+  // impulses.
   const std::size_t order = std::max(r.above.size(), n + 1);
   Coefficients left(order, Wide(0));
   for (std::size_t k = 0; k < r.above.size(); ++k) left[k] = r.above[k] / last;
@@ -246,36 +249,36 @@ Wide in_time(Ratio r, double t) {
   return value;
 }
 
-WideComplex swung(const Coefficients& c, double omega) {
+/// The polynomial at i omega.
+WideComplex at_frequency(const Coefficients& c, double omega) {
   WideComplex sum(0);
   for (std::size_t k = c.size(); k-- > 0;) sum = sum * WideComplex(Wide(0), Wide(omega)) + WideComplex(c[k]);
   return sum;
 }
 
-/// What a quantity is of those ratios; at: 2 for G, 5 for K.
-Wide relaxation_of_ratio(Arguments x, std::size_t at) {
-  const Responses all(x);
-  const Ratio& modulus = at == 2 ? all.G : all.K;
-  return in_time({modulus.above, times({0, 1}, modulus.below)}, x[0]);
+const Ratio& ratio_of(const Responses& all, const std::string& modulus) {
+  return modulus == "shear" ? all.G : all.K;
 }
-Wide creep_of_ratio(Arguments x, std::size_t at) {
+Wide relaxation_of_ratio(Arguments x, const std::string& modulus) {
   const Responses all(x);
-  const Ratio& modulus = at == 2 ? all.G : all.K;
-  return in_time({modulus.below, times({0, 1}, modulus.above)}, x[0]);
+  const Ratio& ratio = ratio_of(all, modulus);
+  return in_time({ratio.above, times({0, 1}, ratio.below)}, x["t"]);
 }
-WideComplex modulus_of_ratio(Arguments x, std::size_t at) {
+Wide creep_of_ratio(Arguments x, const std::string& modulus) {
   const Responses all(x);
-  const Ratio& modulus = at == 2 ? all.G : all.K;
-  return swung(modulus.above, x[0]) / swung(modulus.below, x[0]);
+  const Ratio& ratio = ratio_of(all, modulus);
+  return in_time({ratio.below, times({0, 1}, ratio.above)}, x["t"]);
 }
-Wide storage_of_ratio(Arguments x, std::size_t at) { return modulus_of_ratio(x, at).real(); }
-Wide loss_of_ratio(Arguments x, std::size_t at) { return modulus_of_ratio(x, at).imag(); }
-Wide theta1_of_ratio(Arguments x) { return in_time(Responses(x).theta1, x[0]); }
-Wide theta2_of_ratio(Arguments x) { return in_time(Responses(x).theta2, x[0]); }
+WideComplex complex_modulus_of_ratio(Arguments x, const std::string& modulus) {
+  const Responses all(x);
+  const Ratio& ratio = ratio_of(all, modulus);
+  return at_frequency(ratio.above, x["omega"]) / at_frequency(ratio.below, x["omega"]);
+}
 
-using Value = Wide (*)(Arguments);
+/// `springs` is for models of springs and dashpots, `ratio` for the others.
+using Value = std::function<Wide(Arguments)>;
 
-Confirm by_states(Value springs, Value ratio) {
+Confirm by_states(const Value& springs, const Value& ratio) {
   return [=](Arguments x) {
     const bool is_of_springs = model_of(x) <= elastic;
     const Wide found = (is_of_springs ? springs : ratio)(x);
@@ -285,28 +288,39 @@ Confirm by_states(Value springs, Value ratio) {
   };
 }
 
-template <std::size_t at, Wide (*value)(Arguments, std::size_t)>
-Wide of(Arguments x) {
-  return value(x, at);
+/// The same of a function of the modulus called `modulus`; `part` is Wide itself, or a part of a complex number.
+template <class Of, class Part>
+Confirm of_modulus(Of springs, Of ratio, const std::string& modulus, Part part) {
+  return by_states(Value([=](Arguments x) { return part(springs(x, modulus)); }),
+                   Value([=](Arguments x) { return part(ratio(x, modulus)); }));
 }
-Wide real_part(Arguments x, std::size_t at) { return modulus(x, at).real(); }
-Wide imaginary_part(Arguments x, std::size_t at) { return modulus(x, at).imag(); }
+
+void add_modulus(Methods& methods, const std::string& letter, const std::string& modulus) {
+  const auto whole = [](const Wide& value) { return value; };
+  const auto real = [](const WideComplex& value) -> Wide { return value.real(); };
+  const auto imaginary = [](const WideComplex& value) -> Wide { return value.imag(); };
+  methods["material." + letter] = of_modulus(relaxation, relaxation_of_ratio, modulus, whole);
+  methods["material.creep_" + modulus] = of_modulus(creep, creep_of_ratio, modulus, whole);
+  methods["material.storage_" + modulus] =
+      of_modulus(complex_modulus, complex_modulus_of_ratio, modulus, real);
+  methods["material.loss_" + modulus] =
+      of_modulus(complex_modulus, complex_modulus_of_ratio, modulus, imaginary);
+}
 
 }  // namespace
 
-Confirm of_material(std::string_view quantity) {
-  static const Methods methods{
-      {"material.theta1", by_states(theta1, theta1_of_ratio)},
-      {"material.theta2", by_states(theta2, theta2_of_ratio)},
-      {"material.G", by_states(of<2, relaxation>, of<2, relaxation_of_ratio>)},
-      {"material.K", by_states(of<5, relaxation>, of<5, relaxation_of_ratio>)},
-      {"material.creep_shear", by_states(of<2, creep>, of<2, creep_of_ratio>)},
-      {"material.creep_bulk", by_states(of<5, creep>, of<5, creep_of_ratio>)},
-      {"material.storage_shear", by_states(of<2, real_part>, of<2, storage_of_ratio>)},
-      {"material.storage_bulk", by_states(of<5, real_part>, of<5, storage_of_ratio>)},
-      {"material.loss_shear", by_states(of<2, imaginary_part>, of<2, loss_of_ratio>)},
-      {"material.loss_bulk", by_states(of<5, imaginary_part>, of<5, loss_of_ratio>)}};
-  return found_in(methods, quantity);
+const Methods& material_methods() {
+  static const Methods methods = [] {
+    Methods all{
+        {"material.theta1",
+         by_states(Value(theta1), Value([](Arguments x) { return in_time(Responses(x).theta1, x["t"]); }))},
+        {"material.theta2",
+         by_states(Value(theta2), Value([](Arguments x) { return in_time(Responses(x).theta2, x["t"]); }))}};
+    add_modulus(all, "G", "shear");
+    add_modulus(all, "K", "bulk");
+    return all;
+  }();
+  return methods;
 }
 
 }  // namespace nipref::verify::confirm

@@ -4,13 +4,11 @@
 #include <string>
 
 #include <nipref/verify/golden/confirm/history.hpp>
-#include <nipref/verify/golden/confirm/memory.hpp>
 #include <nipref/verify/golden/confirm/solid_terms.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
 using Wide = Number<250>;
 using WideComplex = ComplexNumber<250>;
 
@@ -18,27 +16,27 @@ Confirmation closed_form(const Wide& value) {
   return confirmation<Wide>("closed form", value, abs(value) * Wide("1e-100"));
 }
 
-/// e^(shift) int_from^to e^(rate w) dw, by its antiderivative.
+/// e^shift int_from^to e^(rate w) dw by its antiderivative.
 WideComplex exponential(const WideComplex& rate, const Wide& shift, const Wide& from, const Wide& to) {
   if (rate == WideComplex(0)) return exp(shift) * (to - from);
   return (exp(WideComplex(rate * to + shift)) - exp(WideComplex(rate * from + shift))) / rate;
 }
 
-/// J2 + i J1: distances w = T - tau ahead of the load.
+/// J2 + i J1 as an integral over the distances w = T - tau ahead of the load.
 WideComplex ahead(Arguments x) {
-  const Wide lambda = x[0], a = x[1], b = x[2], t = x[3], T = x[4];
+  const Wide lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (T <= 0) return 0;
   return exponential(WideComplex(-lambda - a, b), lambda * (T - t), std::max<Wide>(T - t, 0), T);
 }
 
-/// J4 - i J3: distances w = tau - T behind it.
+/// J4 - i J3 as an integral over the distances w = tau - T behind the load.
 WideComplex behind(Arguments x) {
-  const Wide lambda = x[0], a = x[1], b = x[2], t = x[3], T = x[4];
+  const Wide lambda = x["lambda"], a = x["a"], b = x["b"], t = x["t"], T = x["T"];
   if (t <= T) return 0;
   return exponential(WideComplex(lambda - a, b), -lambda * (t - T), std::max<Wide>(-T, 0), t - T);
 }
 
-/// int_from^to e^(-lambda v) dv by Gauss's rule, panel by panel, until nothing is left.
+/// int_from^to e^(-lambda v) dv by Gauss's rule on panels, until the integrand is negligible.
 Float faded_by_gauss(const Float& lambda, const Float& from, const Float& to) {
   Float sum = 0, at = from;
   while (at < to && lambda * (at - from) < 300) {
@@ -52,8 +50,8 @@ Float faded_by_gauss(const Float& lambda, const Float& from, const Float& to) {
 
 /// J5, J6.
 Confirmation of_sign(Arguments x) {
-  const Float gamma0 = x[0], gamma = x[1], lambda = x[2], t = x[3], T = x[4];
-  const Float passed = std::clamp<Float>(t - T, 0, t);  // ages at which the load had passed
+  const Float gamma0 = x["gamma0"], gamma = x["gamma"], lambda = x["lambda"], t = x["t"], T = x["T"];
+  const Float passed = std::clamp<Float>(t - T, 0, t);  // the time since the load passed
   const Float behind = passed > 0 ? faded_by_gauss(lambda, 0, passed) : Float(0);
   const Float ahead = passed < t ? faded_by_gauss(lambda, passed, t) : Float(0);
   const Float at_once = T > t ? gamma0 : T < t ? Float(-gamma0) : Float(0);
@@ -61,13 +59,13 @@ Confirmation of_sign(Arguments x) {
                              (abs(gamma0) + abs(gamma) * (ahead + behind)) * Float("1e-90"));
 }
 
-/// Of the load's way, in half thicknesses: from where it is to where it started.
+/// The load's path relative to a point, in half-thicknesses: the present distance, and the distance at the start.
 struct LoadPath {
   mpq_class alpha;
   std::optional<mpq_class> start;
 };
 
-/// theta * I.
+/// The convolution theta * I.
 class Convolution {
  public:
   Convolution(SolidFunction theta, double speed, double half_thickness) : theta_(std::move(theta)) {
@@ -100,7 +98,7 @@ class Convolution {
     if (is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
   }
 
-  /// theta * (pi sign) times `share`.
+  /// Adds `share` times the convolution of theta with pi sign.
   void add_sign(Long& sum, int sign, const mpq_class& share, const LoadPath& way) const {
     Long total = theta_.instantaneous * sgn(way.alpha);
     for (const auto& [amplitude, rate] : theta_.terms) {
@@ -129,11 +127,11 @@ class Convolution {
   SolidFunction theta_;
 };
 
-/// The sheet's arguments: speed, half thickness, and what a solid is.
+/// The sheet's two convolutions.
 struct Sheet {
   Convolution theta1, theta2;
 
-  explicit Sheet(Arguments x) : Sheet(solid_terms(x.subspan(2)), x[0], x[1]) {}
+  explicit Sheet(Arguments x) : Sheet(solid_terms(x), x["speed"], x["half_thickness"]) {}
 
  private:
   Sheet(const SolidTerms& solid, double speed, double half_thickness)
@@ -163,15 +161,17 @@ Confirmation Vn(const Sheet& sheet, const LoadPath& alpha, const LoadPath& eta) 
   return over_pi(sum, error);
 }
 
-/// At the time t after the start, of what it passes at T; x: the sheet's arguments.
-LoadPath started(double t, double T, Arguments x) {
-  const mpq_class way_per_time = mpq_class(x[0]) / mpq_class(x[1]);
-  return {(mpq_class(T) - mpq_class(t)) * way_per_time, mpq_class(mpq_class(T) * way_per_time)};
+/// At the time t after the start, of the point that the load passes at the time T.
+LoadPath started(Arguments x, const char* T_name) {
+  const mpq_class T(x[T_name]), way_per_time = mpq_class(x["speed"]) / mpq_class(x["half_thickness"]);
+  return {(T - mpq_class(x["t"])) * way_per_time, mpq_class(T * way_per_time)};
 }
 
 LoadPath steady(double alpha) { return {alpha, std::nullopt}; }
 
-const Methods& all() {
+}  // namespace
+
+const Methods& memory_methods() {
   static const Methods methods{
       {"J1", [](Arguments x) { return closed_form(ahead(x).imag()); }},
       {"J2", [](Arguments x) { return closed_form(ahead(x).real()); }},
@@ -179,19 +179,11 @@ const Methods& all() {
       {"J4", [](Arguments x) { return closed_form(behind(x).real()); }},
       {"J5", of_sign},
       {"J6", of_sign},
-      {"Un", [](Arguments x) { return Un(Sheet(x.subspan(2)), started(x[0], x[1], x.subspan(2))); }},
-      {"Vn",
-       [](Arguments x) {
-         const Arguments sheet = x.subspan(3);
-         return Vn(Sheet(sheet), started(x[0], x[1], sheet), started(x[0], x[2], sheet));
-       }},
-      {"Un_steady", [](Arguments x) { return Un(Sheet(x.subspan(1)), steady(x[0])); }},
-      {"Vn_steady", [](Arguments x) { return Vn(Sheet(x.subspan(2)), steady(x[0]), steady(x[1])); }}};
+      {"Un", [](Arguments x) { return Un(Sheet(x), started(x, "T")); }},
+      {"Vn", [](Arguments x) { return Vn(Sheet(x), started(x, "T"), started(x, "t0")); }},
+      {"Un_steady", [](Arguments x) { return Un(Sheet(x), steady(x["alpha"])); }},
+      {"Vn_steady", [](Arguments x) { return Vn(Sheet(x), steady(x["alpha"]), steady(x["eta"])); }}};
   return methods;
 }
-
-}  // namespace
-
-Confirm of_memory(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

@@ -10,7 +10,7 @@
 #include <nipref/ref/number/real.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 
-/// Numbers of the second methods.
+/// The numbers that the second methods compute with.
 namespace nipref::verify::confirm {
 
 template <unsigned digits>

@@ -16,15 +16,15 @@ RolledContact::RolledContact(const Solved& half_length, const std::function<Solv
                              const std::function<Solved(const Solved& x)>& rest, int points)
     : half_length_(half_length) {
   const Solved half_turn = pi<Solved>(), step = half_turn / points;
-  // cos(m step/2): all angles are multiples of half a step.
+  // All angles are multiples of half a step; this table has cos(m step/2).
   std::vector<Solved> cosine;
   for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(Solved(step * m / 2)));
   const auto wave = [&](long j, long i) -> const Solved& {
     return cosine[static_cast<std::size_t>((j * (2 * i + 1)) % (4 * points))];
   };
   for (int i = 0; i < points; ++i) nodes_.push_back(wave(1, i));
-  // What -ln|t - s| makes of the interpolant that is 1 at node i and 0 at the others, at node k; a function of the sum
-  // and of the difference of their angles.
+  // The integral at node k of -ln|t - s| times the interpolant that is 1 at node i and 0 at the other nodes is the
+  // sum of a function of the sum of the two angles and of the same function of their difference.
   std::vector<Solved> logarithm;
   for (int m = 0; m < 2 * points; ++m) {
     Solved sum = half_turn * log(Solved(2)) / 2;
@@ -41,7 +41,7 @@ RolledContact::RolledContact(const Solved& half_length, const std::function<Solv
       system(at(k), at(i)) =
           half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
     }
-    // D + slope t - (A t)^2, over pi
+    // The right side is D + slope t - (A t)^2.
     system(at(k), at(points)) = -half_turn;
     system(at(k), at(points) + 1) = -half_turn * nodes_[at(k)];
     system.right(at(k)) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
@@ -56,7 +56,7 @@ RolledContact::RolledContact(const Solved& half_length, const std::function<Solv
   values_ = system.solution();
   const Solved slope = values_[at(points) + 1], level = values_[at(points)];
   values_.resize(at(points));
-  // d0 - (offset + A t)^2
+  // The same parabola is d0 - (offset + A t)^2.
   offset_ = -slope / (2 * half_length_);
   indentation_ = level + offset_ * offset_;
 }

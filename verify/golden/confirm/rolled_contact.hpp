@@ -6,22 +6,23 @@
 
 namespace nipref::verify::confirm {
 
-/// Of a contact's numbers: enough for a memory that cancels twenty of them.
+/// Enough digits for a memory whose terms cancel to 20 digits.
 using Solved = Number<60>;
 
-/// A frictionless contact by Kress's rule: pressure g(t)/sqrt(1 - t^2), g by its values at the zeros of T_n, the
-/// logarithm of the kernel by what it does to each T_j, the rest by Gauss's rule of Chebyshev's weight. That the
-/// pressure is bounded, g(+-1) = 0, are two equations more, for the place and the depth. Lengths in half-thicknesses,
-/// x from the middle of the contact to its leading end, pressure in b/(2 R N_0).
+/// A frictionless contact by Kress's rule. The pressure is g(t)/sqrt(1 - t^2), where g is given by its values at the
+/// zeros of T_n. The logarithm of the kernel is integrated exactly on each T_j, the rest by the Gauss-Chebyshev rule.
+/// Two more equations, g(+-1) = 0 for a bounded pressure, determine the position and the depth of the contact.
+/// Lengths are in half-thicknesses, x is from the middle of the contact to its leading end, the pressure is in b/(2 R
+/// N_0).
 class RolledContact {
  public:
-  /// Of the half length A > 0 and of what a unit of pressure does to the surface x downstream of it, times pi:
-  /// share(x) (-ln|x|) + rest(x), both analytic; `points` > 3.
+  /// The half length A > 0, and the displacement of the surface times pi at the distance x downstream of a unit load,
+  /// share(x) (-ln|x|) + rest(x), in which both functions are analytic; `points` > 3.
   RolledContact(const Solved& half_length, const std::function<Solved(const Solved& x)>& share,
                 const std::function<Solved(const Solved& x)>& rest, int points);
 
   [[nodiscard]] Solved load() const;
-  [[nodiscard]] Solved offset() const { return offset_; }            ///< of the middle, to the leading side
+  [[nodiscard]] Solved offset() const { return offset_; }  ///< of the middle towards the leading end
   [[nodiscard]] Solved indentation() const { return indentation_; }  ///< in b^2/(2 R)
   [[nodiscard]] Solved moment() const;  ///< of the pressure, about the contact's middle
   [[nodiscard]] Solved middle_pressure() const;
@@ -33,7 +34,7 @@ class RolledContact {
   std::vector<Solved> nodes_, values_;
 };
 
-/// A smooth function on [-reach, reach] by its values at `points` (an even number) Chebyshev points.
+/// The interpolant of a smooth function on [-reach, reach] at an even number of Chebyshev points.
 class Smooth {
  public:
   Smooth(const Solved& reach, int points, const std::function<Solved(const Solved& x)>& f);
@@ -47,8 +48,8 @@ class Smooth {
   std::vector<Solved> coefficients_, slopes_;
 };
 
-/// Points for so many digits of a function that is analytic but for singularities 2 beside the real axis, on (-reach,
-/// reach); an even number.
+/// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2
+/// away from the real axis.
 int smooth_points(double reach, double digits);
 
 }  // namespace nipref::verify::confirm

@@ -2,15 +2,12 @@
 #include <string>
 
 #include <nipref/verify/golden/confirm/kernels.hpp>
-#include <nipref/verify/golden/confirm/sheet.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
-
-/// sinh w + w = 0 as w = Log(e^-w - 2 w) + 2 pi i n, which contracts by about 2/|w|, so that there is one root with
-/// this n and no other.
+/// The root of sinh w + w = 0 as the fixed point of Log(e^-w - 2 w) + 2 pi i n. This map contracts by about 2/|w|, so
+/// that there is exactly one root for each n.
 Complex root(double n) {
   const Float turns = 2 * pi<Float>() * Float(n);
   Complex w(log(2 * turns), turns - pi<Float>() / 2);
@@ -31,7 +28,7 @@ Confirmation kernel(const Split& sum) {
   return confirmation<Float>("integral along the real axis or around the poles", sum.value(), sum.error);
 }
 
-/// The sum over pi and `divisor`.
+/// The sum divided by pi and `divisor`.
 Confirmation displacement(Split sum, const mpq_class& divisor = 1) {
   const Float by = pi<Float>() * to_number<Float>(divisor);
   sum.error = sum.error / by + abs(sum.value() / by) * Float("1e-95");
@@ -39,10 +36,11 @@ Confirmation displacement(Split sum, const mpq_class& divisor = 1) {
                              sum.error);
 }
 
-/// Constants of the sheet, exact.
+/// The exact compliances of the sheet.
 struct Compliances {
   mpq_class theta1, theta2, normal;
 
+  explicit Compliances(Arguments x) : Compliances(x["young"], x["poisson"]) {}
   Compliances(double young, double poisson) {
     const mpq_class nu(poisson), E(young);
     theta1 = (1 + nu) / E;
@@ -76,47 +74,37 @@ Confirmation F2(const Compliances& c, const mpq_class& eta) {
       Split{}.add(-1, kernel_I6_eta(eta)).add(mpq_class(c.theta1 / c.normal), kernel_I7(eta)));
 }
 
-const Methods& all() {
+}  // namespace
+
+const Methods& sheet_methods() {
   static const Methods methods{
-      {"root.re", [](Arguments x) { return of_root(root(x[0]).real()); }},
-      {"root.im", [](Arguments x) { return of_root(root(x[0]).imag()); }},
-      {"I1", [](Arguments x) { return kernel(kernel_I1(x[0])); }},
+      {"root.re", [](Arguments x) { return of_root(root(x["n"]).real()); }},
+      {"root.im", [](Arguments x) { return of_root(root(x["n"]).imag()); }},
+      {"I1", [](Arguments x) { return kernel(kernel_I1(x["alpha"])); }},
       {"I2",
-       [](Arguments x) { return confirmation<Float>("pi/2 sign", kernel_I2(x[0]).value(), Float("1e-95")); }},
-      {"I3", [](Arguments x) { return kernel(kernel_I3(x[0])); }},
-      {"I4", [](Arguments x) { return kernel(kernel_I4(x[0])); }},
-      {"I5", [](Arguments x) { return kernel(kernel_I5(x[0])); }},
-      {"I6", [](Arguments x) { return kernel(I6_sum(x[0], x[1])); }},
-      {"I7", [](Arguments x) { return kernel(kernel_I7(x[0])); }},
+       [](Arguments x) {
+         return confirmation<Float>("pi/2 sign", kernel_I2(x["alpha"]).value(), Float("1e-95"));
+       }},
+      {"I3", [](Arguments x) { return kernel(kernel_I3(x["alpha"])); }},
+      {"I4", [](Arguments x) { return kernel(kernel_I4(x["eta"])); }},
+      {"I5", [](Arguments x) { return kernel(kernel_I5(x["eta"])); }},
+      {"I6", [](Arguments x) { return kernel(I6_sum(x["alpha"], x["eta"])); }},
+      {"I7", [](Arguments x) { return kernel(kernel_I7(x["eta"])); }},
       {"F1",
        [](Arguments x) {
-         const Compliances c(1, x[1]);
-         return displacement(F1_sum(c, x[0]), c.normal);
+         const Compliances c(1, x["poisson"]);
+         return displacement(F1_sum(c, x["eta"]), c.normal);
        }},
       {"F2",
        [](Arguments x) {
-         return F2({1, x[1]}, x[0]);
+         return F2({1, x["poisson"]}, x["eta"]);
        }},
       {"un",
-       [](Arguments x) {
-         return displacement(Split{}.add(Compliances(x[1], x[2]).normal, kernel_I1(x[0])));
-       }},
-      {"us",
-       [](Arguments x) {
-         return displacement(us_sum({x[1], x[2]}, x[0]));
-       }},
-      {"vn",
-       [](Arguments x) {
-         return vn({x[2], x[3]}, x[0], x[1]);
-       }},
-      {"vs", [](Arguments x) {
-         return vs({x[2], x[3]}, x[0], x[1]);
-       }}};
+       [](Arguments x) { return displacement(Split{}.add(Compliances(x).normal, kernel_I1(x["alpha"]))); }},
+      {"us", [](Arguments x) { return displacement(us_sum(Compliances(x), x["alpha"])); }},
+      {"vn", [](Arguments x) { return vn(Compliances(x), x["alpha"], x["eta"]); }},
+      {"vs", [](Arguments x) { return vs(Compliances(x), x["alpha"], x["eta"]); }}};
   return methods;
 }
-
-}  // namespace
-
-Confirm of_sheet(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm

@@ -5,7 +5,6 @@
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
 using Coefficients = std::vector<Long>;
 
 constexpr int thesis = 1, prony = 2, operators = 3;
@@ -14,14 +13,14 @@ SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
   return {at_once, {{LongComplex(at_once * rate), LongComplex(rate * rate_factor)}}};
 }
 
-SolidFunction series(Arguments x) {
+SolidFunction series(std::span<const double> x) {
   SolidFunction function{Long(x[0]), {}};
   for (const std::size_t k : {std::size_t{1}, std::size_t{3}})
     if (x[k] != 0) function.terms.push_back({LongComplex(x[k]), LongComplex(x[k + 1])});
   return function;
 }
 
-Coefficients polynomial(Arguments x) {
+Coefficients polynomial(std::span<const double> x) {
   Coefficients c(x.begin(), x.end());
   while (c.size() > 1 && c.back() == 0) c.pop_back();
   return c;
@@ -47,7 +46,7 @@ LongComplex value_at(const Coefficients& c, const LongComplex& p) {
   return sum;
 }
 
-/// prod (root_i - root_j)
+/// The product of root_i - root_j over all other roots.
 LongComplex apart(const std::vector<LongComplex>& roots, std::size_t i) {
   LongComplex product(1);
   for (std::size_t j = 0; j < roots.size(); ++j) {
@@ -80,7 +79,7 @@ std::vector<LongComplex> roots_of(const Coefficients& c) {
 SolidFunction fraction(const Coefficients& above, Coefficients below) {
   const bool at_once = above.size() == below.size();
   SolidFunction function{at_once ? Long(above.back() / below.back()) : Long(0), {}};
-  // A root 0 is found as such.
+  // The root 0 of a fluid is split off exactly.
   const bool flows = below.size() > 1 && below.front() == 0;
   Coefficients rest = below;
   if (flows) rest.erase(rest.begin());
@@ -94,20 +93,21 @@ SolidFunction fraction(const Coefficients& above, Coefficients below) {
 }  // namespace
 
 SolidTerms solid_terms(Arguments x) {
-  const int model = static_cast<int>(x[0]);
-  if (model == prony) return {series(x.subspan(3, 5)), series(x.subspan(8, 5))};
+  const int model = static_cast<int>(x["material"]);
+  if (model == prony) return {series(x.from("theta1_instantaneous")), series(x.from("theta2_instantaneous"))};
   if (model == operators) {
-    const auto at = [&](std::size_t k) { return polynomial(x.subspan(13 + 3 * k, 3)); };
-    const Coefficients p = at(0), q = at(1), p_bulk = at(2), q_bulk = at(3), one{Long(1)};
+    const auto of = [&](const char* first) { return polynomial(x.from(first).first(3)); };
+    const Coefficients p = of("P_0"), q = of("Q_0"), p_bulk = of("P_dilatation_0"),
+                       q_bulk = of("Q_dilatation_0"), one{Long(1)};
     const SolidFunction theta1 = fraction(p, multiplied(2, q, one));
-    // A factor that both have may be a double root of their product.
+    // A common factor of p and p_bulk would be a double root of their product.
     if (p == p_bulk)
       return {theta1,
               fraction(multiplied(3, p, one), added(multiplied(6, q_bulk, one), multiplied(2, q, one)))};
     return {theta1,
             fraction(multiplied(3, p, p_bulk), added(multiplied(6, q_bulk, p), multiplied(2, q, p_bulk)))};
   }
-  const Long bulk = x[1], rate = 1 / Long(x[2]);
+  const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
   return {relaxing(4 / (3 * bulk), rate, 1), relaxing(4 / (9 * bulk), rate, model == thesis ? 2 : 1)};
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <span>
 #include <vector>
 
 #include <nipref/verify/golden/confirm/history.hpp>
@@ -19,8 +18,7 @@ struct SolidTerms {
   SolidFunction theta1, theta2;
 };
 
-/// Of the arguments of a moving load from its material on: material, bulk, tau, a series, operators. Roots of the
-/// operators by the method of Durand and Kerner.
-SolidTerms solid_terms(std::span<const double> x);
+/// The material of a moving load. Roots of the operators by the method of Durand and Kerner.
+SolidTerms solid_terms(Arguments x);
 
 }  // namespace nipref::verify::confirm

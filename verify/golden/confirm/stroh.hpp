@@ -5,8 +5,8 @@
 
 #include <nipref/verify/golden/confirm/number.hpp>
 
-/// The surface response of anisotropic half-spaces by Stroh's eigenvectors from the roots of his sextic, unproven, for
-/// solids whose roots are distinct.
+/// The surface response of anisotropic half-spaces by Stroh's formalism: eigenvectors from the roots of the sextic
+/// polynomial. It is for solids whose roots are distinct and has no proven error.
 namespace nipref::verify::confirm {
 
 template <unsigned digits>
@@ -25,7 +25,7 @@ class Stroh {
     const Float norm = sqrt(cosine * cosine + sine * sine);
     cosine /= norm;
     sine /= norm;
-    // Tensor in the rotated axes, so that n = e1.
+    // The stiffness in rotated axes with n = e1.
     const Square<Float> axes{{{cosine, sine, 0}, {-sine, cosine, 0}, {0, 0, 1}}};
     const auto c = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
       Float sum = 0;
@@ -103,7 +103,7 @@ class Stroh {
     for (std::size_t i = 0; i < x.size(); ++i) sum[i] += sign * x[i];
   }
 
-  /// All roots at once, by Durand and Kerner.
+  /// All roots by the Durand-Kerner method.
   static std::vector<Complex> roots_of(const Polynomial& p) {
     const Float settled = pow(Float(10), -static_cast<int>(digits) + 8);
     const std::size_t degree = p.size() - 1;
@@ -167,7 +167,8 @@ inline Confirmation by_secant(const Speed& value) {
   return confirmation<Speed>("root of 1/K by Stroh's eigenproblem", value, value * Speed("1e-70"));
 }
 
-/// The minimum of that over the lines by Newton's iteration for its slope, from a line and a speed near it.
+/// The minimum of this speed over all lines, by Newton's iteration for a zero of its slope, from a nearby line and
+/// speed.
 template <class Solid>
 Confirmation lowest_surface_wave(const Solid& solid, double near_psi, double theta, double near_speed) {
   Speed psi = near_psi, value = 0;

@@ -7,27 +7,24 @@
 
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/golden/confirm/half_space_number.hpp>
 #include <nipref/verify/golden/confirm/stroh.hpp>
-#include <nipref/verify/golden/confirm/transverse.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Arguments = std::span<const double>;
-
-/// In the units of the seed's steel, whose constants are decimals.
+/// The solid in the units of the seed's steel, whose constants are decimal numbers.
 template <unsigned digits>
 class Solid {
  public:
   using Float = Number<digits>;
 
-  /// axis, c11, c33, c13, c44, c66, density from the argument number `at` on.
-  Solid(Arguments x, std::size_t at) : normal_(x[at] < 0.5) {
-    const Float shear("77.2"), c11 = x[at + 1] / shear, c33 = x[at + 2] / shear, c13 = x[at + 3] / shear,
-                               c44 = x[at + 4] / shear;
-    // About a normal axis c66 is felt only by waves polarised across the lines, which shall not disturb.
-    const Float c66 = normal_ ? c11 : Float(x[at + 5] / shear);
-    density_ = Float(x[at + 6]) / 7860;
+  explicit Solid(Arguments x) : normal_(x["axis"] < 0.5) {
+    const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
+                               c44 = x["c44"] / shear;
+    // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
+    const Float c66 = normal_ ? c11 : Float(x["c66"] / shear);
+    density_ = Float(x["density"]) / 7860;
     const std::size_t along = normal_ ? 2 : 1;
     for (auto& row : voigt_) row.fill(Float(0));
     for (std::size_t i = 0; i < 3; ++i) {
@@ -39,7 +36,7 @@ class Solid {
     }
   }
 
-  /// Y of lines at psi that see the speed `phase`; axes (n, across, 3).
+  /// Y for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
   [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
     const Float psi = psi_degrees * pi<Float>() / 180;
     return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
@@ -62,8 +59,9 @@ Confirmation by_stroh(const Wave& value, const Wave& scale) {
   return confirmation<Wave>("Stroh's eigenproblem", value, abs(scale) * Wave("1e-80"));
 }
 
-/// theta, psi, speed, solid.
-LineAnswerByFormula line_at(Arguments x) { return answer<150>(Solid<150>(x, 3), x[1], x[0], x[2]); }
+LineAnswerByFormula line_at(Arguments x) {
+  return answer<150>(Solid<150>(x), x["psi_deg"], x["theta_deg"], x["speed"]);
+}
 
 Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
   const LineAnswerByFormula line = line_at(x);
@@ -74,63 +72,61 @@ Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
 Confirmation condition(Arguments x) {
   constexpr unsigned digits = 240;
   using Float = Number<digits>;
-  const Solid<digits> solid(x, 3);
-  const Float cosine = cosine_between<digits>(x[1], x[0]), step("1e-50");
+  const Solid<digits> solid(x);
+  const Float cosine = cosine_between<digits>(x["psi_deg"], x["theta_deg"]), step("1e-50");
   const auto ln_K = [&](const Float& factor) -> Float {
-    return log(solid.admittance(x[1], factor * x[2] * cosine)[2][2].real());
+    return log(solid.admittance(x["psi_deg"], factor * x["speed"] * cosine)[2][2].real());
   };
   const Float slope = (ln_K(1 + step) - ln_K(1 - step)) / (2 * step);
   return by_stroh(Wave(slope), std::max<Wave>(1, abs(Wave(slope))));
 }
 
-/// theta, psi, solid.
 Confirmation rayleigh(Arguments x) {
-  const double near = find_quantity("ti.rayleigh").by_fast(x, {});
-  return by_secant(surface_wave<130>(Solid<130>(x, 2), x[1], x[0], near));
+  const double near = find_quantity("ti.rayleigh").by_fast(x.from("theta_deg"), {});
+  return by_secant(surface_wave<130>(Solid<130>(x), x["psi_deg"], x["theta_deg"], near));
 }
 
-/// The line that is critical first, degrees, to 1e-7 or so, and its speed.
+/// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
 struct CriticalLine {
   double psi, speed;
 };
 
-CriticalLine critical_line(Arguments x, double theta_degrees, std::size_t at) {
+CriticalLine critical_line(Arguments x) {
   const auto found =
-      fast::critical_speed({x[at + 1], x[at + 2], x[at + 3], x[at + 4], x[at + 5], x[at + 6]},
-                           x[at] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane,
-                           fast::Direction::of_degrees(theta_degrees));
+      fast::critical_speed({x["c11"], x["c33"], x["c13"], x["c44"], x["c66"], x["density"]},
+                           x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane,
+                           fast::Direction::of_degrees(x["theta_deg"]));
   return {found.psi * 180 / std::numbers::pi, found.speed * std::sqrt(7860 / 77.2)};
 }
 
-/// theta, solid: the minimum over the lines by Newton's iteration for its slope.
+/// The minimum over the lines by Newton's iteration for its slope.
 Confirmation critical(Arguments x) {
-  const Solid<130> solid(x, 1);
-  const CriticalLine near = critical_line(x, x[0], 1);
-  return lowest_surface_wave(solid, near.psi, x[0], near.speed);
+  const CriticalLine near = critical_line(x);
+  return lowest_surface_wave(Solid<130>(x), near.psi, x["theta_deg"], near.speed);
 }
 
-/// theta, which, constants: eigenvalues of Christoffel's matrix.
+/// Eigenvalues of Christoffel's matrix.
 Confirmation branch(Arguments x) {
-  const Wave cosine = cosine_of(x[0]), sine = sine_of(x[0]), cc = cosine * cosine, ss = sine * sine;
-  const Wave c11 = x[2], c33 = x[3], c13 = x[4], c44 = x[5], c66 = x[6], density = x[7];
+  const Wave cosine = cosine_of(x["theta_deg"]), sine = sine_of(x["theta_deg"]), cc = cosine * cosine,
+             ss = sine * sine;
+  const Wave c11 = x["c11"], c33 = x["c33"], c13 = x["c13"], c44 = x["c44"], c66 = x["c66"],
+             density = x["density"];
   const Wave g11 = c11 * cc + c44 * ss, g22 = c44 * cc + c33 * ss, g12 = (c13 + c44) * cosine * sine;
   const Wave root = sqrt((g11 - g22) * (g11 - g22) + 4 * g12 * g12);
   const Wave larger = (g11 + g22 + root) / 2;
-  const Wave modulus = x[1] == 0   ? Wave(c66 * cc + c44 * ss)
-                       : x[1] == 1 ? larger
-                                   : Wave((g11 * g22 - g12 * g12) / larger);
+  const Wave modulus = x["which"] == 0   ? Wave(c66 * cc + c44 * ss)
+                       : x["which"] == 1 ? larger
+                                         : Wave((g11 * g22 - g12 * g12) / larger);
   const Wave speed = sqrt(modulus / density * 7860 / Wave("77.2"));
   return confirmation<Wave>("eigenvalue in closed form", speed, speed * Wave("1e-80"));
 }
 
-// Of the sphere: theta, speed, patch, solid, own.
-constexpr std::size_t sphere_solid = 3, own = 10;
-
 template <unsigned digits>
 LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const Wave& from_motion) {
   using Float = Number<digits>;
-  LineAnswerByFormula line = answer<digits>(solid, Float(Float(from_motion) + x[0]), x[0], x[1]);
-  const Wave along = Wave(x[2]) * x[1] * cosine_of(from_motion);
+  LineAnswerByFormula line =
+      answer<digits>(solid, Float(Float(from_motion) + x["theta_deg"]), x["theta_deg"], x["speed"]);
+  const Wave along = Wave(x["patch"]) * x["speed"] * cosine_of(from_motion);
   const LineAnswerByFormula steel = isotropic_answer(Wave("0.29529"), along * along);
   line.compliance += steel.compliance;
   line.coupling -= steel.coupling;
@@ -138,11 +134,11 @@ LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const W
 }
 
 Confirmation span_ratio(Arguments x) {
-  const Solid<150> solid(x, sphere_solid);
+  const Solid<150> solid(x);
   const auto shape = [&](double degrees) {
-    return SlidingShape(sphere_line(solid, x, degrees), x[own + 1], cosine_of(degrees), sine_of(degrees));
+    return SlidingShape(sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees));
   };
-  const SlidingShape along = shape(0), line = shape(x[own]);
+  const SlidingShape along = shape(0), line = shape(x["phi_deg"]);
   const Wave ratio = along.Q / line.Q * line.h / along.h;
   return by_stroh(ratio, ratio);
 }
@@ -152,8 +148,8 @@ struct Line {
   Wave compliance;
 };
 
-/// ln of the axes' ratio and twice the angle as (p, q), w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), for
-/// which int K n n/w^3 is the same in all directions, by Newton's method with differences.
+/// The ellipse w^2 = cosh eta + sinh eta/eta (p cos 2 psi + q sin 2 psi), eta = |(p, q)|, for which int K n n/w^3 is
+/// isotropic, by Newton's method with difference quotients. Returns eta, the logarithm of the axes' ratio.
 Wave slenderness(const std::vector<Line>& lines) {
   const auto defect = [&](const Wave& p, const Wave& q) {
     const Wave eta = sqrt(p * p + q * q), turning = eta == 0 ? Wave(1) : Wave(sinh(eta) / eta),
@@ -185,21 +181,21 @@ Wave slenderness(const std::vector<Line>& lines) {
   return sqrt(p * p + q * q);
 }
 
-/// Of the trapezoidal rule in u, tan(psi - line) = s tan u with the line that is critical first and s^2 about the width
-/// of the peak of K there.
+/// The nodes of the trapezoidal rule in u, tan(psi - line) = s tan u, where `line` is the line with the smallest
+/// critical speed and s^2 is about the width of the peak of K there.
 class CrowdedLines {
  public:
   static constexpr int first = 64, most = 8192;
 
   explicit CrowdedLines(Arguments x) {
-    const CriticalLine critical = critical_line(x, x[0], sphere_solid);
-    const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x[1] / critical.speed)));
+    const CriticalLine critical = critical_line(x);
+    const double width = 0.3 * std::min(1.0, std::sqrt(std::max(1e-9, 1 - x["speed"] / critical.speed)));
     stretch_ = sqrt(Wave(width));
-    centre_ = Wave(critical.psi) - x[0];
+    centre_ = Wave(critical.psi) - x["theta_deg"];
   }
 
   struct At {
-    Wave degrees, weight;  ///< from the motion; of psi against u
+    Wave degrees, weight;  ///< psi counted from the motion, dpsi/du
   };
   [[nodiscard]] At at(int k, int count) const {
     const Wave u = pi<Wave>() * k / count, cosine = cos(u), sine = stretch_ * sin(u);
@@ -210,11 +206,11 @@ class CrowdedLines {
   Wave stretch_, centre_;
 };
 
-/// Doubled until the ratio changes no more.
+/// The number of nodes is doubled until the ratio no longer changes.
 Confirmation sphere_axis_ratio(Arguments x) {
   constexpr unsigned digits = 80;
   constexpr int first = CrowdedLines::first, most = CrowdedLines::most;
-  const Solid<digits> solid(x, sphere_solid);
+  const Solid<digits> solid(x);
   const CrowdedLines crowded(x);
   const auto line_at = [&](int k, int count) -> Line {
     const auto [degrees, weight] = crowded.at(k, count);
@@ -235,16 +231,16 @@ Confirmation sphere_axis_ratio(Arguments x) {
 }
 
 Confirmation sphere_exponent(Arguments x) {
-  const SlidingShape line(sphere_line(Solid<150>(x, sphere_solid), x, x[own]), x[own + 1], cosine_of(x[own]),
-                          sine_of(x[own]));
+  const SlidingShape line(sphere_line(Solid<150>(x), x, x["phi_deg"]), x["friction"], cosine_of(x["phi_deg"]),
+                          sine_of(x["phi_deg"]));
   return by_stroh(-line.ahead, 1);
 }
 
 /// By the same rule as the axis ratio.
 Confirmation sphere_force(Arguments x) {
-  const Solid<80> solid(x, sphere_solid);
+  const Solid<80> solid(x);
   const auto shape = [&](const Wave& degrees) {
-    return SlidingShape(sphere_line(solid, x, degrees), x[own], cosine_of(degrees), sine_of(degrees));
+    return SlidingShape(sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees));
   };
   const SlidingShape along = shape(0);
   const Wave steepness = along.Q / along.h;
@@ -269,7 +265,9 @@ Confirmation sphere_force(Arguments x) {
                             change + force * Wave("1e-60"));
 }
 
-const Methods& all() {
+}  // namespace
+
+const Methods& transverse_methods() {
   static const Methods methods{
       {"ti.compliance", [](Arguments x) { return of_line(x, &LineAnswerByFormula::compliance); }},
       {"ti.coupling", [](Arguments x) { return of_line(x, &LineAnswerByFormula::coupling); }},
@@ -284,9 +282,5 @@ const Methods& all() {
       {"ti.force", sphere_force}};
   return methods;
 }
-
-}  // namespace
-
-Confirm of_transverse(std::string_view quantity) { return found_in(all(), quantity); }
 
 }  // namespace nipref::verify::confirm
