@@ -20,7 +20,7 @@ constexpr int extra_digits = 10;
 struct DigitsMethod {
   std::string name;
   std::function<std::string(std::size_t i)> evaluate;  ///< decimal text of the value at alphas[i]
-  std::function<void(std::size_t i)> run;  ///< this is timed: without the text where that is apart
+  std::function<void(std::size_t i)> run;              ///< what is timed: ref without the conversion to text
 };
 
 ref::Estimate ref_at(const Quantity& quantity, std::size_t i, int digits) {
@@ -55,7 +55,7 @@ std::vector<BenchRow> bench_at(const Quantity& quantity, int digits) {
   ref::clear_caches();
   const double first_call = seconds_of([&] { methods.front().run(1); });
   std::vector<TimedWay> ways;
-  // An evaluation is a pass over all arguments, so that each counts alike.
+  // An evaluation is a pass over all arguments, so that each has the same weight.
   for (const DigitsMethod& method : methods)
     ways.push_back({method.name, repeated([&](std::size_t) {
                       for (std::size_t i = 0; i < alphas.size(); ++i) method.run(i);

@@ -50,7 +50,7 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
   switch (kind) {
     case ArgumentKind::nonzero_position:
     case ArgumentKind::position:
-      // Upper end included, lower end not.
+      // The upper end is included, the lower end is not.
       return range.logarithmic ? random.log_uniform(range.lower, range.upper)
                                : range.upper - random.uniform() * (range.upper - range.lower);
     case ArgumentKind::young:
@@ -59,7 +59,7 @@ double representative(ArgumentKind kind, const TimedRange& range, Random& random
       return 0.3;
     case ArgumentKind::index:
       return std::floor(random.log_uniform(1, 1000));
-    default:  // see draw_columns
+    default:  // quantities with other arguments draw their points themselves
       return 0;
   }
 }
@@ -198,7 +198,7 @@ std::vector<BenchRow> rows_of(const Quantity& quantity, const std::string& argum
   return timed_rows(quantity.name, arguments, ways, {.count = rounds, .seconds = 1e-3});
 }
 
-/// Points of the audit that fast takes.
+/// Points drawn as the audit draws them, without those that fast refuses.
 Columns draw_costly_columns(const Quantity& quantity) {
   Random random("bench " + quantity.name);
   Columns columns(quantity.arguments.size());
@@ -210,7 +210,7 @@ Columns draw_costly_columns(const Quantity& quantity) {
   return columns;
 }
 
-/// ref where it answers, as far as a few seconds go.
+/// The reference's values at as many points as it computes in a few seconds, without those that it refuses.
 std::vector<Truth> costly_truths(const Quantity& quantity, const Columns& columns) {
   std::vector<Truth> truths;
   double left = seconds_of_costly_truth;
@@ -218,7 +218,7 @@ std::vector<Truth> costly_truths(const Quantity& quantity, const Columns& column
     left -= seconds_of([&] {
       try {
         truths.push_back(truth_at(quantity, columns, i));
-      } catch (const data::BadInput&) {  // fast's domain is larger
+      } catch (const data::BadInput&) {  // outside ref's domain, which is smaller than fast's
       }
     });
   }

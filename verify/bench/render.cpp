@@ -12,13 +12,13 @@
 namespace nipref::verify {
 namespace {
 
-/// How far the quartiles are from the median.
+/// The deviations of the quartiles from the median.
 std::string quartiles_text(const BenchRow& row) {
   const auto percent = [&](double quartile) { return 100 * (quartile / row.nanoseconds - 1); };
   return fmt::format("{:+.0f}..{:+.0f}%", percent(row.quartile_1), percent(row.quartile_3));
 }
 
-/// The rows of one quantity and range.
+/// The table of one quantity and range.
 std::string group_text(std::span<const BenchRow> rows) {
   TextTable table({" method", ">ns/value", ">quartiles", ">ratio", ">max ulp", ">max rel"});
   for (const BenchRow& row : rows) {

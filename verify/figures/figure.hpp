@@ -8,7 +8,7 @@
 
 namespace nipref::verify {
 
-/// What is along an axis of a figure.
+/// An axis of a figure.
 struct FigureAxis {
   std::string label;  ///< with its unit
   bool logarithmic = false;
@@ -17,19 +17,19 @@ struct FigureAxis {
 /// How the points of a series are drawn.
 enum class Mark {
   line,         ///< a curve, in the dashes of its label
-  dots,         ///< a dot each
+  dots,         ///< a dot at each point
   marked_line,  ///< a thin curve with open symbols here and there
   points,       ///< open symbols
   bars,         ///< filled symbols with bars from `low` to `high`
-  ranges,       ///< such bars alone
-  star          ///< one place
+  ranges,       ///< the bars without symbols
+  star          ///< marks one point
 };
 
-/// Points of one kind. In a figure series of equal label have one colour, dash and symbol, series of equal role one
-/// way to be drawn.
+/// Points of one kind. In a figure, series of the same label have the same colour, dash and symbol, and series of the same
+/// role are drawn in the same way.
 struct Series {
-  std::string label;  ///< what it is of: "B = 1 in"
-  std::string role;   ///< where it is from: "continuous contact", "thesis's method", "printed"
+  std::string label;  ///< the case: "B = 1 in"
+  std::string role;   ///< the source: "continuous contact", "thesis's method", "printed"
   Mark mark;
   std::vector<double> x, y;
   std::vector<double> low = {}, high = {};  ///< ends of the bars; both empty where there are none
@@ -39,7 +39,7 @@ struct Series {
 struct Contours {
   std::string label;
   std::vector<double> x, y;
-  std::vector<double> values;  ///< of all x at the first y, then at the next
+  std::vector<double> values;  ///< at all x for the first y, then for the next
   double step;
 };
 
@@ -47,15 +47,15 @@ struct Contours {
 struct Panel {
   FigureAxis x, y;
   std::vector<Series> series;
-  bool equal_scales = false;  ///< a length is as long along either axis
+  bool equal_scales = false;  ///< both axes have the same scale
   std::optional<Contours> contours = {};
 };
 
-/// A figure of a seed, not drawn yet.
+/// A figure of a seed, not computed yet.
 struct FigurePlan {
   std::string id;          ///< "thesis-17": the seed and the number of its figure or table
   std::string title;       ///< in our own words
-  std::string parameters;  ///< that its curves share
+  std::string parameters;  ///< common to its curves
   std::function<std::vector<Panel>()> compute;
 };
 
@@ -65,23 +65,23 @@ struct Figure {
   std::vector<Panel> panels;
 };
 
-/// All figures that can be drawn, the rows of data/statements/figures.csv: those of the thesis that hold curves, in the
-/// order of their numbers, and what is behind the tables of the papers on half-spaces. The seeds' own drawings are lost:
+/// All figures that can be drawn, the rows of data/statements/figures.csv: those of the thesis that have curves, in the
+/// order of their numbers, and the curves on which the tables of the papers on half-spaces lie. The seeds' own drawings are lost:
 /// the axes follow their captions and text.
 [[nodiscard]] std::vector<FigurePlan> figures();
 
-/// Computes a figure: a part of a second, for rolling sheets seconds. Where the seed printed a table, the figure has its
-/// cells with their rounding, but no doubtful ones, and what the seed's own method gives for their rows.
+/// Computes a figure, which takes less than a second, or some seconds for rolling sheets. Where the seed printed a table, the
+/// figure has its cells with their rounding intervals, without doubtful ones, and the values by the seed's own method.
 [[nodiscard]] Figure compute(const FigurePlan& plan);
 
-/// A line for each point: panel, label, role, x, y, low, high, value. Where there are no bars, low and high are y; value
-/// is what contours are of, which have neither.
+/// A line for each point: panel, label, role, x, y, low, high, value. Without bars, low and high are y; only contours have a
+/// value, and they have no low and high.
 std::string figure_csv(const Figure& figure);
 
 Json panel_json(const Panel& panel);
 Json figure_json(const Figure& figure);
 
-/// Title, parameters, the command that draws it, and what is in it.
+/// The title, the parameters, and the number of series in each panel.
 std::string figure_text(const Figure& figure);
 
 /// A script with which gnuplot writes an SVG to its standard output, of what figure_json answers; of what panel_json answers a

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* columns_of_series[] = {"x", "y", "low", "high"};
 
-/// A text in double quotes.
+/// A text as it stands between the double quotes of gnuplot.
 std::string escaped_for_gnuplot(const std::string& text) {
   std::string quoted;
   for (const char letter : text) {
@@ -21,7 +21,7 @@ std::string escaped_for_gnuplot(const std::string& text) {
   return quoted;
 }
 
-/// Each once, in the order of their first series.
+/// The labels or roles without repetition, in the order of their first series.
 std::vector<std::string> each_once(const TemplateData& all_series, const char* what) {
   std::vector<std::string> names;
   for (const TemplateData& series : all_series) {
@@ -31,7 +31,7 @@ std::vector<std::string> each_once(const TemplateData& all_series, const char* w
   return names;
 }
 
-/// One of the plots that a panel is made of: `data` drawn with a mark, in the style of the label of that number.
+/// A part of the plot command: `data` drawn with a mark, in the style of the label of that number.
 TemplateData plot_of(const std::string& data, const std::string& mark, std::size_t label,
                      std::size_t points = 1) {
   return {
@@ -44,8 +44,8 @@ TemplateData key_entry(const std::string& legend, const std::string& mark, std::
   return entry;
 }
 
-/// What tells labels apart, then in black what tells roles apart; what all have in common is not told. Where each series
-/// has a label of its own, all as they are drawn.
+/// Adds the key: an entry for each label, then in black an entry for each role; a label or a role that all series have in
+/// common gets no entry. If each series has a label of its own, its entry shows the series as it is drawn.
 void add_key(TemplateData& plots, const TemplateData& all_series) {
   const auto labels = each_once(all_series, "label"), roles = each_once(all_series, "role");
   const bool as_drawn = labels.size() == all_series.size() && roles.size() > 1;
@@ -60,7 +60,7 @@ void add_key(TemplateData& plots, const TemplateData& all_series) {
   }
 }
 
-/// Lines of numbers.
+/// A line for each point of the series.
 std::string rows_of(const TemplateData& series) {
   std::string text;
   for (std::size_t i = 0; i < series["x"].size(); ++i) {
@@ -72,7 +72,7 @@ std::string rows_of(const TemplateData& series) {
   return text;
 }
 
-/// All x at a y, then an empty line.
+/// Adds the points in gnuplot's grid format: a block of all x for each y, separated by empty lines.
 void add_grid(TemplateData& contours) {
   const TemplateData &x = contours["x"], &y = contours["y"];
   std::string text;
@@ -110,7 +110,7 @@ void prepare(TemplateData& panel) {
   }
 }
 
-/// The parts of a text between its semicolons.
+/// Splits a text at its semicolons.
 TemplateData parts_of(const std::string& text) {
   TemplateData parts = TemplateData::array();
   for (std::size_t at = 0, end = 0; end < text.size(); at = end + 2) {

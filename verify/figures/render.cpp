@@ -13,7 +13,7 @@ std::string panel_name(const Panel& panel) {
   return (panel.contours ? panel.contours->label + ", " : "") + panel.y.label + " against " + panel.x.label;
 }
 
-/// Nothing where there are none.
+/// Null for an empty list.
 Json numbers_json(const std::vector<double>& values) {
   return values.empty() ? Json() : json_list(values, [](double value) { return Json(value); });
 }

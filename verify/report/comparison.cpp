@@ -22,14 +22,14 @@ constexpr std::array<std::pair<Change, std::string_view>, 7> change_names{{{Chan
                                                                            {Change::appeared, "new"},
                                                                            {Change::gone, "gone"}}};
 
-/// A list below a report; an older program may not have it.
+/// A list of a report; empty if an older program did not write it.
 const json& list_at(const json& report, const std::string& path) {
   static const json none = json::array();
   const json::json_pointer pointer(path);
   return report.contains(pointer) && report.at(pointer).is_array() ? report.at(pointer) : none;
 }
 
-/// A number that is finite.
+/// The member of a row if it is a number: infinite values are null in JSON.
 std::optional<double> number_at(const json& row, const std::string& key) {
   if (!row.contains(key) || !row[key].is_number()) return std::nullopt;
   return row[key].get<double>();
@@ -40,8 +40,8 @@ std::string text_at(const json& row, const std::string& key) {
   return row[key].is_string() ? row[key].get<std::string>() : row[key].dump();
 }
 
-/// A value of a row that is compared with the older one, and what it means that a number is smaller or larger now. For a text
-/// the second holds if it is "true" now.
+/// A member of a row that is compared with the older one, and the change that a smaller or a larger number means. A text that
+/// is "true" now counts as larger.
 struct Column {
   std::string key;
   std::string title;  ///< after the name of the row
@@ -131,8 +131,8 @@ std::optional<ChangedItem> change_of(const Column& column, const std::string& ro
                      fmt::format("{:.{}g}", *is, digits)};
 }
 
-/// Adds what has changed in the rows of a part, and which are new or gone. Gives the number of rows with numbers that are of
-/// other points.
+/// Adds the changes in the rows of a part, new rows and rows that are gone. Returns the number of rows whose numbers were
+/// found at other points.
 std::size_t compare(const Part& part, const json& older, const json& newer, std::vector<ChangedItem>& items) {
   const auto before = by_name(list_at(older, part.path), part.keys),
              now = by_name(list_at(newer, part.path), part.keys);

@@ -29,7 +29,7 @@ void join(TemplateData& rows, TemplateData& more, const Keys& keys) {
   }
 }
 
-/// Rows with the same keys, as `rows` of one, in the order of the first.
+/// Groups rows with the same keys: a group has these keys, and its rows as `rows`.
 TemplateData grouped(const TemplateData& rows, const Keys& keys) {
   TemplateData groups = TemplateData::array();
   for (const TemplateData& row : rows) {
@@ -44,7 +44,7 @@ TemplateData grouped(const TemplateData& rows, const Keys& keys) {
   return groups;
 }
 
-/// As RFC 3986 has it, the spaces and line breaks, of which gnuplot writes many, as single spaces.
+/// Percent-encoded by RFC 3986; runs of white space, of which gnuplot writes many, become single spaces.
 std::string percent_encoded(const std::string& svg) {
   constexpr std::string_view plain = "!'()*+,-./:;=?@_|$[]";
   std::string url;
@@ -61,35 +61,32 @@ std::string percent_encoded(const std::string& svg) {
   return url;
 }
 
-/// Draws the plot of each, from several threads.
-void draw_all(const std::vector<TemplateData*>& drawn, const Drawer& draw) {
-  parallel_for(drawn.size(),
+/// Replaces the plots in the rows by pictures, drawn in several threads.
+void draw_all(TemplateData& rows, const Drawer& draw) {
+  std::vector<TemplateData*> plotted;
+  for (TemplateData& row : rows) {
+    if (row.contains("plot") && !row["plot"].is_null()) plotted.push_back(&row);
+  }
+  parallel_for(plotted.size(),
                [&](std::size_t i) {
-                 const auto svg = draw(gnuplot_script(Json::parse(drawn[i]->at("plot").dump())));
-                 (*drawn[i])["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
-                 drawn[i]->erase("plot");
+                 TemplateData& row = *plotted[i];
+                 const auto svg = draw(gnuplot_script(Json::parse(row["plot"].dump())));
+                 row["picture"] = svg ? TemplateData(percent_encoded(*svg)) : TemplateData();
+                 row.erase("plot");
                },
                {});
 }
 
-/// The rows that have a plot.
-std::vector<TemplateData*> plotted(TemplateData& rows) {
-  std::vector<TemplateData*> found;
-  for (TemplateData& row : rows) {
-    if (row.contains("plot") && !row["plot"].is_null()) found.push_back(&row);
-  }
-  return found;
-}
-
-/// The answer in the order of the page.
+/// The answer, rearranged for the page's template.
 TemplateData arranged(const std::string& answer, const Drawer& draw) {
   TemplateData page = TemplateData::parse(answer);
   TemplateData& rows = page["audit"]["rows"];
   join(rows, page["quantities"], {"quantity"});
   join(page["golden"], page["golden_values"], {"quantity"});
   join(page["tables"]["tables"], page["summary"]["tables"], {"id"});
-  TemplateData& ways = page["ways"] = grouped(page["bench"]["rows"], {"quantity", "range"});
-  if (page.contains("times")) join(ways, page["times"]["plots"], {"quantity", "range"});
+  // No reference to a member of the page is held over the insertion of another, which moves the members.
+  page["ways"] = grouped(page["bench"]["rows"], {"quantity", "range"});
+  if (page.contains("times")) join(page["ways"], page["times"]["plots"], {"quantity", "range"});
   for (TemplateData& figure : page["figures"])
     figure = {{"id", figure["id"]},
               {"title", figure["title"]},
@@ -100,17 +97,15 @@ TemplateData arranged(const std::string& answer, const Drawer& draw) {
     table["rows"] = grouped(table["cells"], {"row"});
     table["columns"] = table["rows"].empty() ? TemplateData() : table["rows"].front()["rows"];
   }
-  std::vector<TemplateData*> all = plotted(rows);
-  std::ranges::copy(plotted(ways), std::back_inserter(all));
-  std::ranges::copy(plotted(page["figures"]), std::back_inserter(all));
-  draw_all(all, draw);
+  for (const char* list : {"ways", "figures"}) draw_all(page[list], draw);
+  draw_all(rows, draw);
   TemplateData drawn = TemplateData::array();
   std::ranges::copy_if(rows, std::back_inserter(drawn),
                        [](const TemplateData& row) { return row.contains("picture"); });
   page["subjects"] = grouped(drawn, {"subject"});
   for (TemplateData& subject : page["subjects"]) subject["count"] = subject["rows"].size();
   for (TemplateData& row : rows) row.erase("picture");
-  for (TemplateData& one : ways) one["drawn"] = one.contains("picture");
+  for (TemplateData& one : page["ways"]) one["drawn"] = one.contains("picture");
   for (const char* list : {"subjects", "ways"}) {
     if (!page[list].empty()) page[list].front()["first"] = true;
   }

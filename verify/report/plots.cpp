@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::size_t fewest_dots = 12;
 constexpr double largest_linear_promise = 64;
-constexpr std::size_t fewest_ways = 4;  ///< to the same values, that make a plot
+constexpr std::size_t fewest_ways = 4;  ///< a plot has at least so many ways to the same values
 constexpr double least_drawn_error = 1e-17;
 
-/// Where the dots lie on an axis; others have no place on a logarithmic one.
+/// On a logarithmic axis without the errors that are 0.
 Series error_series(const std::string& label, Mark mark, const std::vector<ErrorDot>& dots, bool largest_only,
                     bool logarithmic) {
   Series series{label, label, mark, {}, {}};
@@ -26,7 +26,7 @@ Series error_series(const std::string& label, Mark mark, const std::vector<Error
   return series;
 }
 
-/// With the unit, where the argument has one.
+/// The name with the unit, if the argument has one.
 std::string label_of(const Argument& argument, bool decades) {
   const std::string name = decades ? "|" + argument.name + "|" : argument.name;
   switch (argument.kind) {

@@ -8,39 +8,18 @@
 namespace nipref::verify {
 namespace {
 
-/// Where an error of the seeds is looked for.
+/// The columns in which an error of the seeds is searched.
 struct SeedColumn {
   std::string_view what;
-  std::string_view tables;  ///< their ids begin so
+  std::string_view tables;  ///< the beginning of their ids
   std::string_view weakness;
-  std::string_view column;  ///< its name begins so
+  std::string_view column;  ///< the beginning of its name
 };
 
 constexpr SeedColumn seed_columns[] = {
     {"contact length L of the thesis", "thesis-", "discretisation", "L"},
     {"rolling resistance mu_R of the thesis", "thesis-", "discretisation", "muR"},
     {"span ratio of Brock's Table 1 (2013)", "brock2013-1", "formula", "c="}};
-
-bool is_larger(const SeedError& error, const std::optional<SeedError>& than) {
-  return !than || std::fabs(error.relative) > std::fabs(than->relative);
-}
-
-std::optional<SeedError> largest_error(const SeedColumn& where, const std::vector<Replay>& tables) {
-  std::optional<SeedError> largest;
-  for (const Replay& replay : tables) {
-    if (!replay.table.id.starts_with(where.tables)) continue;
-    for (const Cost& cost : replay.costs) {
-      if (cost.weakness != where.weakness) continue;
-      for (const ColumnDeviation& column : cost.columns) {
-        if (!column.column.starts_with(where.column)) continue;
-        const SeedError error{std::string(where.what), replay.table.id, column.largest,
-                              cost.weakness + ", " + cost.against};
-        if (is_larger(error, largest)) largest = error;
-      }
-    }
-  }
-  return largest;
-}
 
 }  // namespace
 
@@ -59,8 +38,20 @@ const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& result
 
 std::vector<SeedError> seed_errors(const std::vector<Replay>& tables) {
   std::vector<SeedError> errors;
-  for (const SeedColumn& column : seed_columns) {
-    if (const auto largest = largest_error(column, tables)) errors.push_back(*largest);
+  for (const SeedColumn& where : seed_columns) {
+    SeedError largest{};
+    for (const Replay& replay : tables) {
+      if (!replay.table.id.starts_with(where.tables)) continue;
+      for (const Cost& cost : replay.costs) {
+        for (const ColumnDeviation& column : cost.columns) {
+          if (cost.weakness == where.weakness && column.column.starts_with(where.column) &&
+              (largest.what.empty() || std::fabs(column.largest) > std::fabs(largest.relative)))
+            largest = {std::string(where.what), replay.table.id, column.largest,
+                       cost.weakness + ", " + cost.against};
+        }
+      }
+    }
+    if (!largest.what.empty()) errors.push_back(largest);
   }
   return errors;
 }

@@ -18,7 +18,7 @@
 
 namespace nipref::verify {
 
-/// What has become of a number or a verdict.
+/// How a number or a verdict differs from the older one.
 enum class Change { worse, slower, better, quicker, changed, appeared, gone };
 
 /// "worse", "slower", "better", "quicker", "changed", "new", "gone"
@@ -27,7 +27,7 @@ std::string_view name(Change change);
 struct ChangedItem {
   Change change;
   std::string what;         ///< "audit I1, largest error"
-  std::string before, now;  ///< one of them is empty of what is new or gone
+  std::string before, now;  ///< empty where the report does not have it
 };
 
 /// This report against an older one.
@@ -39,29 +39,29 @@ struct ReportComparison {
   [[nodiscard]] std::size_t count(Change change) const;
 };
 
-/// Whether a text is the report.json of a report.
+/// True if the text is the JSON of a report.
 bool is_report(const std::string& json);
 
-/// Compares two texts that are. Largest errors that differ by a tenth, where as many points were looked at; promised ratios of
-/// times, which are of one run each, by a quarter, never times; counts of verdicts; and whatever is kept, broken, new or
-/// gone.
+/// Compares two such texts. A change is: a largest error that differs by a tenth, if both are of as many points; a promised
+/// ratio of times, each from one run, that differs by a quarter (times themselves are not compared); a count of verdicts; a
+/// promise that is kept or broken now; a row that is new or gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
-/// What the page shows.
+/// The part of the answer that the page shows.
 Json comparison_json(const ReportComparison& comparison);
 
-/// The counts, then a line for each item, of those many at most.
+/// The counts, then a line for each item, for at most so many.
 std::string comparison_text(const ReportComparison& comparison, std::size_t most_items);
 
-/// Golden values of one quantity: what is kept, and what came of a sample of them.
+/// The golden values of one quantity, and the result of checking a sample of them.
 struct GoldenSample {
   GoldenFile file;
   CheckedGolden checked;
 };
 
-/// All that a report tells, computed in one run.
+/// The contents of a report, computed in one run.
 struct Report {
-  std::string command;  ///< that asked for it, as words of a shell
+  std::string command;  ///< the command line, quoted for a shell
   std::string seed;     ///< of the random scenes
   std::vector<AuditResult> quantities;
   std::vector<ContactAudit> hard_cases;
@@ -69,31 +69,31 @@ struct Report {
   Witness witness;
   BenchReport speed;
   std::vector<Replay> tables;
-  bool tables_fall_short = false;  ///< cells are unexplained that are not known to be
+  bool tables_fall_short = false;  ///< more cells are unexplained than is known
   std::vector<CheckedClaim> claims;
   std::vector<LimitRow> limits;
   std::vector<SettledErratum> errata;
   std::vector<GoldenSample> golden;
-  std::vector<Figure> figures = {};                 ///< where a page is asked for
-  std::optional<ReportComparison> comparison = {};  ///< with an older report
+  std::vector<Figure> figures = {};                 ///< only if a page is written
+  std::optional<ReportComparison> comparison = {};  ///< with an older report, if one is given
 
-  /// Whether nothing falls short, but for ratios of times, which depend on the machine: these if `strict` alone.
+  /// True if all promises are kept. Ratios of times, which depend on the machine, count only if `strict`.
   [[nodiscard]] bool kept(bool strict) const;
 };
 
-/// The result that is closest to what it is allowed, or farthest beyond; none if there are no results.
+/// The result that uses the largest share of its promised error; null if there are no results.
 const AuditResult* closest_to_its_promise(const std::vector<AuditResult>& results);
 
-/// How far a column of some tables is from the truth at the worst row.
+/// The largest deviation of a column of some tables from the truth.
 struct SeedError {
   std::string what;   ///< "contact length of the thesis's tables"
-  std::string table;  ///< the worst one
-  double relative;    ///< of the truth, with its sign
-  std::string cause;  ///< what makes it, against what
+  std::string table;  ///< the table with the largest deviation
+  double relative;    ///< relative to the truth, with its sign
+  std::string cause;  ///< the weakness of the method, and what it is compared with
 };
 
-/// How wrong the seeds are by their methods: contact length and rolling resistance of the thesis by its line loads, the
-/// span ratio of Brock's first table of 2013 by its formula. Those whose tables are there.
+/// The errors of the seeds' methods: of the contact length and the rolling resistance of the thesis by its line loads, of
+/// the span ratio in Brock's first table of 2013 by its formula. Only those whose tables are among `tables`.
 std::vector<SeedError> seed_errors(const std::vector<Replay>& tables);
 
 }  // namespace nipref::verify

@@ -9,7 +9,7 @@
 namespace nipref::verify {
 namespace {
 
-/// How many rows there are, and of how many it is so.
+/// The number of rows, and of those for which `is_so` holds.
 template <class Rows, class IsSo>
 Json share_json(const Rows& rows, IsSo is_so) {
   const auto kept = std::ranges::count_if(rows, is_so);
@@ -48,7 +48,7 @@ Json hard_cases_json(const std::vector<ContactAudit>& audits) {
   return share_json(kept, std::identity());
 }
 
-/// What had no truth.
+/// The numbers for which there is no truth to compare with.
 Json skipped_json(const Report& report) {
   const long points = sum(report.quantities, &AuditResult::left_out);
   const long refused = sum(report.scenes, &SceneTally::refused);
@@ -159,7 +159,7 @@ Json golden_values_json(const std::vector<GoldenSample>& samples) {
   std::vector<Json> files;
   for (const auto& [file, checked] : samples) {
     if (file.rows.empty()) continue;
-    std::set<std::string> methods;  // without what each row's distance is
+    std::set<std::string> methods;  // without the distance, which differs from row to row
     for (const GoldenRow& row : file.rows)
       methods.insert(row.confirmed_by.substr(0, row.confirmed_by.rfind(" to ")));
     files.push_back({{"quantity", checked.quantity},

@@ -15,10 +15,10 @@ namespace {
 constexpr double half_unit = 0x1p-53, library_rounding = 0x1p-51,
                  infinite = std::numeric_limits<double>::infinity();
 
-/// The error is a sum of parts that were themselves rounded.
+/// Enlarges the error by the rounding in the sum of its parts.
 Propagated inflated(double value, double error) { return {value, error * (1 + 0x1p-48)}; }
 
-/// A function of the library at x, which changes by no more than `change` within the error of x.
+/// A value of a library function, which changes by at most `change` within the error of its argument.
 Propagated of_library(double value, double change) {
   return inflated(value, change + library_rounding * std::fabs(value));
 }
@@ -116,7 +116,7 @@ Stated stated(const Propagated& number) {
   const double value = number.value();
   if (number.error() == 0) return {fmt::format("{}", value), "0"};
   if (!std::isfinite(number.error())) return {"unknown", "infinite"};
-  // Beyond 17 digits a double says nothing.
+  // A double has no more than 17 significant digits.
   const double error = std::max(number.error(), std::numeric_limits<double>::epsilon() * std::fabs(value));
   const int last = static_cast<int>(std::floor(std::log10(error)));
   const int first = value == 0 ? last : static_cast<int>(std::floor(std::log10(std::fabs(value))));

@@ -5,12 +5,12 @@
 
 namespace nipref::verify {
 
-/// A number of a statement with its error. It cannot be made without its error, and arithmetic propagates the error: what the errors of the operands make of the result at most, and rounding, of
-/// elementary functions of the library two units in the last place. Where an error leaves the domain of an operation the
-/// result's is infinite.
+/// A number with a bound on its error, which arithmetic propagates: the bound of a result covers the errors of the operands
+/// and rounding, for which elementary functions of the library are given two units in the last place. Where an operand's
+/// error leaves the domain of an operation the bound is infinite.
 class Propagated {
  public:
-  /// A constant of a formula: exact where 40 bits hold it, otherwise the double nearest to a decimal.
+  /// A constant of a formula: exact if 40 bits hold it, otherwise the double nearest to a decimal.
   Propagated(double constant);
   Propagated(const fast::Estimate& number) : number_(number) {}
   Propagated(double value, double error) : number_{value, error} {}
@@ -20,7 +20,7 @@ class Propagated {
 
   [[nodiscard]] double value() const { return number_.value; }
   [[nodiscard]] double error() const { return number_.error; }
-  /// Larger than 0, or smaller, beyond the error.
+  /// Certainly larger than 0, or smaller: by more than the error.
   [[nodiscard]] bool is_positive() const { return number_.value > number_.error; }
   [[nodiscard]] bool is_negative() const { return -number_.value > number_.error; }
 
@@ -51,8 +51,8 @@ Propagated cos(const Propagated& x);
 Propagated tan(const Propagated& x);
 Propagated atan(const Propagated& x);
 
-/// What is said of a number: no digit below the first of its error, which grows by the digits left out, in two digits
-/// rounded upwards. An exact number is its shortest decimal with the error 0.
+/// The decimals of a number and of its error. The number has no digit below the first of its error; the error includes the
+/// digits left out and has two digits, rounded upwards. An exact number has its shortest decimal and the error 0.
 struct Stated {
   std::string value, error;
 };

@@ -13,15 +13,14 @@
 
 namespace nipref::verify {
 
-/// Thrown where text is no JSON, or JSON is not what is read from it: what, in a word or two.
+/// Thrown if a text is not JSON, or a JSON value is not of the type that is read from it.
 struct JsonMisfit : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a verb answers to machines: null, a truth value, a number, text, a list, or an object whose keys keep
-/// their order. What is not known is null: an empty optional, and a number that is infinite or none. A wall
-/// around nlohmann-json: a file that includes all of that takes four times as long to compile. What the verbs'
-/// answers look like is written down in data/schema.
+/// A JSON value: null, a truth value, a number, text, a list, or an object whose keys keep their order. An empty optional and
+/// a number that is infinite or NaN become null. This class hides nlohmann-json, since a file that includes that library
+/// takes four times as long to compile. data/schema describes the answers of the verbs.
 class Json {
  public:
   using Member = std::pair<std::string_view, Json>;
@@ -41,9 +40,9 @@ class Json {
 
   static Json object() { return std::initializer_list<Member>{}; }
 
-  /// The double that a decimal text means; of "inf" and "nan" null.
+  /// The double nearest to a decimal text; null for "inf" and "nan".
   static Json number(const std::string& text);
-  /// Null if there is none.
+  /// Null for an empty text.
   static Json unless_empty(std::string_view text) { return text.empty() ? Json() : Json(text); }
 
   /// Sets a member of an object.
@@ -52,18 +51,18 @@ class Json {
   /// Sets all members of another object, in their order.
   void append(const Json& members);
 
-  /// Itself, but at no depth with a member of that name.
+  /// A copy without the members of that name at any depth.
   [[nodiscard]] Json without(std::string_view key) const;
 
-  /// Indented by two, with a line break at the end; what is no UTF-8 is replaced.
+  /// Indented by two, with a line break at the end; invalid UTF-8 is replaced.
   [[nodiscard]] std::string text() const;
   /// The same in one line, with no line break.
   [[nodiscard]] std::string line() const;
 
-  // Reading: JsonMisfit where it is something else.
+  // Reading. These throw JsonMisfit if the value is of another type.
   static Json parse(std::string_view text);
   [[nodiscard]] Json at(std::string_view key) const;
-  [[nodiscard]] bool has(std::string_view key) const;  ///< false for what is no object
+  [[nodiscard]] bool has(std::string_view key) const;  ///< false if it is not an object
   [[nodiscard]] std::vector<Json> items() const;
   [[nodiscard]] std::string as_text() const;
   [[nodiscard]] std::uint64_t as_count() const;
@@ -75,7 +74,7 @@ class Json {
   std::shared_ptr<const Value> value_;
 };
 
-/// A list with what `to_json` makes of each item.
+/// The list of to_json(item) for all items.
 template <class Items, class ToJson>
 Json json_list(const Items& items, ToJson to_json) {
   std::vector<Json> list;
@@ -83,9 +82,9 @@ Json json_list(const Items& items, ToJson to_json) {
   return list;
 }
 
-/// A double as text that stands for it to the last bit, infinities too.
+/// A double as a hexadecimal text, which is exact; infinities are allowed.
 Json exact_json(double number);
-/// JsonMisfit for what is no such text.
+/// Reads such a text; throws JsonMisfit for another.
 double exact_double(const Json& json);
 
 }  // namespace nipref::verify

@@ -4,7 +4,7 @@
 
 namespace nipref::verify {
 
-/// SHA-256 of these bytes, 64 hexadecimal digits.
+/// The SHA-256 checksum of these bytes, in 64 hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
 }  // namespace nipref::verify

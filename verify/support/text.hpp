@@ -6,37 +6,37 @@
 
 namespace nipref::verify {
 
-/// What people read is this wide.
+/// The width of text for people, in columns.
 inline constexpr std::size_t text_width = 80;
 
-/// A verdict in the colour of what is well, and of what is not, as a terminal shows it.
+/// A text in green, or in red, by escape sequences of terminals.
 std::string good(std::string_view text);
 std::string bad(std::string_view text);
 inline std::string verdict(bool well, std::string_view text) { return well ? good(text) : bad(text); }
 
-/// Without colours.
+/// The text without colours.
 std::string plain(std::string_view text);
 
-/// Columns that the text takes: colours take none.
+/// The number of columns that the text takes; escape sequences take none.
 std::size_t width_of(std::string_view text);
 
-/// Each line that is too wide broken at spaces. It goes on below its last column, where that starts in the first half,
-/// or else a little to the right of where it starts. A word that is too wide by itself stays whole.
+/// Breaks each line that is too wide at spaces. The continuation starts below the last column of the line if that column is
+/// in the first half, and otherwise four columns to the right of the line's start. A word that is too wide is not broken.
 std::string folded(std::string_view text);
 
-/// A table for people: columns as wide as what is in them, two spaces apart.
+/// A table in plain text: each column is as wide as its widest cell, with two spaces between columns.
 class TextTable {
  public:
-  /// Heads; what stands below one that begins with '>' is flush right, and the '>' is not shown.
+  /// The heads of the columns; a head that begins with '>', which is not shown, makes its column flush right.
   explicit TextTable(std::vector<std::string_view> heads);
 
-  /// A cell for each column.
+  /// Adds a row, with a cell for each column.
   void add(std::vector<std::string> cells);
-  /// A line below the last row, indented.
+  /// Adds an indented line below the last row.
   void add_below(std::string line);
 
   [[nodiscard]] bool empty() const { return rows_.size() == 1; }
-  /// With a line of heads; lines below rows are folded, rows are not.
+  /// The table with its line of heads. Lines below rows are folded, rows are not.
   [[nodiscard]] std::string text() const;
 
  private:

@@ -14,7 +14,7 @@
 #include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
-// What is behind the tables of the papers on half-spaces. Directions count from the motion.
+// The curves on which the tables of the papers on half-spaces lie. Angles are measured from the direction of motion.
 
 namespace nipref::verify {
 namespace {
@@ -25,9 +25,9 @@ const std::string ellipse = "exact ellipse, no friction", rule = "the paper's ru
                   paper_formula = "the table's formula";
 constexpr Direction forward_motion{1, 0}, across_motion{0, 1};
 
-/// Bodies that slide.
+/// Two bodies of which one slides.
 struct SlidingBodies {
-  std::function<fast::SurfaceResponse(double speed)> surface;  ///< what one line answers to their pressure
+  std::function<fast::SurfaceResponse(double speed)> surface;  ///< the response of one line to their pressure
   double critical_speed;
   std::string unit;  ///< of compliances
 };
@@ -52,12 +52,12 @@ SlidingBodies sphere_on(const data::Table& table, data::SymmetryAxis axis, Direc
 
 std::string speed_label(double speed) { return fmt::format("c = {:g}", speed); }
 
-/// The column's speed.
+/// The sliding speed of a column of the table.
 double speed_of(const Replay& replay, const std::string& column) {
   return *replay.table.columns[replay.table.column_index(column)].coordinate;
 }
 
-/// Those cells of a table that `placed` gives a place on the axis.
+/// Appends the cells of a table for which `placed` gives a place on the axis.
 void append_cells(Panel& panel, const std::string& label, const Replay& replay,
                   const std::function<std::optional<double>(const ReplayedCell&)>& placed) {
   std::vector<PlacedCell> cells;
@@ -68,7 +68,7 @@ void append_cells(Panel& panel, const std::string& label, const Replay& replay,
   panel.series.push_back(printed_series(label, cells));
 }
 
-/// The column's cells against the rows' keys.
+/// Appends the cells of a column against the first column of their rows.
 void append_column(Panel& panel, const std::string& label, const Replay& replay, const std::string& column) {
   append_cells(panel, label, replay, [&](const ReplayedCell& cell) {
     return cell.column == column ? std::optional(key_of_row(replay.table, cell.row)) : std::nullopt;
@@ -119,7 +119,7 @@ Panel contours(const SlidingBodies& bodies, const FigureSubject& subject) {
   return panel;
 }
 
-/// The bodies at several speeds, each of which takes a while, and a curve of what they answer.
+/// The responses of the bodies at several speeds, which are costly, for several curves.
 struct SurfacesAtSpeeds {
   std::vector<double> speeds;
   std::vector<fast::SurfaceResponse> surfaces;

@@ -14,14 +14,15 @@
 
 namespace nipref::verify {
 
-/// A nip of the thesis's tables: the sheet's material, or the standard linear solid that is this material at once.
+/// A nip of the thesis's tables: of the sheet's material, or of the standard linear solid whose instantaneous response is that
+/// material.
 struct NipAt {
   double thickness, load;
   double memory = 0;  ///< speed times relaxation time, in; 0: elastic
   data::Friction friction = data::Friction::none;
 };
 
-/// Without the memory, which is the row's.
+/// The nip without the memory, which differs from row to row.
 inline NipAt nip_of_table(const data::Table& table, double load) {
   const bool is_rolling = table.columns.front().name != "W";
   return {table.parameter("B").value, load, 0,
@@ -34,7 +35,7 @@ inline std::size_t row_of_memory(const data::Table& table, double memory) {
   return row;
 }
 
-/// What `use` makes of the continuous contact, a fast::ConvergedElasticNip or a fast::ConvergedViscoelasticNip.
+/// Applies `use` to the continuous contact, a fast::ConvergedElasticNip or a fast::ConvergedViscoelasticNip.
 template <class Use>
 auto with_contact(const NipAt& nip, double accuracy, const Use& use) {
   const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;

@@ -9,15 +9,15 @@
 #include <nipref/verify/figures/internal/nip_at.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
-// Numbers of nips against their loads and memories, and the creep ratios that the thesis's conditions leave. (thesis 5.5,
-// 5.7, 7.5)
+// Numbers of nips against their loads and memories, and the creep ratios that the thesis's conditions allow (thesis 5.5,
+// 5.7, 7.5).
 
 namespace nipref::verify {
 namespace {
 
 constexpr double curve_accuracy = 1e-6;
 
-/// The columns of the tables.
+/// The values of the tables' columns.
 std::map<std::string, double> values_of(const NipAt& nip) {
   return with_contact(nip, curve_accuracy, [&](const auto& contact) {
     const double length = contact.contact_length().value, d0 = contact.indentation().value;
@@ -140,10 +140,10 @@ std::vector<Panel> rolling_against_memory(const FigureSubject& subject) {
 const std::string creep_sheet = "B = 0.005 in";
 constexpr double sheet_thickness = 0.005, creep_accuracy = 1e-6;
 
-/// m beta: elements a side times half an element over half the thickness.
+/// The contact length of m beta: m elements on each side, beta is half an element's width over half the thickness.
 double length_of(double m_beta) { return 2 * m_beta * sheet_thickness; }
 
-/// Each range as a bar about its middle.
+/// A bar about the middle of each range.
 Series allowed_ranges(const data::ElasticNip& nip, int elements, const std::vector<double>& m_beta) {
   Series series{creep_sheet, "range that the conditions leave", Mark::ranges, {}, {}};
   for (const double place : m_beta) {

@@ -11,13 +11,13 @@
 #include <nipref/verify/figures/internal/nip_at.hpp>
 
 // Pressure, shear and displacements along nips (thesis 5.7, 7.5), and stresses inside the sheet, which the thesis derives
-// and does not draw (3.19, 3.20, 4.3, 4.14).
+// but does not draw (3.19, 3.20, 4.3, 4.14).
 
 namespace nipref::verify {
 namespace {
 
-/// The thesis's line loads of a row: a profile, and where it is shown: pressures in the middles of the elements, displacements
-/// at their ends.
+/// A profile by the thesis's line loads for a row, and the places where it is shown: pressures in the middles of the
+/// elements, displacements at their ends.
 struct ThesisProfile {
   std::vector<double> places;
   Curve curve;
@@ -83,7 +83,8 @@ void append(Panel& panel, const std::string& label, const std::vector<double>& p
   panel.series.push_back(sampled(label, by_thesis, Mark::points, thesis.places, thesis.curve));
 }
 
-/// Along an elastic nip of each table at each load: the contact, closer towards its ends, or as far again beside it.
+/// Appends the profile for each table and load: places are denser towards the ends of the contact; displacements are shown
+/// over twice the contact length.
 void append_elastic(Panel& panel, const FigureSubject& subject, const std::string& quantity) {
   constexpr double accuracy = 1e-8;
   const std::vector<double> loads = subject.numbers("load");
@@ -114,7 +115,7 @@ std::vector<Panel> along_elastic_nips(const FigureSubject& subject) {
   return panels;
 }
 
-/// For each memory: the contact, or the places given.
+/// A profile for each memory: pressures along the contact, displacements at the given places.
 std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
   constexpr double accuracy = 1e-6;
   const std::string& quantity = subject.text;
@@ -139,7 +140,7 @@ std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
 struct StressPart {
   const char* name;
   double (*of)(const fast::InnerStresses& stresses);
-  double step;  ///< from contour to contour
+  double step;  ///< between neighbouring contours
 };
 
 constexpr StressPart stress_parts[] = {
@@ -148,7 +149,7 @@ constexpr StressPart stress_parts[] = {
     {"tau_xy", [](const fast::InnerStresses& s) { return s.shear.value; }, 0.05},
     {"maximum shear", [](const fast::InnerStresses& s) { return s.maximum_shear().value; }, 0.05}};
 
-/// Everything over the largest pressure, along the sheet in half contact lengths.
+/// Stresses are divided by the largest pressure, places along the sheet by half the contact length.
 std::vector<Panel> stress_panels(const auto& contact, double thickness) {
   const double half = contact.contact_length().value / 2, peak = contact.peak_pressure().value;
   const double reach = std::max(1.6, thickness / 2 / half);

@@ -21,10 +21,11 @@ namespace nipref::verify {
 namespace {
 
 constexpr data::ElasticMaterial stated = data::seed::sheet;
-constexpr int residues = 500;  // as in the thesis's viscoelastic tables; of the elastic ones it says nothing
+constexpr int residues =
+    500;  // as in the thesis's viscoelastic tables; for the elastic ones it gives no number
 const std::string true_kernel = "exact kernel", by_residues = "500 residues";
 
-/// The thesis's sums at one distance.
+/// The thesis's residue sums at one distance.
 struct PlainKernels {
   std::array<double, 1> I1{}, I3{}, I6_alpha_part{};
 
@@ -98,7 +99,7 @@ std::vector<Panel> for_places(const FigureSubject& subject) {
 constexpr double stated_bulk = stated.young, stated_shear = data::thesis_shear_over_bulk * stated_bulk;
 constexpr double half_thickness = 0.0025, load_speed = 1;
 
-/// Strain under a stress that is put on at t = 0 and stays, over its strain at once.
+/// The strain under a constant stress applied at t = 0, over the instantaneous strain.
 double creep_response(const data::MaterialFunction& theta, double t) {
   double compliance = theta.instantaneous;
   for (const data::RelaxationTerm& term : theta.terms)
@@ -124,7 +125,8 @@ std::vector<Panel> creep_responses(const FigureSubject& subject) {
             response("theta1 + theta2", wrong, Mark::marked_line, printed.normal_compliance())}}};
 }
 
-/// The point and, for the tangential displacement, the pinned point lie so many half-thicknesses ahead of the load's start.
+/// T and t0 of the figure's row: the distances, in half-thicknesses, of the point and of the pinned point ahead of the
+/// load's start.
 std::vector<Panel> under_moving_load(const FigureSubject& subject) {
   const bool is_normal = subject.text == "Un";
   const double point = subject.number("T"), pinned = is_normal ? 0 : subject.number("t0");

@@ -41,7 +41,7 @@ std::vector<Station> stations(const ConvergedElasticNip& nip) {
   return all;
 }
 
-/// The share 2 Y/L > 0 at which the shear changes its sign beyond its error; 0 if it does nowhere.
+/// The share 2 Y/L > 0 at which the shear changes its sign beyond its error; 0 if there is none.
 double reversal(const std::vector<Station>& all) {
   double last = 0;
   for (const Station& here : all) {
@@ -59,7 +59,7 @@ bool ratio_rises(const std::vector<Station>& all) {
 
 using Property = std::function<bool(const std::vector<Station>&)>;
 
-/// L/B between one where `is_so` and one where it is not.
+/// The border of a property: L/B between a place with it and a place without it.
 Propagated border_between(const Property& is_so, double with, double without) {
   constexpr int halvings = 7;
   for (int i = 0; i < halvings; ++i) {
@@ -70,7 +70,7 @@ Propagated border_between(const Property& is_so, double with, double without) {
                              Propagated::exact(std::max(with, without)));
 }
 
-/// The first and the last L/B at which `is_so`, of those from 0.5 to 20 in steps of a twentieth; 0 if it is at none.
+/// The first and the last L/B with a property, of those from 0.5 to 20 in steps of a twentieth; 0 if none has it.
 struct Range {
   Propagated first = 0, last = 0;
 };

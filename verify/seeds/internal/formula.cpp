@@ -24,7 +24,7 @@ struct Operator {
   Propagated (*apply)(const Propagated&, const Propagated&);
 };
 
-/// From those that bind loosest to those that bind tightest.
+/// In the order of precedence, the lowest first.
 constexpr std::array<std::array<Operator, 2>, 3> operators{
     {{{{'<', [](const Propagated& a, const Propagated& b) { return truth_of(has_less_value(a, b)); }},
        {'>', [](const Propagated& a, const Propagated& b) { return truth_of(has_less_value(b, a)); }}}},
@@ -73,7 +73,7 @@ Propagated of_range(const Function& f, const Numbers& at) {
   return functional(f, at[0].value(), at[1].value());
 }
 
-/// A functional of f: between the variable and f(variable) it has so many numbers.
+/// A functional of f: so many numbers stand between the variable and f(variable).
 struct Functional {
   std::size_t numbers;
   Propagated (*apply)(const Function& f, const Numbers& at);
@@ -100,7 +100,7 @@ const std::map<std::string, Functional>& functionals() {
 
 }  // namespace
 
-/// A recursive descent: each function takes from the text what it parses.
+/// A recursive-descent parser: each function removes from the text the part that it parses.
 class FormulaParser {
  public:
   FormulaParser(Formulas& formulas, std::string_view text) : formulas_(formulas), text_(text), rest_(text) {}

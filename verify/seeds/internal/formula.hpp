@@ -17,7 +17,7 @@ namespace nipref::verify {
 ///   - certain(x): 1 if x is positive beyond its error, otherwise 0; within(e): 0 with the error e; exactly(x): x without
 ///     its error; if(condition, x, y), of which only one is evaluated,
 ///   - integral(t, a, b, f(t)) and the other functions of numerics.hpp, whose first argument names the variable,
-///   - [WORDS]: a number that the program computes; how is said by solved.hpp.
+///   - [WORDS]: a number that the program computes, as solved.hpp describes.
 class Formulas {
  public:
   using Solve = std::function<Propagated(const std::string& words, Formulas& formulas)>;
@@ -40,7 +40,7 @@ class Formulas {
     Expression body;
   };
   [[nodiscard]] Propagated number(const std::string& name) const;
-  /// With these numbers defined besides, which hide others of the same names.
+  /// Evaluates a body with additional numbers, which hide others of the same names.
   [[nodiscard]] Propagated with(const std::vector<std::string>& names, const std::vector<Propagated>& numbers,
                                 const Expression& body);
 

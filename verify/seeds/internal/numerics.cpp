@@ -13,8 +13,8 @@
 namespace nipref::verify {
 namespace {
 
-/// x with the least distance as its error at which `certain` holds, of those that double from `first` times x on; the
-/// error is infinite if it holds at none.
+/// x, whose error is the least distance at which `certain` holds. Distances double from `first` times x on; the error is
+/// infinite if `certain` holds at none.
 Propagated with_reach(double x, double first, const std::function<bool(double reach)>& certain) {
   for (double reach = first * std::fabs(x); reach < std::fabs(x); reach *= 2) {
     if (certain(reach)) return {x, reach};
@@ -108,7 +108,7 @@ Largest largest(const Function& f, double lower, double upper) {
                            .first;
   const Propagated value = f(place);
   double fall = 0;
-  // A maximum is flat: its place is known to the square root of what its value is known to.
+  // A maximum is flat: the relative error of its place is about the square root of that of its value.
   const Propagated reached = with_reach(place, 0x1p-24, [&](double reach) {
     const Propagated below = value - f(place - reach), above = value - f(place + reach);
     fall = std::max(below.value() + below.error(), above.value() + above.error());

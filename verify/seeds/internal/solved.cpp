@@ -22,7 +22,7 @@ namespace {
 
 using data::ViscoelasticMaterial;
 
-/// The words in brackets.
+/// The words of a formula's brackets.
 struct Request {
   std::string text, kind, name;
   Assignments given = {};
@@ -48,7 +48,7 @@ struct Request {
   [[nodiscard]] double number(const std::string& key, const std::string& otherwise) const {
     return formulas.value(text_of(key, otherwise)).value();
   }
-  /// The arguments of a quantity.
+  /// The given values as decimal arguments of a quantity.
   [[nodiscard]] Assignments arguments() const {
     Assignments all = given;
     for (auto& [key, value] : all)
@@ -153,7 +153,7 @@ ViscoelasticMaterial solid_of(const Request& request) {
        }},
       {"one_time", [=] { return data::single_relaxation_time_solid(1, 0.375, memory); }},
       {"one_time_misprinted", [=] { return data::misprinted_thesis_solid(1, 0.375, memory); }},
-      // Unequal parts in shear and dilatation.
+      // The moduli in shear and dilatation relax by different parts.
       {"two_times", [=] {
          return data::prony_solid({1.3, {0.4 / memory, 0.9 / memory}, {1 / memory, 3 / memory}},
                                   {0.5, {0.1 / memory, 0.3 / memory}, {1 / memory, 3 / memory}});
@@ -164,7 +164,7 @@ ViscoelasticMaterial solid_of(const Request& request) {
 Propagated of_material(const Request& request) {
   const data::MaterialFunctions functions = solid_of(request).functions().value();
   const data::MaterialFunction normal = functions.normal_compliance();
-  // The functions are sums of a few products.
+  // The functions are sums of a few products, so that this bounds their rounding.
   const auto rounded = [](double value) { return Propagated(value, 0x1p-48 * std::fabs(value)); };
   const auto sum = [&](int power_of_rate) {
     Propagated all = 0;
@@ -197,7 +197,7 @@ Propagated printed_cell(const Request& request) {
   request.refuse("a row that is printed");
 }
 
-/// Solves contacts, and keeps them for other results.
+/// Solves contacts and caches them, since formulas need several results of one contact.
 class SolvedNumbers {
  public:
   Propagated operator()(const std::string& words, Formulas& formulas) {

@@ -16,8 +16,8 @@ namespace nipref::verify {
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
 ///   - thin_solid: leading_share or resistance of computed.hpp. Key: memory;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
-///   - computed: what has code of its own.
-/// A contact is solved once for all of its results.
+///   - computed: one of computed_numbers().
+/// Each contact is solved only once.
 [[nodiscard]] Formulas::Solve solved_numbers();
 
 /// A very thin frictionless sheet of the solid with one relaxation time tau that ends up twice as compliant as it
@@ -30,7 +30,7 @@ struct ThinStandardSolid {
 /// memory: F0 tau/L, > 0.
 ThinStandardSolid thin_standard_solid(double memory);
 
-/// Numbers of statements that are no formula of other numbers, by name.
+/// Numbers that no formula describes, by name.
 const std::map<std::string, std::function<Propagated()>>& computed_numbers();
 
 /// The value of a printed formula in double arithmetic without a bound on its rounding: eight of its sixteen digits are

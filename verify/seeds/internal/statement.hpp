@@ -17,19 +17,19 @@ struct Statement {
   std::map<std::string, double> numbers = {};
   std::map<std::string, std::vector<Statement>> lists = {};
 
-  // What the key holds. BadInput that names the line if it is missing or of another type.
+  // The value of the key; they throw BadInput that names the line if it is missing or of another type.
   [[nodiscard]] const std::string& text(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& otherwise) const;
   [[nodiscard]] double number_or(const std::string& key, double otherwise) const;
-  /// BadInput that names the line of the first entry that has another key, or lacks one of the texts.
+  /// A list of tables. Throws BadInput that names the line of the first entry that has another key or lacks a required text.
   [[nodiscard]] const std::vector<Statement>& list(const std::string& key,
                                                    std::initializer_list<std::string_view> required,
                                                    std::initializer_list<std::string_view> optional) const;
-  /// The entry of a list with that text as `id`. BadInput if there is none.
+  /// The entry of a list with that `id`; throws BadInput if there is none.
   [[nodiscard]] const Statement& entry(const std::string& key, const std::string& id) const;
   [[noreturn]] void refuse(std::string_view requirement) const;
-  /// f(), with the line put before what is refused in it.
+  /// f(), whose BadInput is thrown again with the line in front.
   auto located(const auto& f) const {
     try {
       return f();
@@ -39,18 +39,18 @@ struct Statement {
   }
 };
 
-/// A file of data/statements. BadInput that names its line if it cannot be read.
+/// Reads a file of data/statements; throws BadInput that names the line if it cannot be read.
 [[nodiscard]] Statement read_statements(const std::filesystem::path& path);
 
-/// What an entry of a file is evaluated with: the definitions of the [[setting]] that it names, then its own in `given`.
+/// Evaluates the formulas of an entry, with the definitions of the [[setting]] that it names, then with its own in `given`.
 class StatementFormulas {
  public:
   StatementFormulas(const Statement& file, const Statement& entry);
-  /// BadInput that names the entry's line.
+  /// Throws BadInput that names the entry's line.
   [[nodiscard]] Propagated value(const std::string& formula);
   [[nodiscard]] bool is_true(const std::string& formula) { return value(formula).value() != 0; }
   void define(const std::string& name, const Propagated& number) { formulas_.define(name, number); }
-  /// Of the setting, to be put behind what is computed; empty if there is none.
+  /// The text `at` of the setting, which ends the description of what is computed; may be empty.
   [[nodiscard]] const std::string& setting() const { return setting_; }
 
  private:

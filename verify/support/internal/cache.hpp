@@ -7,13 +7,12 @@
 
 namespace nipref::verify {
 
-/// What was computed for a key, for those who ask for it again: several quantities come out of one solution, several
-/// columns of a figure too. The whole is forgotten when it has grown to `most` keys. Thread-safe; what two threads ask for
-/// at once may be computed twice.
+/// A cache of computed values: several quantities, or several columns of a figure, come from one solution. It is emptied when
+/// it has `most` keys. It is thread-safe; a value that two threads need at the same time may be computed twice.
 template <class Key, class Value>
 class Cache {
  public:
-  /// `make` computes it; what that throws is passed on.
+  /// The value for a key, computed by `make` if it is not in the cache.
   template <class Make>
   std::shared_ptr<const Value> at(const Key& key, const Make& make) {
     {

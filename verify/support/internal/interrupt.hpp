@@ -3,19 +3,19 @@
 
 namespace nipref::verify {
 
-/// Thrown where work ends unfinished because it was interrupted.
+/// Thrown by work that ends unfinished because the user interrupted it.
 struct Interrupted : std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From this call on, the first SIGINT (Ctrl-C) is only noted, so that the work ends early and prints what is finished;
-/// the second one kills the process. Nothing changes where SIGINT is ignored, as for a shell's background jobs.
+/// From this call on, the first SIGINT (Ctrl-C) only sets a flag, so that the work ends early and prints what is finished;
+/// the second one kills the process. If SIGINT is ignored, as for a shell's background jobs, it stays ignored.
 void stop_gently_on_interrupt();
 
-/// True once a SIGINT was noted. Loops ask between their items.
+/// True after a SIGINT. Loops call this between their items.
 bool interrupted();
 
-/// Throws Interrupted if so.
+/// Throws Interrupted after a SIGINT.
 void stop_if_interrupted();
 
 }  // namespace nipref::verify

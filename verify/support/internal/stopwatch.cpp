@@ -12,7 +12,7 @@ struct Round {
   std::size_t passes;
 };
 
-/// Seconds of so many times the first `count` evaluations.
+/// The seconds for `passes` times the first `count` evaluations.
 double seconds_of_passes(const Contender& contender, std::size_t count, std::size_t passes) {
   if (contender.seconds) return contender.seconds(count, passes);
   return seconds_of([&] {
@@ -20,8 +20,7 @@ double seconds_of_passes(const Contender& contender, std::size_t count, std::siz
   });
 }
 
-/// The round that fits into the time. The very first run may build what later ones find kept, and says nothing
-/// about their time.
+/// The round that fits into the time. The first run of all may fill caches, so that its time is not used.
 Round plan(const Contender& contender, double seconds) {
   std::size_t count = std::min(contender.least, contender.most);
   double taken = seconds_of_passes(contender, count, 1);
@@ -33,15 +32,14 @@ Round plan(const Contender& contender, double seconds) {
   return {count, std::max<std::size_t>(1, static_cast<std::size_t>(seconds / taken))};
 }
 
-/// Quick contenders make several passes and one before that is not timed, so that what the others left in the
-/// processor's caches does not count.
+/// Quick contenders make several passes, after one that is not timed and fills the processor's caches.
 double seconds_per_evaluation(const Contender& contender, const Round& round) {
   if (round.passes > 1) contender.run(round.count);
   return seconds_of_passes(contender, round.count, round.passes) /
          static_cast<double>(round.count * round.passes);
 }
 
-/// Of sorted values.
+/// A quantile of sorted values.
 double quantile(const std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
 }

@@ -5,16 +5,16 @@
 
 namespace nipref::verify {
 
-/// What a template is filled from.
+/// The data from which a template is filled.
 using TemplateData = nlohmann::ordered_json;
 
-/// Writes a text so that nothing in it is taken for markup.
+/// Escapes a text, so that no part of it is read as markup.
 using Escape = std::function<std::string(const std::string&)>;
 
 /// Text of an element or an attribute of HTML. Control characters, which XML does not have, become spaces.
 std::string escaped_for_html(std::string text);
 
-/// The file NAME of data/templates.
+/// The text of the file NAME in data/templates.
 std::string template_text(const std::string& name);
 
 /// Fills a template in the language Mustache. A section is left out for null, false and an empty list. An object whose
@@ -25,7 +25,7 @@ std::string template_text(const std::string& name);
 /// With one of these it formats text:
 ///   decimal: hexadecimal numbers in it with six digits; shell: as a word of the shell; good, bad: in the colour of a verdict
 ///   on a terminal.
-/// Throws std::runtime_error for what is no template.
+/// Throws std::runtime_error if the text is not a template.
 std::string filled(const std::string& text, const TemplateData& data, const Escape& escape);
 
 }  // namespace nipref::verify
