@@ -83,6 +83,9 @@ std::string bench_text(const std::vector<BenchRow>& rows);
 /// The promised ratios with their verdicts.
 std::string ratios_text(const std::vector<BenchRatio>& ratios);
 
+/// {"what", "ratio", "wanted", "met"}
+Json ratio_json(const BenchRatio& ratio);
+
 /// What `bench` answers, and what stands for it in a report.
 Json bench_json(const BenchReport& report);
 

@@ -22,7 +22,7 @@ constexpr std::size_t points_in_a_set = 4096;
 constexpr std::size_t least_points = 32;
 constexpr std::size_t points_compared = 400;
 constexpr std::size_t costly_points = 12;
-constexpr double seconds_of_costly_truth = 5;
+constexpr double seconds_of_costly_truth = 5, unlimited = std::numeric_limits<double>::infinity();
 constexpr std::array coarse_tolerances{1e-3, 1e-6, 1e-9, 1e-12};
 
 struct TimedRange {
@@ -129,8 +129,7 @@ BatchMethod kernel_method(const OtherKernel& other, const Columns& columns) {
           },
           [=](std::size_t count, std::size_t passes) {
             // A kernel that fails counts as infinitely slow; it also has no values.
-            return other.kernel->seconds(std::span(*shared).first(count), passes)
-                .value_or(std::numeric_limits<double>::infinity());
+            return other.kernel->seconds(std::span(*shared).first(count), passes).value_or(unlimited);
           }};
 }
 
@@ -164,10 +163,19 @@ Truth truth_at(const Quantity& quantity, const Columns& columns, std::size_t num
   return {number, ref_value(quantity, point, digits_beyond_double), quantity.envelope(point)};
 }
 
-/// ref at the first points of a set, computed once for all methods.
-std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns) {
+/// The reference's values at the first `count` points, or at as many as it computes in these seconds, without those that it
+/// refuses.
+std::vector<Truth> first_truths(const Quantity& quantity, const Columns& columns, std::size_t count,
+                                double seconds) {
   std::vector<Truth> truths;
-  for (std::size_t i = 0; i < points_compared; ++i) truths.push_back(truth_at(quantity, columns, i));
+  for (std::size_t i = 0; i < count && seconds > 0; ++i) {
+    seconds -= seconds_of([&] {
+      try {
+        truths.push_back(truth_at(quantity, columns, i));
+      } catch (const data::BadInput&) {  // outside ref's domain, which is smaller than fast's
+      }
+    });
+  }
   return truths;
 }
 
@@ -210,21 +218,6 @@ Columns draw_costly_columns(const Quantity& quantity) {
   return columns;
 }
 
-/// The reference's values at as many points as it computes in a few seconds, without those that it refuses.
-std::vector<Truth> costly_truths(const Quantity& quantity, const Columns& columns) {
-  std::vector<Truth> truths;
-  double left = seconds_of_costly_truth;
-  for (std::size_t i = 0; i < costly_points && left > 0; ++i) {
-    left -= seconds_of([&] {
-      try {
-        truths.push_back(truth_at(quantity, columns, i));
-      } catch (const data::BadInput&) {  // outside ref's domain, which is smaller than fast's
-      }
-    });
-  }
-  return truths;
-}
-
 }  // namespace
 
 std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress& progress,
@@ -232,16 +225,18 @@ std::vector<BenchRow> bench_double(const Quantity& quantity, const BenchProgress
   if (quantity.is_costly) {
     const Columns columns = draw_costly_columns(quantity);
     return rows_of(quantity, fmt::format("as in the audit, {} points", costly_points), columns,
-                   costly_truths(quantity, columns), others, costly_points, 3);
+                   first_truths(quantity, columns, costly_points, seconds_of_costly_truth), others,
+                   costly_points, 3);
   }
   std::vector<BenchRow> rows;
   for (const TimedRange& range : ranges(quantity)) {
     if (interrupted()) break;
     if (progress) progress(range.name);
     const Columns columns = draw_columns(quantity, range);
-    std::ranges::move(rows_of(quantity, range_text(quantity, range), columns, first_truths(quantity, columns),
-                              others, least_points, 15),
-                      std::back_inserter(rows));
+    std::ranges::move(
+        rows_of(quantity, range_text(quantity, range), columns,
+                first_truths(quantity, columns, points_compared, unlimited), others, least_points, 15),
+        std::back_inserter(rows));
   }
   return rows;
 }

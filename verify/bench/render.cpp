@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <span>
 
 #include <nipref/verify/bench/bench.hpp>
@@ -54,31 +52,31 @@ std::string ratios_text(const std::vector<BenchRatio>& ratios) {
   return text;
 }
 
+Json ratio_json(const BenchRatio& ratio) {
+  return {{"what", ratio.what}, {"ratio", ratio.measured}, {"wanted", ratio.target}, {"met", ratio.met()}};
+}
+
 Json bench_json(const BenchReport& report) {
   const auto ratios = [&](bool of_errors) {
-    std::vector<BenchRatio> these;
-    std::ranges::copy_if(report.ratios, std::back_inserter(these),
-                         [=](const BenchRatio& ratio) { return ratio.of_errors == of_errors; });
-    return json_list(these, [](const BenchRatio& ratio) {
-      return Json{
-          {"what", ratio.what}, {"ratio", ratio.measured}, {"wanted", ratio.target}, {"met", ratio.met()}};
-    });
+    std::vector<Json> these;
+    for (const BenchRatio& ratio : report.ratios) {
+      if (ratio.of_errors == of_errors) these.push_back(ratio_json(ratio));
+    }
+    return these;
   };
-  return {{"rows", json_list(report.rows,
-                             [](const BenchRow& row) {
-                               return Json{
-                                   {"quantity", row.quantity},
-                                   {"range", row.arguments},
-                                   {"method", row.method},
-                                   {"max_error_ulp", row.max_error_ulp},
-                                   {"max_relative_error", row.max_relative_error},
-                                   {"times",
-                                    {{"nanoseconds", row.nanoseconds},
-                                     {"quartiles", json_list(std::array{row.quartile_1, row.quartile_3},
-                                                             [](double time) { return Json(time); })},
-                                     {"ratio", row.ratio},
-                                     {"pareto_optimal", row.pareto_optimal}}}};
-                             })},
+  const auto row_json = [](const BenchRow& row) {
+    return Json{{"quantity", row.quantity},
+                {"range", row.arguments},
+                {"method", row.method},
+                {"max_error_ulp", row.max_error_ulp},
+                {"max_relative_error", row.max_relative_error},
+                {"times",
+                 {{"nanoseconds", row.nanoseconds},
+                  {"quartiles", std::vector<Json>{row.quartile_1, row.quartile_3}},
+                  {"ratio", row.ratio},
+                  {"pareto_optimal", row.pareto_optimal}}}};
+  };
+  return {{"rows", json_list(report.rows, row_json)},
           {"error_ratios", ratios(true)},
           {"times", {{"ratios", ratios(false)}}}};
 }

@@ -20,7 +20,7 @@
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
-#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {
 namespace {

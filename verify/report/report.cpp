@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <string_view>
 
 #include <nipref/verify/audit/render.hpp>
@@ -54,6 +56,170 @@ std::vector<SeedError> seed_errors(const std::vector<Replay>& tables) {
     if (!largest.what.empty()) errors.push_back(largest);
   }
   return errors;
+}
+
+namespace {
+
+/// The number of rows, and of those for which `is_so` holds.
+template <class Rows, class IsSo>
+Json share_json(const Rows& rows, IsSo is_so) {
+  const auto kept = std::ranges::count_if(rows, is_so);
+  const auto of = std::ranges::ssize(rows);
+  return {{"kept", kept}, {"missed", of - kept}, {"of", of}, {"all", kept == of}};
+}
+
+template <class Rows, class Count>
+long sum(const Rows& rows, Count count) {
+  long total = 0;
+  for (const auto& row : rows) total += static_cast<long>(std::invoke(count, row));
+  return total;
+}
+
+Json closest_json(const std::vector<AuditResult>& results) {
+  const AuditResult* const closest = closest_to_its_promise(results);
+  return closest == nullptr ? Json()
+                            : Json{{"quantity", closest->quantity->name},
+                                   {"allowance_used", closest->allowance_used},
+                                   {"error_ulp", closest->worst_ulp}};
+}
+
+Json random_contacts_json(const std::vector<SceneTally>& scenes) {
+  const long numbers = sum(scenes, &SceneTally::numbers), unchecked = sum(scenes, &SceneTally::unchecked);
+  return {{"scenes", sum(scenes, &SceneTally::scenes)},
+          {"numbers", numbers - unchecked},
+          {"not_covered", sum(scenes, &SceneTally::uncovered)},
+          {"kept", all_kept(scenes)}};
+}
+
+Json hard_cases_json(const std::vector<ContactAudit>& audits) {
+  std::vector<bool> kept;
+  for (const ContactAudit& audit : audits) {
+    if (audit.kept()) kept.push_back(*audit.kept());
+  }
+  return share_json(kept, std::identity());
+}
+
+/// The numbers for which there is no truth to compare with.
+Json skipped_json(const Report& report) {
+  const long points = sum(report.quantities, &AuditResult::left_out);
+  const long refused = sum(report.scenes, &SceneTally::refused);
+  const long numbers = sum(report.scenes, &SceneTally::unchecked);
+  const auto hard_cases = std::ranges::count_if(
+      report.hard_cases, [](const ContactAudit& audit) { return !audit.kept().has_value(); });
+  return {{"all", points + refused + numbers + hard_cases},
+          {"points", points},
+          {"contacts", refused},
+          {"numbers", numbers},
+          {"hard_cases", hard_cases}};
+}
+
+Json claims_by_verdict(const std::vector<CheckedClaim>& claims) {
+  std::vector<Json> counts;
+  for (const ClaimVerdict verdict :
+       {ClaimVerdict::holds, ClaimVerdict::fails, ClaimVerdict::holds_in_a_range})
+    counts.push_back({{"verdict", name_of(verdict)},
+                      {"count", std::ranges::count(claims, verdict, [](const CheckedClaim& one) {
+                         return one.outcome.verdict;
+                       })}});
+  return counts;
+}
+
+Json column_json(const ColumnDeviation& column) {
+  return {{"column", column.column}, {"mean", column.mean}, {"largest", column.largest}};
+}
+
+Json table_counts_json(const Replay& replay) {
+  const ColumnDeviation* worst = nullptr;
+  for (const Cost& cost : replay.costs) {
+    for (const ColumnDeviation& column : cost.columns) {
+      if (worst == nullptr || std::fabs(column.largest) > std::fabs(worst->largest)) worst = &column;
+    }
+  }
+  return {{"id", replay.table.id},
+          {"judged", replay.cells.size() - replay.count(Verdict::input)},
+          {"match", replay.count(Verdict::match)},
+          {"misprint", replay.count(Verdict::misprint)},
+          {"seed_error", replay.count(Verdict::seed_error)},
+          {"unexplained", replay.count(Verdict::unexplained)},
+          {"worst_column", worst == nullptr ? Json() : column_json(*worst)},
+          {"costs", json_list(replay.costs, [](const Cost& cost) {
+             return Json{{"weakness", cost.weakness},
+                         {"against", cost.against},
+                         {"columns", json_list(cost.columns, column_json)}};
+           })}};
+}
+
+/// The promised ratios of fast's times to those of other libraries.
+Json headline_ratios_json(const BenchReport& speed) {
+  std::vector<Json> headline;
+  for (const BenchRatio& ratio : speed.ratios) {
+    if (ratio.what.find("against Boost") != std::string::npos ||
+        ratio.what.find("against GSL") != std::string::npos)
+      headline.push_back(ratio_json(ratio));
+  }
+  return headline;
+}
+
+}  // namespace
+
+Json summary_json(const Report& report) {
+  const long missed_accuracies =
+      sum(report.scenes, &SceneTally::miss_reported) + sum(report.scenes, &SceneTally::miss_unreported);
+  const auto missed_promises = std::ranges::count_if(report.quantities, std::not_fn(&AuditResult::kept)) +
+                               std::ranges::count_if(report.speed.ratios, std::not_fn(&BenchRatio::met)) +
+                               missed_accuracies;
+  return {{"quantities", share_json(report.quantities, &AuditResult::kept)},
+          {"points", sum(report.quantities, &AuditResult::points)},
+          {"closest", closest_json(report.quantities)},
+          {"random_contacts", random_contacts_json(report.scenes)},
+          {"missed_accuracies", missed_accuracies},
+          {"hard_cases", hard_cases_json(report.hard_cases)},
+          {"witness",
+           report.witness.installed ? share_json(report.witness.contacts, &Witnessed::agrees) : Json()},
+          {"skipped", skipped_json(report)},
+          {"tables", json_list(report.tables, table_counts_json)},
+          {"tables_known", !report.tables_fall_short},
+          {"claims", claims_by_verdict(report.claims)},
+          {"limits", share_json(report.limits, &LimitRow::approached)},
+          {"errata",
+           share_json(report.errata, [](const SettledErratum& one) { return one.settlement.settled(); })},
+          {"golden", share_json(report.golden, [](const GoldenSample& one) { return one.checked.kept(); })},
+          {"golden_values",
+           {{"checked", sum(report.golden, [](const GoldenSample& one) { return one.checked.rows; })},
+            {"of", sum(report.golden, [](const GoldenSample& one) { return one.file.rows.size(); })}}},
+          {"seed", report.seed},
+          {"times",
+           {{"missed", missed_promises},
+            {"ratios", share_json(report.speed.ratios, &BenchRatio::met)},
+            {"headline", headline_ratios_json(report.speed)}}}};
+}
+
+Json quantities_json(const std::vector<AuditResult>& results) {
+  return json_list(results, [](const AuditResult& result) {
+    const Quantity& quantity = *result.quantity;
+    return Json{{"quantity", quantity.name},
+                {"subject", quantity.subject},
+                {"definition", quantity.definition},
+                {"measured_against", quantity.scale},
+                {"plot", error_plot_json(result)}};
+  });
+}
+
+Json golden_values_json(const std::vector<GoldenSample>& samples) {
+  std::vector<Json> files;
+  for (const auto& [file, checked] : samples) {
+    if (file.rows.empty()) continue;
+    std::set<std::string> methods;  // without the distance, which differs from row to row
+    for (const GoldenRow& row : file.rows)
+      methods.insert(row.confirmed_by.substr(0, row.confirmed_by.rfind(" to ")));
+    files.push_back({{"quantity", checked.quantity},
+                     {"values", file.rows.size()},
+                     {"digits", file.digits()},
+                     {"proven", std::ranges::count_if(file.rows, &GoldenRow::proven)},
+                     {"confirmed_by", json_list(methods, [](const std::string& one) { return Json(one); })},
+                     {"commit", file.entry("commit").substr(0, 10)}});
+  }
+  return files;
 }
 
 }  // namespace nipref::verify

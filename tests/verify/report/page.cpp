@@ -21,7 +21,7 @@
 #include <nipref/verify/cli/report.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/report/render.hpp>
+#include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
