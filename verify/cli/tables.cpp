@@ -6,7 +6,7 @@
 #include <nipref/verify/cli/tables.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/replay/internal/known_misses.hpp>
+#include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/replay/render.hpp>
 
 namespace nipref::verify {

@@ -4,9 +4,8 @@
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_corrected.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -57,7 +56,7 @@ std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> colum
 }
 
 void correct(Replay& replay) {
-  if (is_half_space_table(replay.table.id)) return;  // comes with its corrected values
+  if (is_half_space_table(replay.table.id)) return;  // its replay has the corrected values already
   if (find_viscoelastic_table(replay.table.id) != nullptr) {
     correct_viscoelastic(replay);
   } else {

@@ -6,14 +6,14 @@
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/replay/internal/half_space_cells.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr fast::Direction forwards{1, 0}, sideways{0, 1};
 
-/// Of the exact frictionless contact of a sphere: span across over span along.
+/// The span across the motion over the span along it, of the exact frictionless contact of a sphere.
 double exact_span_ratio(const fast::SurfaceResponse& surface) {
   const fast::EllipticContact contact(surface, {1, 1});
   return contact.radius_ratio(sideways).value / contact.radius_ratio(forwards).value;

@@ -9,20 +9,19 @@
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
-#include <nipref/verify/replay/internal/half_space_cells.hpp>
-#include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// The paper's C11/mu_0, a slip for 0.18005, with which its c_plus and c_minus were made.
+/// The paper's C11/mu_0, from which its c_plus and c_minus were computed; a misprint of 0.18005.
 constexpr double printed_d1 = 0.1803;
 
 double key_of(const data::Table& table, std::size_t row) {
   return table.cell(row, table.columns.front().name).number->value;
 }
 
-/// K(phi)/K(0) by the table's form of (43), and by the right one.
+/// K(phi)/K(0) by the form of (43) that gives the table, by the printed one, and by the correct one.
 class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
@@ -74,7 +73,7 @@ class InPlaneSpans {
   mutable std::map<double, Contact> contacts_;  ///< one for each column
 };
 
-/// Where the table itself, by the symmetry of K, shows that a cell is wrong.
+/// Why the symmetry of K proves that a cell is wrong; empty if it does not.
 std::string in_plane_proof(const data::Table& table, std::size_t row, const std::string& column) {
   const double phi = key_of(table, row);
   const data::TableCell& cell = table.cell(row, column);
@@ -93,7 +92,7 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
   return "";
 }
 
-/// The table's formula with the K_X that the column's first cell, phi = 90, was divided by.
+/// The table's formula with the K_X by which the column's first cell, that of phi = 90, was divided.
 data::Interval with_the_columns_unit(const data::Table& table, const std::string& column, double tabulated,
                                      double tabulated_at_90) {
   const data::Interval& cell = table.cell(0, column).number->rounding;

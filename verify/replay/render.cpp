@@ -15,12 +15,12 @@ namespace nipref::verify {
 namespace {
 
 struct Counts {
-  std::size_t cells = 0;  ///< without inputs
+  std::size_t cells = 0;  ///< all cells but the inputs
   std::size_t match = 0;
   std::size_t misprint = 0;
   std::size_t seed_error = 0;
   std::size_t unexplained = 0;
-  std::size_t without_number = 0;  ///< of the unexplained: nothing legible to compare
+  std::size_t without_number = 0;  ///< unexplained cells whose print has no legible number
 };
 
 const data::TableCell& printed_cell(const Replay& replay, const ReplayedCell& cell) {
@@ -50,7 +50,7 @@ std::size_t decimals(const std::string& number) {
   return point == std::string::npos ? 0 : number.size() - point - 1;
 }
 
-/// Of the cell as it is read; of the finest cell in its column if it cannot be read.
+/// The number of decimals of the cell, or of the cell with the most decimals in its column if the cell is illegible.
 std::size_t decimals_of(const Replay& replay, const ReplayedCell& cell) {
   const data::TableCell& printed = printed_cell(replay, cell);
   if (printed.is_readable()) return decimals(printed.read_as);
@@ -60,7 +60,7 @@ std::size_t decimals_of(const Replay& replay, const ReplayedCell& cell) {
   return finest;
 }
 
-/// Nothing if it was not computed.
+/// The text of a value; nothing if there is no value.
 std::optional<std::string> scaled(const Replay& replay, const ReplayedCell& cell,
                                   const std::optional<double>& value) {
   return value ? std::optional(scaled_text(replay, cell, *value)) : std::nullopt;
@@ -94,7 +94,7 @@ void append_cells(std::string& text, const Replay& replay, bool all) {
   if (!table.empty()) text += table.text();
 }
 
-/// What the weaknesses of the seed's method cost.
+/// Appends the errors that are due to the weaknesses of the seed's method.
 void append_costs(std::string& text, const Replay& replay) {
   for (const Cost& cost : replay.costs) {
     fmt::format_to(std::back_inserter(text), "  {} ({}):", cost.weakness, cost.against);
@@ -106,7 +106,7 @@ void append_costs(std::string& text, const Replay& replay) {
   }
 }
 
-/// The number that `scaled` prints.
+/// The same as a JSON number.
 Json scaled_json(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
   return value ? Json::number(scaled_text(replay, cell, *value)) : Json();
 }

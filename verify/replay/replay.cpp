@@ -13,7 +13,7 @@ std::size_t Replay::count(Verdict verdict) const {
   return static_cast<std::size_t>(std::ranges::count(cells, verdict, &ReplayedCell::verdict));
 }
 
-Verdict judge(const data::TableCell& cell, const data::Interval& range) {
+Verdict assess(const data::TableCell& cell, const data::Interval& range) {
   if (!cell.is_readable()) return Verdict::unexplained;
   const data::Interval& printed = cell.number->rounding;
   const bool meets = printed.lower <= range.upper && range.lower <= printed.upper;
@@ -36,6 +36,13 @@ Replay replay_table(const std::string& id) {
     return replay_viscoelastic(std::move(table), *rolling);
   const LineLoadTable& how = line_load_table(id);
   return replay_line_loads(std::move(table), how.friction, how.elements_per_side);
+}
+
+bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& replay,
+                   const ReplayedCell& cell) {
+  return std::ranges::any_of(known, [&](const data::KnownMiss& miss) {
+    return miss.table == replay.table.id && miss.row == cell.row + 1 && miss.column == cell.column;
+  });
 }
 
 }  // namespace nipref::verify

@@ -1,77 +1,109 @@
 #pragma once
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <nipref/data/problem/elastic_nip.hpp>
+#include <nipref/data/table/known_misses.hpp>
+#include <nipref/data/table/printed_number.hpp>
 #include <nipref/data/table/table.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/fast/elastic_nip/line_loads.hpp>
 
 namespace nipref::verify {
 
-/// What is made of a cell of a seed's table.
+/// The inputs from which a row of an elastic table is replayed.
+struct RowInput {
+  data::Interval length;                ///< L, in
+  std::optional<data::Interval> creep;  ///< with full friction
+};
+
+/// The values of a row by the names of their columns, base units.
+using RowValues = std::map<std::string, double>;
+
+/// A row that line loads give.
+struct ReplayedRow {
+  RowValues at_centre;             ///< at the centre of the inputs' intervals
+  std::vector<RowValues> corners;  ///< at the corners of the product of these intervals
+
+  /// The interval from the least to the greatest value of a column.
+  [[nodiscard]] data::Interval range(const std::string& column) const;
+};
+
+ReplayedRow replay_row(const data::ElasticNip& nip, const fast::LineLoadMethod& method,
+                       const RowInput& input);
+
+/// The columns of a solution.
+RowValues row_values(const data::ElasticNip& nip, const fast::LineLoadSolution& solution, double creep);
+
+/// The verdict on a cell of a seed's table.
 enum class Verdict {
-  input,       ///< serves the replay as its input; not counted
-  match,       ///< the rounding interval of the number read meets the replay's interval; in the tables of
-               ///< half-spaces they are within one unit of the last digit, see internal/half_space_cell.hpp
-  misprint,    ///< it does once the table's own redundancy has corrected the printed text
-  seed_error,  ///< the seed's method or formula is wrong here, and how is known
-  unexplained  ///< no match, or nothing to compare
+  input,  ///< the cell is an input of the replay and is not counted
+  match,  ///< the rounding interval of the printed number intersects the replay's interval; in the tables of
+          ///< half-spaces they differ by at most one unit of the last digit, see internal/half_space.hpp
+  misprint,    ///< it matches after a correction that follows from the table's own redundancy
+  seed_error,  ///< the seed's method or formula is wrong in a known way
+  unexplained  ///< it does not match, or there is no legible number
 };
 
 inline constexpr std::array<std::string_view, 5> verdict_names{"input", "match", "misprint", "seed-error",
                                                                "unexplained"};
 std::string_view name(Verdict verdict);
 
-/// Result of the seed's own method for one cell.
+/// The result of the seed's own method for one cell.
 struct ReplayedCell {
   std::size_t row;  ///< from 0
   std::string column;
-  double value;          ///< at the inputs as printed, base units
-  data::Interval range;  ///< as the inputs range over their rounding intervals, base units
+  double value;          ///< for the printed inputs, base units
+  data::Interval range;  ///< for all inputs in their rounding intervals, base units
   Verdict verdict;
   std::string note;
-  std::optional<double> corrected = {};  ///< base units: of the continuous contact, see corrected.hpp;
-                                         ///< of a half-space, by the right formula
-  /// The same with the material that the seed computed with, where that is not the one it defines.
+  /// The correct value, base units: that of the continuous contact, see corrected.hpp, for a half-space that of the
+  /// correct formula.
+  std::optional<double> corrected = {};
+  /// The same for the material with which the seed computed, if that differs from the one it defines.
   std::optional<double> corrected_with_seed_material = {};
-  /// Of a half-space without friction: of the exact elliptic contact, not by the papers' contour rule.
+  /// For a half-space without friction: the value of the exact elliptic contact instead of the papers' contour rule.
   std::optional<double> exact = {};
 };
 
-/// How far a column is from what it should be at the same load, relative to that.
+/// The relative deviations of a column from its true values at the same load.
 struct ColumnDeviation {
   std::string column;
-  double mean;     ///< of the rows' sizes
-  double largest;  ///< in size, with its sign
+  double mean;     ///< the mean of the rows' absolute values
+  double largest;  ///< the largest by absolute value, with its sign
 };
 
-/// What one weakness of the seed's method costs.
+/// The errors that are due to one weakness of the seed's method.
 struct Cost {
   std::string weakness;
-  std::string against;  ///< in words: what is compared with what
+  std::string against;  ///< the two methods that are compared, in words
   std::vector<ColumnDeviation> columns;
 };
 
-/// A row of a nip's table as it was replayed.
+/// A replayed row of a nip's table.
 struct ReplayedNip {
-  RowValues values;           ///< at the inputs as printed; the load that carries the row too
+  RowValues values;           ///< for the printed inputs, with the row's load
   int trailing_elements = 0;  ///< m2
 };
 
 struct Replay {
   data::Table table;
-  std::string method;  ///< what was replayed, in words
+  std::string method;  ///< the seed's method, in words
   std::vector<ReplayedCell> cells;
-  std::vector<ReplayedNip> nips = {};  ///< one for each row; of a half-space's table none
-  std::vector<Cost> costs = {};        ///< empty until corrected
+  std::vector<ReplayedNip> nips = {};  ///< one for each row; none for the table of a half-space
+  std::vector<Cost> costs = {};        ///< empty until corrected values are there
 
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };
 
-/// The matching rule: `range` against the rounding interval of what is read in `cell`.
-Verdict judge(const data::TableCell& cell, const data::Interval& range);
+/// Whether a cell is known to be unexplained. A replay with any other unexplained cell has become worse.
+bool is_known_miss(const std::vector<data::KnownMiss>& known, const Replay& replay, const ReplayedCell& cell);
+
+/// The verdict of the matching rule, which compares `range` with the rounding interval of the cell's number.
+Verdict assess(const data::TableCell& cell, const data::Interval& range);
 
 /// Ids of the tables that can be replayed.
 std::vector<std::string> replayable_tables();

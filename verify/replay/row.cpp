@@ -2,7 +2,7 @@
 #include <numeric>
 
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -12,9 +12,8 @@
 #include <nipref/verify/catalogue/half_space/internal/printed.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/internal/half_space_cell.hpp>
-#include <nipref/verify/replay/internal/known_misses.hpp>
 #include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 #include "support/replayed.hpp"
 
@@ -142,7 +141,7 @@ TEST_CASE("the rule of verdicts") {
                           double formula, const std::string& proof) {
     const HalfSpaceCell cell{row, column, corrected, {{{formula, formula}, Verdict::seed_error, "so"}},
                              "E", proof};
-    return verify::judge_half_space(table, cell).verdict;
+    return verify::assess_half_space(table, cell).verdict;
   };
   CHECK(verdict(die, 0, "c=0.1", 0.9939, 0.5, "") == Verdict::match);
   CHECK(verdict(die, 0, "c=0.1", 0.99391, 0.5, "") == Verdict::unexplained);

@@ -29,13 +29,13 @@ data::TableCell cell(const std::string& printed, const std::string& read_as) {
 
 TEST_CASE("the matching rule: intervals meet or they do not") {
   const data::TableCell printed = cell("10.5", "10.5");  // [10.45, 10.55]
-  CHECK(verify::judge(printed, {10.0, 11.0}) == Verdict::match);
-  CHECK(verify::judge(printed, {10.54, 10.7}) == Verdict::match);
-  CHECK(verify::judge(printed, {10.551, 10.7}) == Verdict::unexplained);
-  CHECK(verify::judge(printed, {9.0, 10.449}) == Verdict::unexplained);
-  CHECK(verify::judge(cell("70.5", "10.5"), {10.5, 10.5}) == Verdict::misprint);
-  CHECK(verify::judge(cell("70.5", "10.5"), {70.5, 70.5}) == Verdict::unexplained);
-  CHECK(verify::judge(cell("", ""), {10.5, 10.5}) == Verdict::unexplained);
+  CHECK(verify::assess(printed, {10.0, 11.0}) == Verdict::match);
+  CHECK(verify::assess(printed, {10.54, 10.7}) == Verdict::match);
+  CHECK(verify::assess(printed, {10.551, 10.7}) == Verdict::unexplained);
+  CHECK(verify::assess(printed, {9.0, 10.449}) == Verdict::unexplained);
+  CHECK(verify::assess(cell("70.5", "10.5"), {10.5, 10.5}) == Verdict::misprint);
+  CHECK(verify::assess(cell("70.5", "10.5"), {70.5, 70.5}) == Verdict::unexplained);
+  CHECK(verify::assess(cell("", ""), {10.5, 10.5}) == Verdict::unexplained);
 }
 
 TEST_CASE("Table VII: every cell that its own row does not contradict matches") {

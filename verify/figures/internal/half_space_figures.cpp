@@ -11,7 +11,7 @@
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
-#include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
 // The curves on which the tables of the papers on half-spaces lie. Angles are measured from the direction of motion.

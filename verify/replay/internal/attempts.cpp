@@ -32,7 +32,7 @@ std::string other_digit(const MissedCell& missed) {
   return one_digit(missed.table, missed.row, missed.column, range_with(missed, missed.input, missed.method));
 }
 
-/// Where L and L/B are printed both and differ.
+/// The other length, if both L and L/B are printed and contradict each other.
 std::string other_length(const MissedCell& missed) {
   if (!missed.table.cell(missed.row, "L").is_doubtful()) return "";
   const data::Interval& ratio = missed.table.cell(missed.row, "L/B").number->rounding;
@@ -42,15 +42,14 @@ std::string other_length(const MissedCell& missed) {
                      meets(missed, range_with(missed, input, missed.method)) ? "met" : "not met either");
 }
 
-/// The input's value, linearly extrapolated, at which the cell would be met.
+/// The value of the input that would give the printed number, by linear extrapolation.
 double needed(const MissedCell& missed, double low, double at_low, double high, double at_high) {
   const data::Interval& printed = cell_of(missed).number->rounding;
   const double goal = at_low < printed.lower ? printed.lower : printed.upper;
   return low + (goal - at_low) / (at_high - at_low) * (high - low);
 }
 
-/// One point of an interval, as an interval.
-/// The inputs at the middle of their intervals.
+/// The midpoints of the inputs' intervals.
 RowInput centre(const MissedCell& missed) {
   RowInput input = missed.input;
   input.length = data::Interval::only(input.length.middle());
@@ -92,7 +91,7 @@ std::string other_elements(const MissedCell& missed) {
                      : fmt::format("met by chance with elements a side:{}", met);
 }
 
-/// The element whose shear is nearest to the print, if that is not the largest.
+/// The element whose shear is closest to the printed number, unless it is the element with the largest shear.
 std::string other_shear(const MissedCell& missed) {
   if (missed.column != "q_max") return "";
   const auto solution = fast::gripped_line_loads_for_length(

@@ -1,10 +1,10 @@
 #pragma once
 #include <nipref/data/table/table.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 
-/// A cell that its row's inputs do not meet, and what the row was replayed with.
+/// A cell that does not match, with the inputs and the method of its row's replay.
 struct MissedCell {
   const data::Table& table;
   std::size_t row;
@@ -14,14 +14,13 @@ struct MissedCell {
   const RowInput& input;
 };
 
-/// A reading of the cell's print that differs in one digit and meets `range`, in words; empty if there is
-/// none.
+/// A number that differs from the print in one digit and lies in `range`, in words; empty if there is none.
 std::string one_digit(const data::Table& table, std::size_t row, const std::string& column,
                       const data::Interval& range);
 
-/// What was tried on the cell beyond its row's inputs, and whether it helped, in words: other lengths, loads,
-/// creep ratios, numbers of elements, a digit misread, another element's shear. Nothing here changes a
-/// verdict. The cell must be readable.
+/// The attempts to explain the cell by other lengths, loads, creep ratios, numbers of elements, a misread digit or
+/// the shear of another element, with their outcomes, in words. They do not change the verdict. The cell must be
+/// legible.
 std::string attempts(const MissedCell& missed);
 
 }  // namespace nipref::verify

@@ -7,15 +7,15 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {
 
-/// How the printed creep of a table stands for its value.
+/// How a table's printed creep was rounded.
 enum class CreepReading {
-  rounded,        ///< to the nearest, as every number of the thesis should be
-  away_from_zero  ///< the size rounded up
+  rounded,        ///< to the nearest number, as everywhere in the thesis
+  away_from_zero  ///< its absolute value was rounded up
 };
 
 data::Interval creep_interval(const data::PrintedNumber& printed, CreepReading reading) {
@@ -39,7 +39,7 @@ class RowReplay {
   [[nodiscard]] ReplayedCell cell(const std::string& column) const {
     const data::TableCell& cell = table_.cell(row_, column);
     const data::Interval range = replayed_.range(column);
-    const Verdict verdict = is_input(column) ? Verdict::input : judge(cell, range);
+    const Verdict verdict = is_input(column) ? Verdict::input : assess(cell, range);
     return {row_, column, replayed_.at_centre.at(column), range, verdict, note(cell, column, verdict)};
   }
 
@@ -49,7 +49,7 @@ class RowReplay {
     return length.is_printed() && length.is_readable();
   }
 
-  /// The length as the cell L/B of the same row gives it.
+  /// The length that follows from the cell L/B of the same row.
   [[nodiscard]] data::Interval length_from_ratio() const {
     const data::TableCell& ratio = table_.cell(row_, "L/B");
     if (!ratio.is_readable()) throw data::BadInput("L", ratio.printed, "or L/B must be readable");
@@ -96,7 +96,7 @@ class RowReplay {
   ReplayedRow replayed_;
 };
 
-/// Fills in cells and nips.
+/// Replays all rows and appends their cells and nips.
 void replay_rows(Replay& replay, const data::ElasticNip& nip, data::Friction friction,
                  const fast::LineLoadMethod& method, CreepReading reading) {
   for (std::size_t row = 0; row < replay.table.rows.size(); ++row) {
@@ -112,8 +112,8 @@ bool is_met(const ReplayedCell& cell) {
   return cell.verdict == Verdict::match || cell.verdict == Verdict::misprint;
 }
 
-/// Marks as the seed's error what one other reading of a whole table explains: it has to meet most of what
-/// was not met, and to lose nothing.
+/// Marks cells as errors of the seed if another reading of the whole table explains them. This reading must match more
+/// than half of the cells that did not match, and lose no match.
 void explain(std::vector<ReplayedCell>& cells, const std::vector<ReplayedCell>& other_reading) {
   std::size_t missed = 0;
   std::size_t gained = 0;

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include <nipref/verify/replay/internal/half_space.hpp>
-#include <nipref/verify/replay/internal/half_space_cells.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -29,7 +28,7 @@ const HalfSpaceTable& half_space_table(std::string_view id) {
   return table_replays[static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin())];
 }
 
-/// The cells that are 1 because the table's numbers are divided by them.
+/// Whether a cell is 1 because the numbers of its table are divided by it.
 std::vector<ReplayedCell> units(const data::Table& table) {
   std::vector<ReplayedCell> cells;
   if (!table.has_column("phi")) return cells;
@@ -74,7 +73,7 @@ Replay replay_half_space(data::Table table) {
   const HalfSpaceTable& how = half_space_table(table.id);
   Replay replay{std::move(table), std::string(how.method), {}};
   for (const HalfSpaceCell& cell : how.cells(replay.table)) {
-    replay.cells.push_back(judge_half_space(replay.table, cell));
+    replay.cells.push_back(assess_half_space(replay.table, cell));
   }
   std::ranges::move(units(replay.table), std::back_inserter(replay.cells));
   std::ranges::stable_sort(replay.cells, {}, &ReplayedCell::row);

@@ -5,13 +5,13 @@
 #include <numeric>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
-#include <nipref/verify/replay/internal/half_space_cell.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
 namespace {
 
 constexpr double table_unit = 1e-4;
-constexpr double binary = 1e-12;  ///< of decimals in double
+constexpr double binary = 1e-12;  ///< larger than the rounding errors of decimal numbers in double
 
 double distance(double value, const data::Interval& range) {
   return std::max({0.0, range.lower - value, value - range.upper});
@@ -21,7 +21,7 @@ double last_digit(const data::TableCell& cell) {
   return cell.number->rounding.upper - cell.number->rounding.lower;
 }
 
-/// A reading with two neighbouring digits exchanged that an attempt meets, in words; or empty.
+/// A reading with two adjacent digits exchanged that an attempt gives, in words; empty if there is none.
 std::string exchanged_digits(const data::TableCell& cell, const std::vector<Attempt>& attempts) {
   for (std::size_t place = 0; place + 1 < cell.read_as.size(); ++place) {
     std::string reading = cell.read_as;
@@ -42,7 +42,7 @@ std::string units_away(const data::TableCell& cell, const Attempt& attempt) {
                      (cell.number->value - attempt.range.middle()) / table_unit, attempt.range.middle());
 }
 
-/// The formula's own number, where it does not meet the cell.
+/// The formula's number, if it does not match the cell.
 std::string formula_note(const data::TableCell& printed, const HalfSpaceCell& cell) {
   std::string text = units_away(printed, cell.attempts.front()) + ", which the table's formula gives";
   for (std::size_t i = 1; i < cell.attempts.size(); ++i) {
@@ -67,7 +67,7 @@ std::string joined(const std::string& first, const std::string& second) {
 
 }  // namespace
 
-ReplayedCell judge_half_space(const data::Table& table, const HalfSpaceCell& cell) {
+ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell) {
   const data::TableCell& printed = table.cell(cell.row, cell.column);
   const double value = printed.number->value;
   const data::Interval& formula = cell.attempts.front().range;

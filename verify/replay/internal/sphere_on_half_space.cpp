@@ -2,7 +2,7 @@
 
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/verify/replay/internal/sphere_on_half_space.hpp>
+#include <nipref/verify/replay/internal/half_space.hpp>
 
 namespace nipref::verify {
 

@@ -2,7 +2,6 @@
 
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/replay/internal/viscoelastic_corrected.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_row.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -20,7 +19,7 @@ RowValues continuous(const data::ViscoelasticNip& nip, double load) {
             contact.rolling_resistance().value});
 }
 
-/// All that is computed for one row besides its replay.
+/// The results for one row besides its replay.
 struct CorrectedRow {
   RowValues corrected, with_seed_material;    ///< at the table's load
   RowValues exact_kernels, mesh, no_mistake;  ///< at the replay's load

@@ -50,7 +50,7 @@ class ViscoelasticRowReplay {
   [[nodiscard]] ReplayedCell cell(const std::string& column) const {
     const data::TableCell& cell = table_.cell(row_, column);
     const data::Interval range = replayed_.range(column);
-    ReplayedCell result{row_, column, replayed_.at_centre.at(column), range, judge(cell, range), ""};
+    ReplayedCell result{row_, column, replayed_.at_centre.at(column), range, assess(cell, range), ""};
     if (column == input_.column) result.verdict = Verdict::input;
     if (input_.column.empty()) {
       result.verdict = Verdict::unexplained;
@@ -58,7 +58,7 @@ class ViscoelasticRowReplay {
       return result;
     }
     if (result.verdict == Verdict::unexplained && column == "creep" &&
-        judge(cell, replayed_.range(std::string(underflown_creep))) != Verdict::unexplained) {
+        assess(cell, replayed_.range(std::string(underflown_creep))) != Verdict::unexplained) {
       result.verdict = Verdict::seed_error;
       result.note = fmt::format(
           "the creep lacks the memory of the sign terms (AII.20) wherever e^(-lambda t) underflows on the "
@@ -104,7 +104,7 @@ class ViscoelasticRowReplay {
                        1e3 * (low + (goal - at_low) / (at_high - at_low) * (high - low)));
   }
 
-  /// With up to one leading element more or less.
+  /// Whether one leading element more or less matches.
   [[nodiscard]] std::string other_elements(const ReplayedCell& missed) const {
     std::string met;
     fast::ViscoelasticLineLoadMethod other = method_;
@@ -114,7 +114,7 @@ class ViscoelasticRowReplay {
            ++other.trailing_elements) {
         const data::Interval range =
             replay_viscoelastic_row(nip_, other, input_.leading_length).range(missed.column);
-        if (judge(table_.cell(row_, missed.column), range) != Verdict::unexplained)
+        if (assess(table_.cell(row_, missed.column), range) != Verdict::unexplained)
           met += fmt::format(" {}+{}", other.leading_elements, other.trailing_elements);
       }
     }

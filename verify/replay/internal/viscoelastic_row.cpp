@@ -9,11 +9,11 @@
 namespace nipref::verify {
 namespace {
 
-/// One printed length and what it says of L1, given m2/m1.
+/// A printed length, from which L1 follows for a given m2/m1.
 struct PrintedLength {
   std::string column;
   data::Interval rounding;  ///< in
-  bool is_doubtful;         ///< contradicted by its row
+  bool is_doubtful;         ///< whether its row contradicts it
 
   [[nodiscard]] data::Interval leading(double ratio) const {
     const double share = column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio);
@@ -21,7 +21,7 @@ struct PrintedLength {
   }
 };
 
-/// In the order in which they are trusted.
+/// The printed lengths, the most reliable first.
 std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t row, double thickness) {
   std::vector<PrintedLength> lengths;
   for (const char* column : {"L1", "L", "L2"}) {
@@ -38,7 +38,7 @@ std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t
   return lengths;
 }
 
-/// Of the lengths' intervals for L1, how many meet the first's.
+/// The number of lengths whose interval for L1 intersects that of the first length.
 std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
   const data::Interval first = lengths.front().leading(ratio);
   return static_cast<std::size_t>(std::ranges::count_if(lengths, [&](const PrintedLength& length) {
@@ -47,9 +47,9 @@ std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
   }));
 }
 
-/// What the memory of the sign terms adds to v at the time t, by the loads that pass at T_j, as far as
-/// e^(-rate t) underflows: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j) e^(-rate
-/// (t - T_j))].
+/// The part of the displacement v at the time t that is lost if e^(-rate t) underflows, from the memory of the sign
+/// terms of the loads that pass at T_j: sum_j P_j/4 (amplitude/rate) [sign(T_j - t) - e^(-rate t) + 2 H(t - T_j)
+/// e^(-rate (t - T_j))].
 double underflown(const data::MaterialFunction& function, const std::vector<double>& loads, double t,
                   double first_T, double step) {
   constexpr double smallest = 180.2;
@@ -67,7 +67,7 @@ double underflown(const data::MaterialFunction& function, const std::vector<doub
   return sum;
 }
 
-/// At the leading end less at the trailing one.
+/// The lost part at the leading end minus that at the trailing end.
 double underflown_memory(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
                          const fast::ViscoelasticLineLoads& loads) {
   const data::MaterialFunctions functions = fast::material_functions(nip.material);
@@ -89,7 +89,7 @@ RowValues solved_rolling_row(const data::ViscoelasticNip& nip, const fast::Visco
   return values;
 }
 
-/// The L1 at which the trailing end's displacement is d2, by secants from `guess`.
+/// The L1 for which the trailing end has the displacement d2, by the secant method from `guess`.
 double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLineLoadMethod& method,
                    double d2, double guess) {
   const auto excess = [&](double length) {
@@ -107,7 +107,7 @@ double length_with(const data::ViscoelasticNip& nip, const fast::ViscoelasticLin
   return length;
 }
 
-/// Where no length is legible: from d2 if that is, otherwise from the table's load.
+/// The input of a row without a legible length: d2 if it is legible, otherwise the table's load.
 ViscoelasticRowInput without_length(const data::Table& table, std::size_t row,
                                     const data::ViscoelasticNip& nip,
                                     fast::ViscoelasticLineLoadMethod method) {

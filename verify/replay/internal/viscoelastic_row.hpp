@@ -6,35 +6,34 @@
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/data/table/table.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
-#include <nipref/verify/replay/row.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 
-/// What a row of a viscoelastic table is replayed from.
+/// The input from which a row of a viscoelastic table is replayed.
 struct ViscoelasticRowInput {
-  std::string column;             ///< the cell that fixes the length; empty: none is, it is the table's load
-  data::Interval leading_length;  ///< L1 that follows from it, in
+  std::string column;             ///< the cell from which the length follows; empty for the table's load
+  data::Interval leading_length;  ///< the L1 that follows from it, in
   int trailing_elements;          ///< m2, from the ratio of the printed lengths
 };
 
-/// The cell is L1 if it is printed and in no doubt, otherwise L, L2, L/B or d2. m2 is the number of which all
-/// printed lengths are multiples; where several would do, the first from m1 down that leaves no tension, as
-/// the thesis chose it (2.5).
+/// The cell is L1 if it is printed and not doubtful, otherwise L, L2, L/B or d2. m2 is the number of elements that
+/// agrees with all printed lengths. If several numbers do, it is the first from m1 downwards without tension, the
+/// choice of the thesis (2.5).
 ViscoelasticRowInput viscoelastic_row_input(const data::Table& table, std::size_t row,
                                             const data::ViscoelasticNip& nip,
                                             fast::ViscoelasticLineLoadMethod method);
 
-/// Name among a row's values for the creep ratio as a machine gives it on which e^(-180.2) underflows and
-/// takes the whole bracket of a sign term's memory with it, (AII.20): the IBM 360's smallest number is
-/// 16^-65.
+/// The name, among a row's values, of the creep ratio of a machine on which e^(-180.2) underflows, and with it the
+/// whole bracket of a sign term's memory (AII.20). The smallest number of the IBM 360 is 16^-65.
 inline constexpr std::string_view underflown_creep = "creep with underflow";
 
-/// The row as the line loads give it, at the middle of the input's interval and at its ends.
+/// The row that line loads give at the middle of the input's interval and at its ends.
 ReplayedRow replay_viscoelastic_row(const data::ViscoelasticNip& nip,
                                     const fast::ViscoelasticLineLoadMethod& method,
                                     const data::Interval& leading_length);
 
-/// The columns that a contact gives.
+/// The columns of a contact.
 struct ViscoelasticNumbers {
   double load, leading_length, trailing_length, indentation, peak_pressure, creep_ratio, rolling_resistance;
 };
