@@ -5,8 +5,8 @@
 #include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
-#include <nipref/verify/seeds/internal/statement.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/statement.hpp>
 
 namespace nipref::verify {
 

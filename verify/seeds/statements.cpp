@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include <nipref/data/directory.hpp>
-#include <nipref/verify/seeds/internal/statement.hpp>
+#include <nipref/verify/seeds/internal/solved.hpp>
 #include <nipref/verify/seeds/statements.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 

@@ -284,4 +284,18 @@ Formulas::Solve solved_numbers() {
   };
 }
 
+StatementFormulas::StatementFormulas(const Statement& file, const Statement& entry)
+    : entry_(entry), formulas_(solved_numbers()) {
+  if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
+    const Statement& setting = file.entry("setting", named);
+    setting.located([&] { formulas_.define(setting.text("given")); });
+    setting_ = setting.text_or("at", "");
+  }
+  entry.located([&] { formulas_.define(entry.text_or("given", "")); });
+}
+
+Propagated StatementFormulas::value(const std::string& formula) {
+  return entry_.located([&] { return formulas_.value(formula); });
+}
+
 }  // namespace nipref::verify

@@ -5,6 +5,7 @@
 
 #include <nipref/verify/seeds/internal/formula.hpp>
 #include <nipref/verify/seeds/propagated.hpp>
+#include <nipref/verify/support/internal/statement.hpp>
 
 namespace nipref::verify {
 
@@ -14,7 +15,7 @@ namespace nipref::verify {
 ///   - elastic, rolling: a result of a converged contact by fast. Keys: radius, thickness, load or length, accuracy, `at`
 ///     for the place of a distribution, and young, poisson, friction or solid, memory; the nip of the thesis is default;
 ///   - material: a number of a viscoelastic solid. Keys: solid, memory, p;
-///   - thin_solid: leading_share or resistance of computed.hpp. Key: memory;
+///   - thin_solid: leading_share or resistance of thin_standard_solid(). Key: memory;
 ///   - table ID COLUMN KEY=VALUE: what the seed's table prints in the row with that value in the column KEY;
 ///   - computed: one of computed_numbers().
 /// Each contact is solved only once.
@@ -36,5 +37,22 @@ const std::map<std::string, std::function<Propagated()>>& computed_numbers();
 /// The value of a printed formula in double arithmetic without a bound on its rounding: eight of its sixteen digits are
 /// trusted, enough to tell it from the truth.
 Propagated printed_form(double value);
+
+/// Evaluates the formulas of an entry, with the definitions of the [[setting]] that it names, then with its own in `given`.
+class StatementFormulas {
+ public:
+  StatementFormulas(const Statement& file, const Statement& entry);
+  /// Throws BadInput that names the entry's line.
+  [[nodiscard]] Propagated value(const std::string& formula);
+  [[nodiscard]] bool is_true(const std::string& formula) { return value(formula).value() != 0; }
+  void define(const std::string& name, const Propagated& number) { formulas_.define(name, number); }
+  /// The text `at` of the setting, which ends the description of what is computed; may be empty.
+  [[nodiscard]] const std::string& setting() const { return setting_; }
+
+ private:
+  const Statement& entry_;
+  Formulas formulas_;
+  std::string setting_;
+};
 
 }  // namespace nipref::verify

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/seeds/internal/formula.hpp>
 
 namespace nipref::verify {
 
@@ -41,22 +40,5 @@ struct Statement {
 
 /// Reads a file of data/statements; throws BadInput that names the line if it cannot be read.
 [[nodiscard]] Statement read_statements(const std::filesystem::path& path);
-
-/// Evaluates the formulas of an entry, with the definitions of the [[setting]] that it names, then with its own in `given`.
-class StatementFormulas {
- public:
-  StatementFormulas(const Statement& file, const Statement& entry);
-  /// Throws BadInput that names the entry's line.
-  [[nodiscard]] Propagated value(const std::string& formula);
-  [[nodiscard]] bool is_true(const std::string& formula) { return value(formula).value() != 0; }
-  void define(const std::string& name, const Propagated& number) { formulas_.define(name, number); }
-  /// The text `at` of the setting, which ends the description of what is computed; may be empty.
-  [[nodiscard]] const std::string& setting() const { return setting_; }
-
- private:
-  const Statement& entry_;
-  Formulas formulas_;
-  std::string setting_;
-};
 
 }  // namespace nipref::verify

@@ -6,8 +6,7 @@
 #include <sstream>
 
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/seeds/internal/statement.hpp>
+#include <nipref/verify/support/internal/statement.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -100,20 +99,6 @@ Statement read_statements(const std::filesystem::path& file) {
     refuse_statement(fmt::format("{}:{}", path, error.source().begin.line),
                      fmt::format("must be TOML: {}", error.description()));
   }
-}
-
-StatementFormulas::StatementFormulas(const Statement& file, const Statement& entry)
-    : entry_(entry), formulas_(solved_numbers()) {
-  if (const std::string named = entry.text_or("setting", ""); !named.empty()) {
-    const Statement& setting = file.entry("setting", named);
-    setting.located([&] { formulas_.define(setting.text("given")); });
-    setting_ = setting.text_or("at", "");
-  }
-  entry.located([&] { formulas_.define(entry.text_or("given", "")); });
-}
-
-Propagated StatementFormulas::value(const std::string& formula) {
-  return entry_.located([&] { return formulas_.value(formula); });
 }
 
 }  // namespace nipref::verify

@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
-#include <nipref/verify/seeds/internal/statement.hpp>
 
 #include "support/scratch_file.hpp"
 
