@@ -16,7 +16,7 @@ using data::BadInput;
 
 namespace {
 
-/// nipref_quantity is verify::Quantity to those who know it.
+/// A nipref_quantity of the interface is a verify::Quantity.
 const nipref_quantity* handle(const verify::Quantity* quantity) {
   return reinterpret_cast<const nipref_quantity*>(quantity);
 }
@@ -41,7 +41,7 @@ std::span<const double> columns_refused_if_null(const double* column, std::size_
   return {column, points};
 }
 
-/// What the catalogue's evaluators take for granted, as the command line checks it.
+/// Checks, like the command line, the domains of arguments that the catalogue's evaluators do not check.
 void check_choices(const verify::Quantity& quantity, std::span<const double> point) {
   for (std::size_t i = 0; i < point.size(); ++i) {
     const verify::Argument& argument = quantity.arguments[i];

@@ -6,50 +6,50 @@
 
 namespace nipref::verify {
 
-/// What two measurements must share to be comparable. Folders are no part of it: a checkout may be anywhere.
+/// The properties that two measurements must have in common to be comparable. The folder of a file is not among them.
 struct BaselineKey {
-  std::string what;  ///< that was graded: a file's name, of a kernel its own name and that of its file
+  std::string what;  ///< what was graded: the name of a file, or the names of a kernel and its file
   std::string quantity;
   std::string where;  ///< the ranges, or a file of points
   std::string seed;
   std::size_t points;
-  int sampler;           ///< number of the way in which points are chosen
-  std::string compiler;  ///< of this program, and with it the way it rounds
+  int sampler;           ///< the number of the algorithm that chooses points
+  std::string compiler;  ///< of this program; its rounding errors depend on it
   std::string instruction_set;
 
   bool operator==(const BaselineKey&) const = default;
 };
 
-/// Errors that were found earlier, in a TOML file.
+/// Errors of earlier measurements, in a TOML file.
 struct Baseline {
   struct Entry {
     BaselineKey key;
     double max_error_ulp;
-    std::string reason;  ///< why it was raised last; empty: never
+    std::string reason;  ///< why it was raised last; empty if it was never raised
   };
   std::vector<Entry> entries;
 
-  /// BadInput for a file that cannot be read, as input_file.hpp has it, and naming line and key for what is not so.
+  /// Reads the file. BadInput as of input_file.hpp if this fails; for wrong contents it names line and key.
   static Baseline read(const std::string& path);
   [[nodiscard]] std::string text() const;
 };
 
 enum class Comparison {
   not_worse,
-  worse,          ///< above 1.5 times what it was and 0.25 ulp more
+  worse,          ///< the error exceeds 1.5 times the earlier one plus 0.25 ulp
   not_comparable  ///< no entry has this key
 };
 
 struct BaselineComparison {
   Comparison comparison;
-  std::string words;  ///< one line: what it was, or which part of the key is another
+  std::string words;  ///< one line: the earlier error, or the part of the key that differs
 };
 
-/// Compares the largest error found with that of the same key.
+/// Compares the largest error with the earlier one of the same key.
 BaselineComparison compare_with(const Baseline& baseline, const BaselineKey& key, double max_error_ulp);
 
-/// Adds an entry, or lowers it; raises it only if there is a reason, which is kept. False if it would have to be
-/// raised and there is none.
+/// Adds an entry, or lowers its error; raises it only for a reason, which is stored. False if it would have to be
+/// raised without a reason.
 bool update(Baseline& baseline, const BaselineKey& key, double max_error_ulp,
             const std::optional<std::string>& reason);
 

@@ -9,22 +9,22 @@
 
 namespace nipref::verify {
 
-/// What a plugin does wrong besides wrong values.
+/// The faults of a plugin other than wrong values.
 enum class FaultKind {
-  crash,        ///< ended by a signal
-  exit,         ///< ended the process
-  hang,         ///< no answer within the time limit
-  refused,      ///< returned another number than 0
-  not_finite,   ///< a value is infinite or no number
-  unwritten,    ///< a value was not written
-  overrun,      ///< touched what lies beside its output or its arguments
-  arguments,    ///< changed its arguments
-  environment,  ///< left another rounding, small numbers flushed to zero, traps
-  output,       ///< wrote to standard output
+  crash,        ///< a signal ended the process
+  exit,         ///< it ended the process
+  hang,         ///< it did not return within the time limit
+  refused,      ///< it returned a number other than 0
+  not_finite,   ///< a value is infinite or NaN
+  unwritten,    ///< it did not write a value
+  overrun,      ///< it accessed memory next to its output or its arguments
+  arguments,    ///< it changed its arguments
+  environment,  ///< it changed the rounding mode, flushes small numbers to zero, or unmasked exceptions
+  output,       ///< it wrote to standard output
   order,        ///< a value depends on the other points, their order or earlier calls
-  threads,      ///< a value depends on what other threads do
-  protocol,     ///< meddled with the descriptor that nipref talks over
-  given_up      ///< it was not asked any more
+  threads,      ///< a value depends on other threads
+  protocol,     ///< it used the descriptor over which nipref talks to the process
+  given_up      ///< no more points were evaluated after too many faults
 };
 
 /// "crash", "not finite", ...
@@ -32,8 +32,8 @@ std::string_view name_of(FaultKind kind);
 
 struct Fault {
   FaultKind kind;
-  std::optional<Point> point;  ///< none: it happened before the first point
-  std::string words;           ///< one line: which signal, which value, what was changed
+  std::optional<Point> point;  ///< nothing if it happened before the first point
+  std::string words;           ///< one line that names the signal, the value or the change
 
   bool operator==(const Fault&) const = default;
 };
@@ -42,17 +42,19 @@ struct Fault {
 struct FaultGroup {
   FaultKind kind;
   std::size_t count;
-  std::optional<Point> lower, upper;  ///< of the smallest box of arguments that holds the points
-  std::vector<Fault> first;           ///< a few, in the order of their points
+  std::optional<Point> lower,
+      upper;                 ///< the corners of the smallest box of arguments that contains the points
+  std::vector<Fault> first;  ///< a few, in the order of their points
 };
 
-/// In the order of the kinds.
+/// The groups in the order of the kinds.
 std::vector<FaultGroup> grouped(std::vector<Fault> faults);
 
-/// For people: a line for each of the first few of each kind, what is left out counted; with where they lie.
+/// Text with a line for each of the first few faults of each kind, the number of the others and the box that contains
+/// them.
 std::string faults_text(const Quantity& quantity, const std::vector<Fault>& faults);
 
-/// List of the groups.
+/// The list of the groups.
 Json faults_json(const Quantity& quantity, const std::vector<Fault>& faults);
 
 }  // namespace nipref::verify

@@ -11,20 +11,20 @@
 
 namespace nipref::verify {
 
-/// How wrong somebody else's values of a quantity are, measured as fast is.
+/// The errors of another implementation of a quantity, measured like those of fast.
 struct Grade {
-  std::string what;   ///< that was graded, in words: a file, a kernel of a shared object
-  std::string where;  ///< the ranges as they were given; "its domain" without any
+  std::string what;   ///< what was graded, in words: a file, a kernel of a shared object
+  std::string where;  ///< the given ranges of arguments, or "its domain"
   AuditResult found;
   std::optional<double> condition;  ///< of the quantity at the worst point, dimensionless
   std::string worst_value;          ///< the reference's, 21 digits
 };
 
-/// Adds what the reference says of the worst point.
+/// Adds the reference's value and the condition number at the worst point.
 Grade grade_of(std::string what, std::string where, AuditResult found);
 
-/// Grades a callable: double(double) for a quantity of one argument, double(std::span<const double> arguments), or
-/// an Evaluator. It is called from several threads at once. As audit() otherwise.
+/// Grades a callable, double(double) for a quantity of one argument, double(std::span<const double> arguments), or an
+/// Evaluator, which is called from several threads at once. Everything else is as in audit().
 template <class Callable>
 Grade grade(const Quantity& quantity, const Callable& callable, const AuditOptions& options) {
   if constexpr (std::invocable<Callable, std::span<const Point>, std::span<double>>) {

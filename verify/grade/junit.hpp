@@ -4,17 +4,17 @@
 
 namespace nipref::verify {
 
-/// One thing that was tested, as continuous integration shows it.
+/// A test case, as continuous integration shows it.
 struct JUnitCase {
   enum class Outcome { passed, failed, error };
   std::string name;
   double seconds;
   Outcome outcome;
-  std::string message;  ///< one line, unless it passed
-  std::string details;  ///< all about it
+  std::string message;  ///< one line, empty if it passed
+  std::string details;  ///< the full text
 };
 
-/// The file that Jenkins, GitLab and others read: one test suite.
+/// A test suite in the JUnit format, which Jenkins, GitLab and others read.
 std::string junit_text(const std::string& suite, const std::vector<JUnitCase>& cases);
 
 }  // namespace nipref::verify

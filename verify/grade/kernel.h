@@ -1,6 +1,6 @@
 #pragma once
 
-/* How a shared object shows its kernels to nipref, which measures their errors and their speed:
+/* A shared object offers kernels to nipref, which measures their errors and their speed, like this:
 
        #include <nipref/kernel.h>
 
@@ -16,11 +16,12 @@
 
        cc -shared -fPIC mine.c -o mine.so && nipref grade ./mine.so
 
-   A shared object is loaded into a process of its own, which may crash, hang or end without harm to nipref. A function
-   `double f(double, ...)` of as many arguments as a quantity has needs nothing of this: `--symbol f --quantity I1`.
+   A shared object is loaded into a separate process, which may crash, hang or end without harm to nipref. A function
+   `double f(double, ...)` with as many arguments as a quantity has does not need this header: `--symbol f
+   --quantity I1`.
 
-   Members are only ever added, at the end of the structure; the ABI number changes if one ever means something else.
-   An object that was compiled with an older header, whose structure is shorter, goes on to be understood. */
+   New members are added at the end of the structure only; the ABI number changes if the meaning of a member changes.
+   Objects that were compiled with an older header, whose structure is shorter, remain valid. */
 
 #include <stddef.h>
 #include <stdint.h>
@@ -37,10 +38,10 @@
 extern "C" {
 #endif
 
-/* Flags of a kernel, added up. */
+/* Flags of a kernel, which are added. */
 enum {
-  /* `evaluate` may be called from several threads at once with the same state. It then is, and has to give the same
-     values, bit for bit. */
+  /* `evaluate` may be called from several threads at once with the same state. nipref then does so, and the values must
+     be the same, bit for bit. */
   nipref_kernel_thread_safe = 1
 };
 
@@ -48,7 +49,7 @@ typedef struct nipref_kernel {
   uint32_t abi;  /* NIPREF_KERNEL_ABI */
   uint32_t size; /* sizeof(nipref_kernel) */
 
-  /* By which it is asked for and reported: one line, another for each kernel of the object. */
+  /* The name of the kernel: one line, different for each kernel of the object. */
   const char* name;
 
   /* The quantity that it computes, as `nipref list` names it. */
@@ -60,28 +61,28 @@ typedef struct nipref_kernel {
 
   uint32_t flags; /* 0 or flags as above */
 
-  /* Makes what the kernel keeps between calls. Called before the first call of `evaluate`, from the thread that calls
-     that. Returns 0 and sets *state, which is null before; or another number, which is reported. Null: there is
-     nothing to make, the state is null. It may be called again after `close`. */
+  /* Makes the state that the kernel keeps between calls. It is called before the first call of `evaluate`, from the
+     same thread. It returns 0 and sets *state, which was null, or it returns another number, which is reported. It may be
+     called again after `close`. A null pointer for a kernel without a state. */
   int (*open)(void** state);
 
-  /* Values at n >= 1 points: out[i] of arguments[0][i], ..., arguments[arity - 1][i] for 0 <= i < n. Arguments are
-     finite, lie in the quantity's domain and are not to be changed. The arrays are aligned as doubles are, no more;
-     just before and behind them lies memory that must not be touched. Returns 0; or another number, which is reported,
-     and the values are not looked at.
+  /* Computes the values at n >= 1 points, out[i] from arguments[0][i], ..., arguments[arity - 1][i] for 0 <= i < n.
+     The arguments are finite, lie in the quantity's domain and must not be changed. The arrays are aligned like
+     doubles; the memory next to them must not be accessed. It returns 0, or another number, which is reported and
+     makes nipref ignore the values.
 
-     What is asked of it besides its values: that a point's value depends on nothing but the point, neither on its
-     place among the others nor on earlier calls, bit for bit; that the processor rounds afterwards as it did before and
-     flushes no small numbers to zero; that nothing is written to standard output; that it returns. */
+     The value at a point must depend on this point only, not on its position among the others or on earlier calls,
+     bit for bit. The function must leave the rounding mode as it was, must not flush small numbers to zero, must not
+     write to standard output, and must return. */
   int (*evaluate)(void* state, size_t n, const double* const* arguments, double* out);
 
-  /* Ends what `open` made. Null: there is nothing to end. Called once, to see that it can be; a process that is no longer
-     needed is ended without it. */
+  /* Frees the state of `open`. A null pointer if there is nothing to free. nipref calls it once as a test; a process
+     that is no longer needed is ended without it. */
   void (*close)(void* state);
 } nipref_kernel;
 
-/* The one function that the object exports: a list of kernels, ended by a null pointer, that lasts as long as the object
-   is loaded. */
+/* The function that the object exports: it returns a list of kernels, which ends with a null pointer and exists as
+   long as the object is loaded. */
 NIPREF_KERNEL_EXPORT const nipref_kernel* const* nipref_kernels(void);
 
 #ifdef __cplusplus

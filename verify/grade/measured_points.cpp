@@ -37,7 +37,7 @@ const Quantity& quantity_of(const CsvFile& file, const std::optional<std::string
                  "must be named behind the file, or in its comment \"# quantity: NAME\"");
 }
 
-/// Where a column is among those of the file.
+/// The number of a column in the file.
 std::optional<std::size_t> place_of(const CsvFile& file, const std::string& name) {
   const auto& names = file.records.front();
   const auto found =
@@ -46,7 +46,7 @@ std::optional<std::size_t> place_of(const CsvFile& file, const std::string& name
   return static_cast<std::size_t>(found - names.begin());
 }
 
-/// Where the exact number and the decimal one of an argument are.
+/// The columns with the exact and the decimal number of an argument.
 struct ArgumentColumns {
   const Argument* argument;
   std::optional<std::size_t> exact, decimal;
@@ -91,7 +91,7 @@ std::size_t value_column(const CsvFile& file, const Quantity& quantity,
                            quantity.name));
 }
 
-/// A double in decimal or hexadecimal; infinities and NaN are values, but no arguments.
+/// A decimal or hexadecimal double; infinities and NaN are allowed for values, but not for arguments.
 double number_of(const CsvFile& file, const CsvField& field, bool is_value) {
   const std::string text = trimmed(field.text);
   char* end = nullptr;
@@ -106,7 +106,7 @@ double number_of(const CsvFile& file, const CsvField& field, bool is_value) {
 
 bool is_hexadecimal(const std::string& text) { return text.find_first_of("xX") != std::string::npos; }
 
-/// Of a decimal number.
+/// The number of significant digits of a decimal number.
 int significant_digits(const std::string& text) {
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
   const auto first = mantissa.find_first_of("123456789");
@@ -121,7 +121,7 @@ double choice_of(const CsvFile& file, const Argument& argument, const CsvField& 
   return static_cast<double>(found - argument.choices.begin());
 }
 
-/// Reads rows one after the other.
+/// Reads the rows of a file.
 class Rows {
  public:
   Rows(const CsvFile& file, const Quantity& quantity, const std::optional<std::string>& column)

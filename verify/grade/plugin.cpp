@@ -24,9 +24,9 @@ using protocol::Message;
 using protocol::Noticed;
 using protocol::Request;
 
-/// A new process takes a few thousandths of a second. So many in a row are no region that is left again soon.
+/// A new process takes a few milliseconds. So many crashes in a row are not a small region of the domain.
 constexpr std::size_t most_deaths = 2000, most_deaths_in_a_row = 400;
-/// Each takes the time limit, twice until its point is found.
+/// Each hang takes the time limit at least twice, until its point is found.
 constexpr std::size_t most_hangs = 6;
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
@@ -49,7 +49,8 @@ void check(const Plugin& plugin) {
                    fmt::format("must be 1 to {}", protocol::most_arguments));
 }
 
-/// What `read` takes from an answer, or how its process ended. One that does not say all that it must was not the host's.
+/// The result of `read` for an answer, or the end of the process. An answer that is too short does not come from the
+/// host.
 template <class Read>
 auto taken(Child::Answer answer, const Read& read)
     -> std::variant<std::invoke_result_t<Read, Message&>, Death> {
@@ -149,7 +150,7 @@ class PluginKernel::Work {
     return {death.kind, std::move(death.words)};
   }
 
-  /// A process with the plugin loaded and the kernel open; none if that fails.
+  /// A process that has loaded the plugin and opened the kernel; null if this fails.
   IdleChild new_child() {
     auto child = std::make_unique<Child>(orders_of(plugin_));
     const Greeting greeting = greeting_of(plugin_, *child);
@@ -177,7 +178,7 @@ class PluginKernel::Work {
     return false;
   }
 
-  /// Before anything depends on it.
+  /// Opens and closes the kernel before it is used.
   void try_closing() {
     IdleChild child = new_child();
     if (!child) return;
@@ -234,7 +235,7 @@ class PluginKernel::Work {
     }
   }
 
-  /// A batch went wrong: where?
+  /// Evaluates the points of a batch with faults one at a time.
   void one_by_one(std::span<const Point> points, std::span<double> values) {
     bool found = false;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -250,7 +251,7 @@ class PluginKernel::Work {
     if (!found) narrow(points);
   }
 
-  /// No point alone does it: the smallest part of the batch that does.
+  /// Finds the smallest part of a batch that has the faults, if no single point has them.
   void narrow(std::span<const Point> points) {
     std::vector<Trouble> troubles;
     for (bool smaller = true; smaller;) {
@@ -270,16 +271,16 @@ class PluginKernel::Work {
            fmt::format(", in a batch of {} points, of which this is the first", points.size()));
   }
 
-  /// Values as they came, with what is wrong with each.
+  /// Stores the values and records their faults.
   void take(const Outcome& outcome, std::span<const Point> points, std::span<double> values) {
     if (!outcome.has_values) return;
     for (std::size_t i = 0; i < points.size(); ++i) {
       values[i] = outcome.values[i];
-      judge(points[i], outcome.values[i], outcome.permuted[i], outcome.threaded[i]);
+      assess(points[i], outcome.values[i], outcome.permuted[i], outcome.threaded[i]);
     }
   }
 
-  void judge(const Point& point, double value, double permuted, double threaded) {
+  void assess(const Point& point, double value, double permuted, double threaded) {
     if (bits(value) == protocol::unwritten_bits)
       return record(FaultKind::unwritten, point, "no value is written");
     if (!std::isfinite(value)) record(FaultKind::not_finite, point, fmt::format("the value is {}", value));
@@ -289,7 +290,7 @@ class PluginKernel::Work {
       record(FaultKind::threads, point, "from several threads: " + both_text(value, threaded));
   }
 
-  /// What is said of a point may be other words each time.
+  /// The words do not distinguish faults at the same point, as they may contain changing values.
   struct Before {
     bool operator()(const Fault& a, const Fault& b) const {
       if (a.kind != b.kind) return a.kind < b.kind;

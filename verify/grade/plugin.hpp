@@ -14,21 +14,21 @@
 
 namespace nipref::verify {
 
-/// double f(double, ...) of a shared object: one double for each argument of its quantity, up to 16, by value. C,
-/// Fortran's bind(C) with `value`, Rust's extern "C".
+/// A function double f(double, ...) of a shared object, with one double, passed by value, for each of the at most 16
+/// arguments of its quantity: C, Fortran's bind(C) with `value`, Rust's extern "C".
 struct BareFunction {
   std::string symbol;
   std::size_t arity = 1;
-  bool thread_safe = false;  ///< it is then called from several threads too
+  bool thread_safe = false;  ///< whether it may be called from several threads at once
 };
 
-/// A shared object with kernels, as kernel.h has them, or with a bare function. It is loaded by processes of its own,
-/// of the program nipref-kernel-host: NIPREF_KERNEL_HOST in the environment says where that is, if it lies neither
-/// beside the running program, in ../libexec/nipref, nor where it was installed.
+/// A shared object with kernels as in kernel.h, or with a bare function. Separate processes load it, which run the
+/// program nipref-kernel-host. The environment variable NIPREF_KERNEL_HOST is the path of that program if it is
+/// neither beside the running program, nor in ../libexec/nipref, nor where it was installed.
 struct Plugin {
   std::filesystem::path file;
-  std::optional<BareFunction> function = {};  ///< none: what it lists
-  double time_limit = 10;  ///< seconds for a batch, > 0; at least 30 for being loaded and opened
+  std::optional<BareFunction> function = {};  ///< nothing if the object lists its kernels
+  double time_limit = 10;  ///< seconds for a batch, > 0; loading and opening may take at least 30
 };
 
 struct KernelInfo {
@@ -40,16 +40,16 @@ struct KernelInfo {
   bool operator==(const KernelInfo&) const = default;
 };
 
-/// The kernels that it lists, at least one. BadInput naming the file if it cannot be loaded, ends or hangs while it is,
-/// or does not list them as kernel.h says.
+/// The kernels of the plugin, at least one. BadInput that names the file if it cannot be loaded, if loading it ends the
+/// process or hangs, or if its list of kernels is not as described in kernel.h.
 std::vector<KernelInfo> kernels_of(const Plugin& plugin);
 
 /// A kernel of a plugin as an Evaluator. Each batch is computed twice, the second time with its points in another
-/// order, and from several threads if the kernel says that it may be. Whatever it does is found out, named with the
-/// point at which it does it, and is no harm. May be called from several threads: each has a process.
+/// order, and from several threads if the kernel allows this. Faults of the kernel are recorded with their points and
+/// do not harm this process. It may be called from several threads, each of which uses a process of its own.
 class PluginKernel {
  public:
-  /// The kernel of that name. BadInput as kernels_of has it, and if there is none of that name.
+  /// The kernel of this name. BadInput if there is none, and in the cases of kernels_of.
   PluginKernel(Plugin plugin, const std::string& name);
   PluginKernel(const PluginKernel&) = delete;
   PluginKernel& operator=(const PluginKernel&) = delete;
@@ -57,18 +57,17 @@ class PluginKernel {
 
   [[nodiscard]] const KernelInfo& info() const;
 
-  /// Values at points of `info().arity` arguments; a NaN where there is none. A kernel that ends its process again and
-  /// again, or hangs a few times, is given up: there are no values then.
+  /// Values at points of `info().arity` arguments; NaN where there is no value. After many processes that ended, or a
+  /// few that hung, the kernel is not called again, and all further values are NaN.
   void evaluate(std::span<const Point> points, std::span<double> values);
 
-  /// The same; this has to outlive it.
+  /// The same as an Evaluator, which must not outlive this kernel.
   Evaluator evaluator();
 
-  /// Seconds that so many calls with all these points take, without what it takes to get there; nothing if one of them
-  /// fails.
+  /// The seconds for so many calls with all these points, measured in the kernel's process; nothing if a call fails.
   std::optional<double> seconds(std::span<const Point> points, std::size_t passes);
 
-  /// The faults found until now. The same fault at the same point is listed once.
+  /// The faults so far. The same fault at the same point is listed once.
   [[nodiscard]] std::vector<Fault> faults() const;
 
  private:

@@ -16,7 +16,7 @@ constexpr std::size_t most_timed = 1024, least_timed = 32;
 constexpr int rounds = 15;
 constexpr double seconds_of_round = 2e-3;
 
-/// Seconds of so many passes over the first points; nothing if that fails.
+/// The seconds for so many passes over the first points; nothing if this fails.
 using Timed = std::function<std::optional<double>(std::size_t points, std::size_t passes)>;
 
 Timed timed(PluginKernel& kernel, const std::vector<Point>& points) {
@@ -41,7 +41,7 @@ Timed timed_fast(const Quantity& quantity, const std::vector<Point>& points, boo
   };
 }
 
-/// As many of the points as one pass takes no longer for than a round is to take; nothing if it fails.
+/// The number of points for which one pass takes at most as long as a round; nothing if this fails.
 std::optional<std::size_t> points_for(const Timed& way, std::size_t points) {
   std::size_t count = std::min(points, least_timed);
   for (;;) {
@@ -52,7 +52,7 @@ std::optional<std::size_t> points_for(const Timed& way, std::size_t points) {
   }
 }
 
-/// Passes that take about as long as a round is to take.
+/// The number of passes that take about as long as a round.
 std::optional<std::size_t> passes_for(const Timed& way, std::size_t points) {
   const auto seconds = way(points, 1);
   if (!seconds) return std::nullopt;

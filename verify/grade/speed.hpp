@@ -11,23 +11,24 @@
 
 namespace nipref::verify {
 
-/// Two ways to the same values, timed in turns, so that a change of the machine's speed meets both alike. Stored times
-/// would say nothing: they differ by a quarter between runs.
+/// The times of two implementations, measured alternately, so that changes of the machine's speed affect both. Stored
+/// times would be useless, as they differ by a quarter between runs.
 struct Speed {
-  double nanoseconds;                      ///< a value, median over the rounds
-  double other_nanoseconds;                ///< of the other way
-  double lower_ratio, ratio, upper_ratio;  ///< quartiles over the rounds of its time over the other's
+  double nanoseconds;                      ///< for one value, median of the rounds
+  double other_nanoseconds;                ///< the same for the other implementation
+  double lower_ratio, ratio, upper_ratio;  ///< quartiles, over the rounds, of its time over the other's
 };
 
-/// Random points of the ranges for timing, at which fast has values; none if it has none.
+/// Random points of the ranges at which fast has finite values; empty if there are none.
 std::vector<Point> timing_points(const Quantity& quantity, const Ranges& ranges);
 
-/// The kernel beside fast at full accuracy, in batches where fast and the kernel have them, each in its own process.
-/// Nothing if the kernel fails. At least one point.
+/// Compares the kernel with fast at full accuracy, both in batches if they can, each in its own process. There must
+/// be at least one point. Nothing if the kernel fails.
 std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& quantity,
                                         const std::vector<Point>& points);
 
-/// The kernel beside an older one of the same arguments. Nothing if one of them fails. At least one point.
+/// Compares the kernel with an older kernel of the same arguments. There must be at least one point. Nothing if one of
+/// them fails.
 std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
                                    const std::vector<Point>& points);
 

@@ -1,4 +1,4 @@
-// nipref-mpi audit ...: what `nipref audit` does, by all ranks of an MPI job.
+// nipref-mpi audit ...: `nipref audit` by all ranks of an MPI job.
 #include <mpi.h>
 
 #include <iostream>
@@ -39,7 +39,7 @@ int lead(const verify::CommandLine& line, int ranks, std::ostream& out) {
   return run.answer(out);
 }
 
-/// What is wrong with the command line rank 0 says.
+/// Only rank 0 reports a wrong command line.
 int follow(int argc, const char* const* argv) try {
   const verify::CommandLine line = verify::parse_command_line(argc, argv);
   check_verb(line);

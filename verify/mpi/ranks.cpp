@@ -12,10 +12,10 @@
 namespace nipref::verify {
 namespace {
 
-/// To a rank: which block to do; work = the number of works: none, and go.
+/// The message to a rank with the block to compute. If `work` is the number of works, the rank has to end.
 using Order = std::array<std::uint64_t, 2>;
 
-/// From a rank, as JSON: {} when it begins; what was found in its block; or what went wrong.
+/// The message from a rank, as JSON: {} at the start, the findings of its block, or an error.
 struct Report {
   int rank;
   Json json;
@@ -23,7 +23,7 @@ struct Report {
 
 Report take_report() {
   MPI_Status status;
-  // MPI_Probe would keep a core busy.
+  // MPI_Probe would use a whole core while it waits.
   for (int there = 0; there == 0;) {
     MPI_Iprobe(MPI_ANY_SOURCE, 0, MPI_COMM_WORLD, &there, &status);
     if (there == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -47,7 +47,7 @@ void refuse_failed(const Json& json) {
   if (json.has("failed")) throw std::runtime_error(json.at("failed").as_text());
 }
 
-/// Sends every rank home when it reports next.
+/// Ends every rank at its next message.
 class Ranks {
  public:
   Ranks(int ranks, std::size_t works) : working_(ranks - 1), at_home_{works, 0} {}

@@ -4,15 +4,16 @@
 
 namespace nipref::verify {
 
-// An audit by the ranks of an MPI job: rank 0 hands blocks out, one at a time to whoever has none, and takes back what was
-// found in them; the others do them. So slow blocks are balanced, and a job that ends with one of its ranks, as MPI has it,
-// loses the blocks that were being done: with --out the same command goes on.
+// An audit by the ranks of an MPI job. Rank 0 gives each idle rank one block and receives its findings, so that slow
+// blocks are balanced. If a rank fails, MPI ends the whole job, which loses the blocks in progress only: with --out
+// the same command continues the audit.
 
-/// On rank 0, until all blocks are kept or the process is interrupted; all other ranks have left do_blocks_of_ranks() then,
-/// whatever is thrown. BadInput for what a rank threw as that; std::runtime_error for all else.
+/// The part of rank 0. It returns when all blocks are finished or the process is interrupted. All other ranks have
+/// left do_blocks_of_ranks() then, also if it throws: BadInput if a rank threw BadInput, std::runtime_error for other
+/// errors.
 void hand_out_blocks(AuditRun& run, int ranks, Progress& progress);
 
-/// On the other ranks, until rank 0 has nothing left: works are those of the same command line.
+/// The part of the other ranks, until rank 0 has no more blocks. The works are those of the same command line.
 void do_blocks_of_ranks(const std::vector<BlockWork*>& works);
 
 }  // namespace nipref::verify

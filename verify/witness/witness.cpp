@@ -42,7 +42,7 @@ WitnessedContact witnessed_at(data::Scene scene, std::vector<double> positions) 
   return solve(scene);
 }
 
-/// The shape of the contact's surface, as the solver has it.
+/// The shape of the contact's surface by the solver.
 calculix::IndentedStrip witnessed_strip(data::Scene scene) {
   const data::ElasticNipProblem& problem = std::get<data::ElasticNipProblem>(scene.system);
   const WitnessedContact contact = witnessed_at(scene, {0});
@@ -57,7 +57,7 @@ calculix::IndentedStrip witnessed_strip(data::Scene scene) {
   return strip;
 }
 
-/// Largest difference of the surfaces under the contact and as far again beside it.
+/// The largest difference of the surfaces in the contact and in a part of the same length beside it.
 struct SurfaceDifference {
   double normal;      ///< of the indentation
   double tangential;  ///< of the largest tangential displacement

@@ -7,8 +7,7 @@
 
 #include <nipref/verify/grade/internal/protocol.hpp>
 
-// The part of the floating-point environment that says how this thread computes, without the flags that say what
-// happened.
+// The part of the floating-point environment that controls how this thread computes, without the flags of exceptions.
 namespace nipref::verify::host {
 
 #if defined(__x86_64__)
@@ -30,7 +29,7 @@ inline void set_environment(const Environment& wanted) {
   asm volatile("fldcw %0" : : "m"(wanted.x87));
 }
 
-/// Of protocol::Changes.
+/// The protocol::Changes between two environments.
 inline std::uint32_t changes(const Environment& before, const Environment& after) {
   const std::uint32_t mxcsr = before.mxcsr ^ after.mxcsr;
   const auto x87 = static_cast<std::uint32_t>(before.x87 ^ after.x87);

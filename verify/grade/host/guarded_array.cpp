@@ -13,7 +13,7 @@
 namespace nipref::verify::host {
 namespace {
 
-constexpr std::size_t guard_size = 0x10000;  // a multiple of every page size that there is
+constexpr std::size_t guard_size = 0x10000;  // a multiple of all page sizes
 constexpr std::size_t array_size = 0x10000;
 static_assert(array_size >= protocol::most_points * sizeof(double));
 constexpr std::size_t sentinels = 64;
@@ -24,7 +24,7 @@ struct Guard {
   std::atomic<bool> open = false;
 };
 
-// A signal handler reads them: no locks, no memory asked for.
+// A signal handler reads these variables, which must need neither locks nor an allocation.
 constexpr std::size_t most_guards = 2 * 8 * (protocol::most_arguments + 1);
 std::array<Guard, most_guards> guards;
 std::atomic<std::size_t> guard_count = 0;

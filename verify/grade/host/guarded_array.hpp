@@ -5,20 +5,20 @@
 
 namespace nipref::verify::host {
 
-/// An array of doubles that ends where memory ends that nobody may touch; in front of it lie sentinels, and before
-/// those such memory again. Who touches that is noted and goes on. Lives as long as the process.
+/// An array of doubles that is followed by a guard, protected memory. Before the array are sentinels, and before these
+/// another guard. An access to a guard is recorded, and the program continues. The array exists until the process ends.
 class GuardedArray {
  public:
-  /// Of up to protocol::most_points; `offence`, of protocol::Offences, is what touching too much of it is called.
+  /// An array of up to protocol::most_points; `offence` is the protocol::Offences of an access outside of it.
   explicit GuardedArray(std::uint32_t offence);
 
-  /// The array of `count` doubles, none of them written yet, the guards and sentinels as new.
+  /// Makes the array one of `count` unwritten doubles and restores the guards and sentinels.
   std::span<double> fit(std::size_t count);
 
-  /// The same array as it is.
+  /// The same array.
   [[nodiscard]] std::span<const double> array() const { return {end_ - count_, count_}; }
 
-  /// Notes it if the sentinels before the array were written.
+  /// Records the offence if a sentinel was overwritten.
   void check() const;
 
  private:
@@ -27,13 +27,13 @@ class GuardedArray {
   std::uint32_t offence_;
 };
 
-/// From here on touching a guard is noted; other faults end the process as ever.
+/// From now on accesses to guards are recorded; other memory faults still end the process.
 void watch_guards();
 
-/// What was noted since the last call, of protocol::Offences.
+/// The protocol::Offences that were recorded since the last call.
 std::uint32_t offences_noted();
 
-/// Notes more.
+/// Records another offence.
 void note_offence(std::uint32_t offence);
 
 }  // namespace nipref::verify::host

@@ -1,6 +1,5 @@
-// Holds a plugin for a program that grades it: nipref-kernel-host FILE SYMBOL ARITY FLAGS SECONDS. What they say to each
-// other is in protocol.hpp. It is a program of its own so that nothing of what it runs, or of how that ends, meets
-// anything of nipref.
+// Runs a plugin for the program that grades it: nipref-kernel-host FILE SYMBOL ARITY FLAGS SECONDS. protocol.hpp
+// describes their messages. It is a separate program so that no fault of the plugin affects nipref.
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -16,7 +15,7 @@
 
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __asan_default_options();
-/// A plugin that ends the process has ended it, whatever it has not freed.
+/// A plugin that ends the process need not free its memory.
 extern "C" const char* __asan_default_options() { return "detect_leaks=0"; }
 #endif
 
@@ -27,7 +26,7 @@ using namespace nipref::verify::host;
 using protocol::Message;
 using protocol::Request;
 
-/// Nobody hears what a host says whose program is gone, and it has nothing else to do.
+/// Ends the host when the program has ended.
 [[noreturn]] void leave() { _exit(0); }
 
 void write_all(const void* data, std::size_t size) {
@@ -66,7 +65,7 @@ Message receive() {
   return Message(std::move(bytes));
 }
 
-/// No dumps of those who crash on purpose, no files without end.
+/// Forbids core dumps, as crashes are expected, and limits the size of files.
 void limit_resources() {
   constexpr rlim_t largest_file = 64 << 20;
   const rlimit none{0, 0}, file{largest_file, largest_file};
@@ -94,7 +93,7 @@ class Host {
   }
 
  private:
-  /// Who asked ends what takes too long. This is for when it is gone itself.
+  /// A timer ends a call that takes too long if the program, which would do so earlier, has ended.
   void limit() const {
     constexpr unsigned delay = 5;
     alarm(std::max(seconds_, static_cast<unsigned>(protocol::seconds_to_begin)) + delay);

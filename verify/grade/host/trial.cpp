@@ -18,14 +18,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t thread_count = 4;
-/// Threads go on for so long, that they meet: at first long enough that the system takes one off its core to run
-/// another in the middle of its work, even where there is one core alone.
+/// The duration for which threads call the kernel, so that their calls overlap. The first calls last longer, so that
+/// the system switches between the threads in the middle of a call even on a single core.
 constexpr std::chrono::milliseconds time_together_at_first(20), time_together(1);
 constexpr int first_times = 8;
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
-/// Standard output is a file that nobody else writes.
+/// The size of standard output, which is a file that only this process writes.
 bool printed_something() {
   std::fflush(nullptr);
   struct stat output {};
@@ -33,7 +33,7 @@ bool printed_something() {
   return ftruncate(STDOUT_FILENO, 0) == 0;
 }
 
-/// Of so many points, none in its place as far as that can be.
+/// A permutation of so many points that moves each of them if possible.
 std::vector<std::size_t> shuffled(std::size_t count, std::size_t seed) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t{0});

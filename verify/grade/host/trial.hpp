@@ -12,12 +12,12 @@
 
 namespace nipref::verify::host {
 
-/// Calls what is the plugin's and notes what it does besides.
+/// Detects what calls of the plugin change besides their results.
 class Watch {
  public:
   Watch() : sound_(environment()) {}
 
-  /// What changed and was done since the last call; everything is put back.
+  /// The changes and offences since the last call; the environment is restored.
   protocol::Noticed noticed();
 
  private:
@@ -26,28 +26,28 @@ class Watch {
 
 using Column = std::vector<double>;
 
-/// Values of one batch.
+/// The values of one batch.
 struct Tried {
   int status = 0;
   Column values;
   Column permuted;  ///< the points in another order
   Column
-      threaded;  ///< from several threads; the same as `values` for a kernel that is not said to be thread-safe
+      threaded;  ///< computed by several threads; equal to `values` for a kernel that is not declared thread-safe
 };
 
-/// Calls kernels between guards. One at a time.
+/// Calls kernels, one at a time, with guarded arrays.
 class Trial {
  public:
   Trial();
 
-  /// The same points several times.
+  /// Evaluates the same points several times.
   Tried evaluate(const Kernel& kernel, const std::vector<Column>& columns);
 
-  /// Seconds of so many calls with all points; status of the last call that was not 0.
+  /// The seconds for so many calls with all points. `status` becomes that of the last call with a status other than 0.
   double time(const Kernel& kernel, const std::vector<Column>& columns, std::size_t passes, int& status);
 
  private:
-  /// One call's arrays.
+  /// The arrays of one call.
   struct Arrays {
     Arrays();
     int call(const Kernel& kernel, const std::vector<Column>& columns, std::span<const std::size_t> order,
@@ -62,7 +62,7 @@ class Trial {
   void from_threads(const Kernel& kernel, const std::vector<Column>& columns, Tried& tried);
 
   std::vector<std::unique_ptr<Arrays>>
-      arrays_;  ///< the first for this thread, the others when there are threads
+      arrays_;  ///< the first is for this thread, the others are for further threads
   int times_together_ = 0;
 };
 

@@ -10,7 +10,7 @@
 
 namespace nipref::verify {
 
-/// What went wrong in a call.
+/// A fault of a call.
 struct Trouble {
   FaultKind kind;
   std::string words;
@@ -18,23 +18,23 @@ struct Trouble {
 
 std::vector<Trouble> troubles_of(const protocol::Noticed& noticed);
 
-/// What a child says first.
+/// The first message of a child.
 struct Greeting {
   std::vector<KernelInfo> kernels;
   protocol::Noticed noticed;
 };
 
-/// BadInput if the plugin does not live to say it.
+/// Reads the first message. BadInput if loading the plugin ended the process.
 Greeting greeting_of(const Plugin& plugin, Child& child);
 
-/// What came of a batch.
+/// The result of a batch.
 struct Outcome {
   std::vector<Trouble> troubles = {};
   bool has_values = false;
   std::vector<double> values = {}, permuted = {}, threaded = {};
 };
 
-/// std::length_error if the message is too short for `count` points.
+/// Reads the result of `count` points. std::length_error if the message is too short.
 Outcome read_outcome(protocol::Message& message, std::size_t count);
 
 /// A request for values at points of `arity` arguments.

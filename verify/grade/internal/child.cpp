@@ -27,7 +27,7 @@ using protocol::Message;
 using protocol::Request;
 
 constexpr auto host_variable = "NIPREF_KERNEL_HOST";
-/// No answer is longer: another was made by the plugin.
+/// The host's answers are not longer; a longer one was written by the plugin.
 constexpr std::size_t longest_answer = 16 << 20;
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
@@ -36,7 +36,7 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// A file in memory, to be appended to.
+/// A new file in memory, opened for appending.
 int scratch_file(const char* name) {
   const int file = memfd_create(name, MFD_CLOEXEC);
   if (file == -1 || fcntl(file, F_SETFL, O_APPEND) == -1) fail("memfd_create");
@@ -61,7 +61,7 @@ class FileActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// A process group of its own, so that a terminal's Ctrl-C is this program's affair alone.
+/// The process gets a process group of its own, so that Ctrl-C in a terminal interrupts this program only.
 class Attributes {
  public:
   Attributes() {
@@ -87,7 +87,7 @@ std::string signal_text(int signal) {
                          : fmt::format("SIG{} ({})", name, sigdescr_np(signal));
 }
 
-/// The folder of the running program; empty if it cannot be known.
+/// The folder of the running program; empty if it is unknown.
 fs::path program_folder() {
   std::error_code unknown;
   return fs::read_symlink("/proc/self/exe", unknown).parent_path();
@@ -118,16 +118,16 @@ fs::path kernel_host() {
 
 Child::Child(const HostOrders& orders)
     : time_limit_(orders.time_limit),
-      said_(scratch_file("standard output")),
-      complained_(scratch_file("standard error")) {
+      output_(scratch_file("standard output")),
+      error_(scratch_file("standard error")) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == -1) fail("socketpair");
   const Descriptor its_end(ends[1]);
-  talk_ = ends[0];
+  socket_ = ends[0];
   FileActions actions;
   actions.open_nothing(STDIN_FILENO);
-  actions.duplicate(said_.number(), STDOUT_FILENO);
-  actions.duplicate(complained_.number(), STDERR_FILENO);
+  actions.duplicate(output_.number(), STDOUT_FILENO);
+  actions.duplicate(error_.number(), STDERR_FILENO);
   actions.duplicate(its_end.number(), protocol::descriptor);
   std::array<std::string, 6> words{kernel_host().string(),
                                    fs::absolute(orders.file).string(),
@@ -140,13 +140,13 @@ Child::Child(const HostOrders& orders)
   const Attributes attributes;
   if (const int error =
           posix_spawn(&process_, arguments[0], actions.get(), attributes.get(), arguments.data(), environ)) {
-    close(talk_);
+    close(socket_);
     check(error, "posix_spawn");
   }
 }
 
 Child::~Child() {
-  close(talk_);
+  close(socket_);
   if (process_ == -1) return;
   ::kill(process_, SIGKILL);
   wait();
@@ -183,10 +183,10 @@ Child::Received Child::receive(void* data, std::size_t size, Instant deadline) c
     const double left =
         std::chrono::duration<double, std::milli>(deadline - std::chrono::steady_clock::now()).count();
     if (left <= 0) return Received::late;
-    pollfd waiting{talk_, POLLIN, 0};
+    pollfd waiting{socket_, POLLIN, 0};
     constexpr double longest = 1e9;
     if (poll(&waiting, 1, static_cast<int>(std::ceil(std::min(left, longest)))) <= 0) continue;
-    const ssize_t count = recv(talk_, next, size, 0);
+    const ssize_t count = recv(socket_, next, size, 0);
     if (count == -1 && errno == EINTR) continue;
     if (count <= 0) return Received::end;
     next += count;
@@ -199,7 +199,7 @@ bool Child::send(const Message& message) const {
   const auto send_all = [this](const void* data, std::size_t size) {
     const char* next = static_cast<const char*>(data);
     while (size > 0) {
-      const ssize_t count = ::send(talk_, next, size, MSG_NOSIGNAL);
+      const ssize_t count = ::send(socket_, next, size, MSG_NOSIGNAL);
       if (count == -1 && errno == EINTR) continue;
       if (count <= 0) return false;
       next += count;
@@ -225,7 +225,7 @@ Death Child::kill(FaultKind kind, std::string words) {
   return {kind, words + last_words()};
 }
 
-/// It has closed its end, most likely by ending.
+/// The process has closed its end of the connection, most likely because it ended.
 Death Child::death() {
   constexpr std::chrono::milliseconds patience(2000), step(1);
   siginfo_t ended{};
@@ -240,13 +240,12 @@ Death Child::death() {
           fmt::format("ended the process with status {}", WEXITSTATUS(status)) + last_words()};
 }
 
-/// The end of what it wrote to standard error.
+/// The last characters that the process wrote to standard error.
 std::string Child::last_words() const {
   constexpr off_t most = 200;
-  const off_t size = lseek(complained_.number(), 0, SEEK_END);
+  const off_t size = lseek(error_.number(), 0, SEEK_END);
   std::string text(static_cast<std::size_t>(std::clamp<off_t>(size, 0, most)), '\0');
-  const ssize_t count =
-      pread(complained_.number(), text.data(), text.size(), std::max<off_t>(size - most, 0));
+  const ssize_t count = pread(error_.number(), text.data(), text.size(), std::max<off_t>(size - most, 0));
   text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
   while (!text.empty() && text.back() == '\n') text.pop_back();
   for (char& letter : text) {

@@ -12,7 +12,7 @@
 
 namespace nipref::verify {
 
-/// A descriptor that is closed with its owner.
+/// A file descriptor that is closed in the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) : number_(number) {}
@@ -25,10 +25,10 @@ class Descriptor {
   int number_;
 };
 
-/// The plugin that a host process loads, and how.
+/// The plugin that a host process loads, and its options.
 struct HostOrders {
   std::filesystem::path file;
-  std::string symbol;  ///< empty: what it lists
+  std::string symbol;  ///< of a bare function; empty if the object lists its kernels
   std::uint32_t arity;
   std::uint32_t flags;
   double time_limit;  ///< seconds for an answer
@@ -40,13 +40,13 @@ struct Death {
   std::string words;
 };
 
-/// A process that holds a plugin: nipref-kernel-host. After a Death it is gone and is asked nothing more. Used by one
-/// thread at a time.
+/// A process that runs nipref-kernel-host with a plugin. After a Death it must not be asked again. Only one thread
+/// may use it at a time.
 class Child {
  public:
   using Answer = std::variant<protocol::Message, Death>;
 
-  /// std::system_error if no process can be made; BadInput as kernel_host has it.
+  /// Starts the process. std::system_error if this fails; BadInput as of kernel_host.
   explicit Child(const HostOrders& orders);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
@@ -70,13 +70,14 @@ class Child {
   [[nodiscard]] std::string last_words() const;
 
   double time_limit_;
-  Descriptor said_, complained_;  ///< its standard output and standard error
-  int talk_ = -1;
+  Descriptor output_, error_;  ///< its standard output and standard error
+  int socket_ = -1;
   pid_t process_ = -1;
 };
 
-/// The program nipref-kernel-host: what the environment variable NIPREF_KERNEL_HOST says; else where it lies beside the
-/// running program, where it was installed, where it was built. BadInput naming the variable if there is none.
+/// The path of nipref-kernel-host: the value of the environment variable NIPREF_KERNEL_HOST, otherwise the first that
+/// exists beside the running program, in the folder of the installation, and in that of the build. BadInput that
+/// names the variable if there is none.
 std::filesystem::path kernel_host();
 
 }  // namespace nipref::verify

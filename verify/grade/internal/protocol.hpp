@@ -8,13 +8,13 @@
 #include <type_traits>
 #include <vector>
 
-// What the program and the process that holds a plugin say to each other, over one descriptor: messages, each a number
-// of bytes and so many bytes. The host speaks first:
+// The program and the process that holds a plugin, the host, exchange messages over one descriptor. A message is a
+// number of bytes, followed by so many bytes. The host sends the first message:
 //
-//   greeting  why it failed (text, empty: it did not), Noticed, number of kernels; of each: name, quantity, arity,
-//             flags
+//   greeting  reason of a failure (text, empty if there is none), Noticed, number of kernels; for each: name, quantity,
+//             arity, flags
 //
-// Then it answers, in turn:
+// Then it answers the program's requests:
 //
 //   open      number of the kernel                   -> Noticed, what `open` returned
 //   close     -                                      -> Noticed
@@ -23,7 +23,7 @@
 //   time      passes, number of points, columns      -> what `evaluate` returned, seconds for all passes
 namespace nipref::verify::protocol {
 
-/// The host's end of it.
+/// The descriptor in the host.
 inline constexpr int descriptor = 3;
 
 /// A request has no more points than this.
@@ -32,26 +32,26 @@ inline constexpr std::size_t most_points = 4096;
 /// A point has no more arguments than this.
 inline constexpr std::size_t most_arguments = 16;
 
-/// Loading and opening may take so long, and the time limit if that is more: tables may be made then.
+/// The seconds that loading and opening may take, if the time limit is shorter: a kernel may compute tables then.
 inline constexpr double seconds_to_begin = 30;
 
 enum class Request : std::uint32_t { open, close, evaluate, time };
 
-/// What was found changed after a call, and was put back.
+/// The changes of the floating-point environment that a call left; they are undone.
 enum Changes : std::uint32_t {
-  rounding = 1,       ///< not to nearest
-  flush_to_zero = 2,  ///< results
+  rounding = 1,       ///< the rounding mode is not to nearest
+  flush_to_zero = 2,  ///< small results become 0
   denormals_are_zero = 4,
   traps = 8,          ///< floating-point exceptions are no longer masked
-  x87_precision = 16  ///< of the x87 unit
+  x87_precision = 16  ///< the x87 unit has another precision
 };
 
-/// What a call did that it must not.
+/// Forbidden actions of a call.
 enum Offences : std::uint32_t {
-  output_overrun = 1,     ///< touched what lies before or behind its output
-  arguments_overrun = 2,  ///< or its arguments
+  output_overrun = 1,     ///< it accessed memory before or behind its output
+  arguments_overrun = 2,  ///< it accessed memory before or behind its arguments
   arguments_changed = 4,
-  printed = 8  ///< to standard output
+  printed = 8  ///< it wrote to standard output
 };
 
 struct Noticed {
@@ -61,10 +61,10 @@ struct Noticed {
   [[nodiscard]] bool any() const { return changes != 0 || offences != 0; }
 };
 
-/// A value that was not written: a NaN that no computation makes.
+/// The bits of a value that was not written: a NaN that no computation gives.
 inline constexpr std::uint64_t unwritten_bits = 0x7ff8'6e69'7072'6566;
 
-/// Bytes that are put in and taken out in the same order.
+/// A sequence of bytes that are read in the order in which they were written.
 class Message {
  public:
   Message() = default;

@@ -58,7 +58,7 @@ void write_step(std::ostream& out, const IndentedStrip& strip, const StripMesh& 
   out << "*NODE PRINT,NSET=CONTACT,TOTALS=ONLY\nRF\n*NODE PRINT,NSET=SURFACE\nU\n*END STEP\n";
 }
 
-/// From the program's printed results.
+/// Reads the program's printed results.
 Response read_response(std::istream& in, const StripMesh& mesh) {
   Response response{NAN, {}};
   std::string line;

@@ -2,12 +2,12 @@
 #include <map>
 #include <optional>
 
-/// An outside witness for contacts: the finite-element program CalculiX (ccx), where it is installed.
+/// The finite-element program CalculiX (ccx) as an independent check of contacts, if it is installed.
 namespace nipref::verify::calculix {
 
-/// What is prescribed of the strip's surface for 0 <= y <= contact_end: u = indentation - y^2/(2 radius)
-/// towards the middle plane, and v = creep y where it sticks. The rest of the surface is free, and the strip
-/// symmetric about the middle plane and about y = 0.
+/// The prescribed displacements of the strip's surface for 0 <= y <= contact_end: u = indentation - y^2/(2 radius)
+/// towards the middle plane and, if it sticks, v = creep y. The rest of the surface is free. The strip is symmetric
+/// about the middle plane and about y = 0.
 struct IndentedStrip {
   double young, poisson, half_thickness, contact_end, indentation, radius;
   std::optional<double> creep;
@@ -25,8 +25,7 @@ struct Response {
 
 bool is_installed();
 
-/// What CalculiX makes of it, in a folder of its own that is gone afterwards. Throws std::runtime_error where the
-/// program fails.
+/// The solution by CalculiX, which runs in a temporary folder. Throws std::runtime_error if the program fails.
 Response respond(const IndentedStrip& strip);
 
 }  // namespace nipref::verify::calculix

@@ -5,11 +5,11 @@
 
 namespace nipref::verify::calculix {
 
-/// Positions of nodes along a side, corners and the middles between them in turn.
+/// The positions of nodes along a side: corners alternate with the midpoints between them.
 using Side = std::vector<double>;
 
-/// Distances from 0 to `length` in steps that start with `first`, grow by 1.15 up to `largest`, and are all
-/// stretched so that the last ends there.
+/// Distances from 0 to `length` in steps that start with `first` and grow by 1.15 up to `largest`. All steps are
+/// scaled so that the last one ends at `length`.
 inline std::vector<double> graded(double length, double first, double largest) {
   std::vector<double> distances{0};
   for (double step = first; distances.back() < length; step = std::min(1.15 * step, largest)) {
@@ -37,10 +37,10 @@ inline Side with_middles(const std::vector<double>& corners) {
   return side;
 }
 
-/// Eight-node elements of half a sheet in plane strain: y >= 0 along it from the middle of the nip, z from
-/// the middle plane (0) to the surface (`half_thickness`). They grow from the contact's end, where tractions
-/// end like roots, to both sides and downwards. The strip ends four thicknesses beyond, where e^{-2.1 8} of
-/// the load's effect is left.
+/// Eight-node elements of half a sheet in plane strain: y >= 0 along the sheet from the middle of the nip, z from the
+/// middle plane, 0, to the surface, `half_thickness`. The elements are smallest at the contact's end, where the
+/// tractions end like square roots. The strip ends four thicknesses beyond, where the effect of the load has decayed
+/// to e^{-2.1 8}.
 struct StripMesh {
   StripMesh(double half_thickness, double contact_end) {
     const double first = contact_end / 1000;
@@ -53,7 +53,7 @@ struct StripMesh {
     across = with_middles(graded_towards(half_thickness, first, largest));
   }
 
-  /// Of the node in column i, row k; rows of middles have nodes in every second column only.
+  /// The number of the node in column i and row k; rows of midpoints have nodes in every second column only.
   [[nodiscard]] std::size_t number(std::size_t i, std::size_t k) const { return 1 + i + along.size() * k; }
   [[nodiscard]] std::size_t surface_number(std::size_t i) const { return number(i, across.size() - 1); }
 
