@@ -5,6 +5,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <mutex>
 #include <set>
@@ -12,7 +13,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
-#include <nipref/verify/grade/internal/answers.hpp>
+#include <nipref/verify/grade/internal/child.hpp>
 #include <nipref/verify/grade/kernel.h>
 #include <nipref/verify/grade/plugin.hpp>
 
@@ -20,8 +21,7 @@ namespace nipref::verify {
 namespace {
 
 using data::BadInput;
-using protocol::Message;
-using protocol::Noticed;
+using protocol::Exchange;
 using protocol::Request;
 
 /// A new process takes a few milliseconds. So many crashes in a row are not a small region of the domain.
@@ -31,14 +31,31 @@ constexpr std::size_t most_hangs = 6;
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-HostOrders orders_of(const Plugin& plugin) {
-  HostOrders orders{plugin.file, {}, 0, 0, plugin.time_limit};
-  if (plugin.function) {
-    orders.symbol = plugin.function->symbol;
-    orders.arity = static_cast<std::uint32_t>(plugin.function->arity);
-    orders.flags = plugin.function->thread_safe ? nipref_kernel_thread_safe : 0;
+/// In the order of the bits of protocol::Noticed.
+constexpr std::pair<FaultKind, const char*> symptoms[] = {
+    {FaultKind::overrun, "touches memory before or behind its output"},
+    {FaultKind::overrun, "touches memory before or behind its arguments"},
+    {FaultKind::arguments, "writes to its arguments"},
+    {FaultKind::environment, "leaves another rounding mode"},
+    {FaultKind::environment, "leaves small results flushed to zero (FTZ, as -ffast-math has it)"},
+    {FaultKind::environment, "leaves small arguments taken for zero (DAZ, as -ffast-math has it)"},
+    {FaultKind::environment, "leaves floating-point exceptions unmasked"},
+    {FaultKind::environment, "leaves another precision of the x87 unit"},
+    {FaultKind::output, "writes to standard output"}};
+
+/// One for each kind of what was noticed.
+std::vector<Trouble> troubles_of(std::uint32_t noticed) {
+  std::vector<Trouble> troubles;
+  for (const auto& [kind, words] : symptoms) {
+    const bool is_noticed = (noticed & 1U) != 0;
+    noticed >>= 1;
+    if (!is_noticed) continue;
+    if (troubles.empty() || troubles.back().kind != kind)
+      troubles.push_back({kind, words});
+    else
+      troubles.back().words += std::string(" and ") + words;
   }
-  return orders;
+  return troubles;
 }
 
 void check(const Plugin& plugin) {
@@ -49,17 +66,37 @@ void check(const Plugin& plugin) {
                    fmt::format("must be 1 to {}", protocol::most_arguments));
 }
 
-/// The result of `read` for an answer, or the end of the process. An answer that is too short does not come from the
-/// host.
-template <class Read>
-auto taken(Child::Answer answer, const Read& read)
-    -> std::variant<std::invoke_result_t<Read, Message&>, Death> {
-  if (Death* const death = std::get_if<Death>(&answer)) return std::move(*death);
-  try {
-    return read(std::get<Message>(answer));
-  } catch (const std::length_error&) {
-    return Death{FaultKind::protocol, "wrote to a descriptor that is not its own"};
+std::string text_of(std::span<const char> text) { return {text.data(), strnlen(text.data(), text.size())}; }
+
+/// Has the child load the plugin. BadInput that names the file if this fails.
+std::vector<KernelInfo> loaded(const Plugin& plugin, Child& child) {
+  const auto refuse = [&](const std::string& why) { throw BadInput("plugin", plugin.file.string(), why); };
+  if (const auto end = child.ask(Request::load))
+    refuse(fmt::format("must be loaded without harm: {}, {}", name_of(end->kind), end->words));
+  const Exchange& exchange = child.exchange();
+  if (exchange.status != 0) refuse(text_of(exchange.failure));
+  std::vector<KernelInfo> kernels;
+  for (std::size_t i = 0; i < std::min(exchange.kernels, protocol::most_kernels); ++i) {
+    const auto& listed = exchange.kernel_list[i];
+    kernels.push_back({text_of(listed.name), text_of(listed.quantity), listed.arity,
+                       (listed.flags & nipref_kernel_thread_safe) != 0});
+    if (listed.arity == 0 || listed.arity > protocol::most_arguments) kernels.clear();
   }
+  if (kernels.empty()) refuse("must not write to memory that is not its own");
+  return kernels;
+}
+
+/// Writes the points, of so many arguments, into the request.
+void put(std::span<const Point> points, std::size_t arity, Exchange& exchange) {
+  exchange.points = points.size();
+  for (std::size_t j = 0; j < arity; ++j)
+    std::ranges::transform(points, exchange.arguments[j].begin(),
+                           [j](const Point& point) { return point[j]; });
+}
+
+/// The numbers of these points.
+std::vector<double> first(const protocol::Column& column, std::span<const Point> points) {
+  return {column.begin(), column.begin() + static_cast<std::ptrdiff_t>(points.size())};
 }
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
@@ -91,16 +128,13 @@ class PluginKernel::Work {
   }
 
   std::optional<double> seconds(std::span<const Point> points, std::size_t passes) {
-    auto child = idle_child();
+    IdleChild child = idle_child();
     if (!child) return std::nullopt;
-    const auto answer =
-        taken(child->ask(with_points(Message().put(Request::time).put(passes), points, info_.arity)),
-              [](Message& message) {
-                return std::pair<int, double>{message.take<int>(), message.take<double>()};
-              });
-    if (std::holds_alternative<Death>(answer)) return std::nullopt;
-    const auto& [status, seconds] = std::get<0>(answer);
-    if (status != 0) return std::nullopt;
+    Exchange& exchange = child->exchange();
+    put(points, info_.arity, exchange);
+    exchange.passes = passes;
+    if (child->ask(Request::time) || exchange.status != 0) return std::nullopt;
+    const double seconds = exchange.seconds;
     keep(std::move(child));
     return seconds;
   }
@@ -121,6 +155,12 @@ class PluginKernel::Work {
  private:
   using IdleChild = std::unique_ptr<Child>;
 
+  /// The result of a batch.
+  struct Outcome {
+    std::vector<Trouble> troubles = {};
+    std::vector<double> values = {}, permuted = {}, threaded = {};  ///< empty if there are none
+  };
+
   [[noreturn]] void refuse_name(const std::vector<KernelInfo>& kernels, const std::string& name) const {
     std::vector<std::string_view> names;
     for (const KernelInfo& kernel : kernels) names.push_back(kernel.name);
@@ -129,9 +169,9 @@ class PluginKernel::Work {
                                plugin_.file.string(), fmt::join(names, ", ")));
   }
 
-  void record(FaultKind kind, std::optional<Point> point, std::string words) {
+  void record(FaultKind kind, const std::optional<Point>& point, const std::string& words) {
     const std::scoped_lock lock(mutex_);
-    faults_.insert({kind, std::move(point), std::move(words)});
+    faults_.insert({kind, point, words});
   }
 
   void record(const std::vector<Trouble>& troubles, const std::optional<Point>& point,
@@ -144,52 +184,43 @@ class PluginKernel::Work {
            hangs_ >= most_hangs;
   }
 
-  Trouble count(Death death) {
-    ++(death.kind == FaultKind::hang ? hangs_ : deaths_);
-    ++deaths_in_a_row_;
-    return {death.kind, std::move(death.words)};
+  /// What goes wrong with a request.
+  std::vector<Trouble> asked(Child& child, Request request) {
+    if (auto end = child.ask(request)) {
+      ++(end->kind == FaultKind::hang ? hangs_ : deaths_);
+      ++deaths_in_a_row_;
+      return {std::move(*end)};
+    }
+    std::vector<Trouble> troubles = troubles_of(child.exchange().noticed);
+    if (const int status = child.exchange().status; status != 0)
+      troubles.push_back({FaultKind::refused, fmt::format("returns {}", status)});
+    return troubles;
   }
 
   /// A process that has loaded the plugin and opened the kernel; null if this fails.
   IdleChild new_child() {
-    auto child = std::make_unique<Child>(orders_of(plugin_));
-    const Greeting greeting = greeting_of(plugin_, *child);
-    if (number_ >= greeting.kernels.size() || greeting.kernels[number_] != info_)
+    auto child = std::make_unique<Child>(plugin_);
+    const std::vector<KernelInfo> kernels = loaded(plugin_, *child);
+    if (number_ >= kernels.size() || kernels[number_] != info_)
       throw BadInput("plugin", plugin_.file.string(),
                      "must list the same kernels each time that it is loaded");
-    record(troubles_of(greeting.noticed), {}, ", by being loaded");
+    record(troubles_of(child->exchange().noticed), {}, ", by being loaded");
     return opened(*child) ? std::move(child) : nullptr;
   }
 
   bool opened(Child& child) {
-    auto answer = taken(child.ask(Message().put(Request::open).put(number_)), [](Message& message) {
-      return std::pair<Noticed, int>{message.take<Noticed>(), message.take<int>()};
-    });
-    if (Death* const death = std::get_if<Death>(&answer)) return open_failed(count(std::move(*death)));
-    const auto& [noticed, status] = std::get<0>(answer);
-    record(troubles_of(noticed), {}, ", in open");
-    if (status != 0) return open_failed({FaultKind::refused, fmt::format("returns {}", status)});
-    return true;
-  }
-
-  bool open_failed(const Trouble& trouble) {
-    record({trouble}, {}, ", in open");
-    unopened_ = true;
-    return false;
+    child.exchange().kernel = number_;
+    record(asked(child, Request::open), {}, ", in open");
+    unopened_ = child.has_ended() || child.exchange().status != 0;
+    return !unopened_;
   }
 
   /// Opens and closes the kernel before it is used.
   void try_closing() {
     IdleChild child = new_child();
     if (!child) return;
-    auto answer = taken(child->ask(Message().put(Request::close)),
-                        [](Message& message) { return message.take<Noticed>(); });
-    if (Death* const death = std::get_if<Death>(&answer)) {
-      record({count(std::move(*death))}, {}, ", in close");
-      return;
-    }
-    record(troubles_of(std::get<Noticed>(answer)), {}, ", in close");
-    if (opened(*child)) keep(std::move(child));
+    record(asked(*child, Request::close), {}, ", in close");
+    if (!child->has_ended() && opened(*child)) keep(std::move(child));
   }
 
   IdleChild idle_child() {
@@ -212,12 +243,16 @@ class PluginKernel::Work {
   Outcome call(std::span<const Point> points) {
     IdleChild child = idle_child();
     if (!child) return {};
-    auto answer = taken(child->ask(with_points(Message().put(Request::evaluate), points, info_.arity)),
-                        [&](Message& message) { return read_outcome(message, points.size()); });
-    if (Death* const death = std::get_if<Death>(&answer)) return {.troubles = {count(std::move(*death))}};
+    Exchange& exchange = child->exchange();
+    put(points, info_.arity, exchange);
+    Outcome outcome{asked(*child, Request::evaluate)};
+    if (child->has_ended()) return outcome;
+    if (exchange.status == 0)
+      outcome = {outcome.troubles, first(exchange.values, points), first(exchange.permuted, points),
+                 first(exchange.threaded, points)};
     keep(std::move(child));
     deaths_in_a_row_ = 0;
-    return std::get<Outcome>(std::move(answer));
+    return outcome;
   }
 
   void evaluate_batch(std::span<const Point> points, std::span<double> values) {
@@ -273,8 +308,7 @@ class PluginKernel::Work {
 
   /// Stores the values and records their faults.
   void take(const Outcome& outcome, std::span<const Point> points, std::span<double> values) {
-    if (!outcome.has_values) return;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < outcome.values.size(); ++i) {
       values[i] = outcome.values[i];
       assess(points[i], outcome.values[i], outcome.permuted[i], outcome.threaded[i]);
     }
@@ -310,8 +344,8 @@ class PluginKernel::Work {
 
 std::vector<KernelInfo> kernels_of(const Plugin& plugin) {
   check(plugin);
-  Child child(orders_of(plugin));
-  return greeting_of(plugin, child).kernels;
+  Child child(plugin);
+  return loaded(plugin, child);
 }
 
 PluginKernel::PluginKernel(Plugin plugin, const std::string& name)

@@ -8,93 +8,72 @@
 #include <new>
 
 #include <nipref/verify/grade/host/guarded_array.hpp>
-#include <nipref/verify/grade/internal/protocol.hpp>
+#include <nipref/verify/grade/internal/exchange.hpp>
 
 namespace nipref::verify::host {
 namespace {
 
-constexpr std::size_t guard_size = 0x10000;  // a multiple of all page sizes
-constexpr std::size_t array_size = 0x10000;
-static_assert(array_size >= protocol::most_points * sizeof(double));
+// Each array has its place in one piece of memory: a guard, room for sentinels and the array, and a guard.
+constexpr std::size_t guard_size = 0x10000, room = 0x10000;  // multiples of all page sizes
+constexpr std::size_t place_size = room + 2 * guard_size;
+constexpr std::size_t most_places = thread_count * (protocol::most_arguments + 1);
 constexpr std::size_t sentinels = 64;
-
-struct Guard {
-  char* first;
-  std::uint32_t offence;
-  std::atomic<bool> open = false;
-};
+static_assert(room >= (protocol::most_points + sentinels) * sizeof(double));
 
 // A signal handler reads these variables, which must need neither locks nor an allocation.
-constexpr std::size_t most_guards = 2 * 8 * (protocol::most_arguments + 1);
-std::array<Guard, most_guards> guards;
-std::atomic<std::size_t> guard_count = 0;
+char* memory = nullptr;
+std::array<std::uint32_t, most_places> offences;
+std::array<std::atomic<bool>, most_places> opened;
 std::atomic<std::uint32_t> noted = 0;
 
-void add_guard(char* first, std::uint32_t offence) {
-  const std::size_t number = guard_count;
-  if (number == most_guards) throw std::bad_alloc();
-  guards[number].first = first;
-  guards[number].offence = offence;
-  guard_count = number + 1;
+bool open_guards(std::size_t place) {
+  opened[place] = true;
+  return mprotect(memory + place * place_size, place_size, PROT_READ | PROT_WRITE) == 0;
 }
 
-bool let_pass(const void* address) {
-  for (std::size_t i = 0; i < guard_count; ++i) {
-    Guard& guard = guards[i];
-    if (address < guard.first || address >= guard.first + guard_size) continue;
-    note_offence(guard.offence);
-    guard.open = true;
-    return mprotect(guard.first, guard_size, PROT_READ | PROT_WRITE) == 0;
+void close_guards(std::size_t place) {
+  for (char* const guard : {memory + place * place_size, memory + (place + 1) * place_size - guard_size}) {
+    std::fill_n(guard, guard_size, '\0');
+    mprotect(guard, guard_size, PROT_NONE);
   }
-  return false;
 }
 
 void on_fault(int signal, siginfo_t* what, void*) {
-  if (let_pass(what->si_addr)) return;
+  const auto place = static_cast<std::size_t>(static_cast<char*>(what->si_addr) - memory) / place_size;
+  if (place < most_places && offences[place] != 0 && open_guards(place)) return note_offence(offences[place]);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-void close_guards() {
-  for (std::size_t i = 0; i < guard_count; ++i) {
-    if (!guards[i].open.exchange(false)) continue;
-    std::fill_n(guards[i].first, guard_size, '\0');
-    mprotect(guards[i].first, guard_size, PROT_NONE);
-  }
-}
-
 }  // namespace
 
-GuardedArray::GuardedArray(std::uint32_t offence) : offence_(offence) {
-  void* const memory =
-      mmap(nullptr, 2 * guard_size + array_size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (memory == MAP_FAILED) throw std::bad_alloc();
-  char* const first = static_cast<char*>(memory);
-  char* const end = first + guard_size + array_size;
-  if (mprotect(first + guard_size, array_size, PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
-  add_guard(first, offence);
-  add_guard(end, offence);
-  end_ = reinterpret_cast<double*>(end);
+GuardedArray::GuardedArray(std::uint32_t offence)
+    : place_(static_cast<std::size_t>(std::ranges::find(offences, 0U) - offences.begin())) {
+  if (place_ == most_places || !open_guards(place_)) throw std::bad_alloc();
+  offences[place_] = offence;
+  end_ = reinterpret_cast<double*>(memory + (place_ + 1) * place_size - guard_size);
 }
 
 std::span<double> GuardedArray::fit(std::size_t count) {
-  close_guards();
+  if (opened[place_].exchange(false)) close_guards(place_);
   count_ = count;
-  const std::size_t filled = std::min(count + sentinels, array_size / sizeof(double));
-  std::fill_n(end_ - filled, filled, std::bit_cast<double>(protocol::unwritten_bits));
+  std::fill_n(end_ - count - sentinels, count + sentinels, std::bit_cast<double>(protocol::unwritten_bits));
   return {end_ - count, count};
 }
 
 void GuardedArray::check() const {
-  const std::size_t before = std::min(sentinels, array_size / sizeof(double) - count_);
   const double* const array = end_ - count_;
-  if (std::any_of(array - before, array, [](const double& sentinel) {
+  if (std::any_of(array - sentinels, array, [](const double& sentinel) {
         return std::bit_cast<std::uint64_t>(sentinel) != protocol::unwritten_bits;
       }))
-    note_offence(offence_);
+    note_offence(offences[place_]);
 }
 
 void watch_guards() {
+  void* const reserved =
+      mmap(nullptr, most_places * place_size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (reserved == MAP_FAILED) throw std::bad_alloc();
+  memory = static_cast<char*>(reserved);
   static std::array<char, 0x10000> stack;
   stack_t alternate{};
   alternate.ss_sp = stack.data();

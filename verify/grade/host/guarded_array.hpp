@@ -5,11 +5,12 @@
 
 namespace nipref::verify::host {
 
-/// An array of doubles that is followed by a guard, protected memory. Before the array are sentinels, and before these
-/// another guard. An access to a guard is recorded, and the program continues. The array exists until the process ends.
+/// An array of doubles between two guards, which are protected memory; the room that it leaves is filled with
+/// sentinels. An access to a guard is noted, and the program continues. There can be a set of arrays for each of the
+/// threads; they exist until the process ends.
 class GuardedArray {
  public:
-  /// An array of up to protocol::most_points; `offence` is the protocol::Offences of an access outside of it.
+  /// An array of up to protocol::most_points; `offence` is the protocol::Noticed of an access outside of it.
   explicit GuardedArray(std::uint32_t offence);
 
   /// Makes the array one of `count` unwritten doubles and restores the guards and sentinels.
@@ -18,22 +19,23 @@ class GuardedArray {
   /// The same array.
   [[nodiscard]] std::span<const double> array() const { return {end_ - count_, count_}; }
 
-  /// Records the offence if a sentinel was overwritten.
+  /// Notes the offence if a sentinel was overwritten.
   void check() const;
 
  private:
+  std::size_t place_;
   double* end_;
   std::size_t count_ = 0;
-  std::uint32_t offence_;
 };
 
-/// From now on accesses to guards are recorded; other memory faults still end the process.
+inline constexpr std::size_t thread_count = 4;
+
+/// From now on accesses to guards are noted; other memory faults still end the process.
 void watch_guards();
 
-/// The protocol::Offences that were recorded since the last call.
+/// The offences that were noted since the last call, of protocol::Noticed.
 std::uint32_t offences_noted();
 
-/// Records another offence.
 void note_offence(std::uint32_t offence);
 
 }  // namespace nipref::verify::host

@@ -1,7 +1,10 @@
-// Runs a plugin for the program that grades it: nipref-kernel-host FILE SYMBOL ARITY FLAGS SECONDS. protocol.hpp
-// describes their messages. It is a separate program so that no fault of the plugin affects nipref.
+// Runs a plugin for the program that grades it: nipref-kernel-host FILE SYMBOL ARITY FLAGS SECONDS. exchange.hpp
+// describes how they talk. It is a separate program so that no fault of the plugin affects nipref.
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +12,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
 #include <nipref/verify/grade/host/trial.hpp>
@@ -23,47 +27,8 @@ namespace {
 
 using namespace nipref::verify;
 using namespace nipref::verify::host;
-using protocol::Message;
+using protocol::Exchange;
 using protocol::Request;
-
-/// Ends the host when the program has ended.
-[[noreturn]] void leave() { _exit(0); }
-
-void write_all(const void* data, std::size_t size) {
-  const char* next = static_cast<const char*>(data);
-  while (size > 0) {
-    const ssize_t written = write(protocol::descriptor, next, size);
-    if (written <= 0) leave();
-    next += written;
-    size -= static_cast<std::size_t>(written);
-  }
-}
-
-void read_all(void* data, std::size_t size) {
-  char* next = static_cast<char*>(data);
-  while (size > 0) {
-    const ssize_t count = read(protocol::descriptor, next, size);
-    if (count <= 0) leave();
-    next += count;
-    size -= static_cast<std::size_t>(count);
-  }
-}
-
-void send(const Message& message) {
-  Message whole;
-  whole.put(message.bytes().size());
-  std::vector<char> bytes(whole.bytes().begin(), whole.bytes().end());
-  bytes.insert(bytes.end(), message.bytes().begin(), message.bytes().end());
-  write_all(bytes.data(), bytes.size());
-}
-
-Message receive() {
-  std::size_t size = 0;
-  read_all(&size, sizeof size);
-  std::vector<char> bytes(size);
-  read_all(bytes.data(), bytes.size());
-  return Message(std::move(bytes));
-}
 
 /// Forbids core dumps, as crashes are expected, and limits the size of files.
 void limit_resources() {
@@ -74,100 +39,68 @@ void limit_resources() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+/// Maps the memory that is standard input at the start, which then has nothing to read.
+Exchange& shared_memory() {
+  void* const memory = mmap(nullptr, sizeof(Exchange), PROT_READ | PROT_WRITE, MAP_SHARED, STDIN_FILENO, 0);
+  if (memory == MAP_FAILED || close(STDIN_FILENO) != 0 || open("/dev/null", O_RDONLY) != STDIN_FILENO)
+    _exit(2);
+  return *static_cast<Exchange*>(memory);
+}
+
+/// Cuts the text if need be.
+void copy(const std::string& text, std::span<char> to) {
+  const std::size_t size = text.copy(to.data(), to.size() - 1);
+  to[size] = '\0';
+}
+
 class Host {
  public:
-  explicit Host(char** arguments) : seconds_(static_cast<unsigned>(std::ceil(std::stod(arguments[4])))) {
-    limit();
-    load(arguments[0], arguments[1], static_cast<std::uint32_t>(std::stoul(arguments[2])),
-         static_cast<std::uint32_t>(std::stoul(arguments[3])));
-    alarm(0);
-  }
+  explicit Host(char** words) : words_(words), exchange_(shared_memory()) {}
 
-  void serve() {
-    for (;;) {
-      Message request = receive();
-      limit();
-      send(answer(request));
-      alarm(0);
+  void answer() {
+    switch (exchange_.request) {
+      case Request::load:
+        load();
+        break;
+      case Request::open:
+        kernel_ = &kernels_.at(exchange_.kernel);
+        exchange_.status = kernel_->entry.open == nullptr ? 0 : kernel_->entry.open(&kernel_->state);
+        break;
+      case Request::close:
+        if (kernel_->entry.close != nullptr) kernel_->entry.close(kernel_->state);
+        kernel_->state = nullptr;
+        exchange_.status = 0;
+        break;
+      case Request::evaluate:
+        trial_.evaluate(*kernel_, exchange_);
+        break;
+      case Request::time:
+        trial_.time(*kernel_, exchange_);
     }
+    exchange_.noticed = noticed();
   }
 
  private:
-  /// A timer ends a call that takes too long if the program, which would do so earlier, has ended.
-  void limit() const {
-    constexpr unsigned delay = 5;
-    alarm(std::max(seconds_, static_cast<unsigned>(protocol::seconds_to_begin)) + delay);
-  }
-
-  void load(const std::string& file, const std::string& symbol, std::uint32_t arity, std::uint32_t flags) {
-    std::string failure;
-    try {
-      kernels_ = load_kernels(file, symbol, arity, flags);
-    } catch (const std::exception& error) {
-      failure = error.what();
+  void load() try {
+    kernels_ = load_kernels(words_[0], words_[1], static_cast<std::uint32_t>(std::stoul(words_[2])),
+                            static_cast<std::uint32_t>(std::stoul(words_[3])));
+    for (std::size_t i = 0; i < kernels_.size(); ++i) {
+      const nipref_kernel& entry = kernels_[i].entry;
+      auto& listed = exchange_.kernel_list[i];
+      copy(entry.name, listed.name);
+      copy(entry.quantity, listed.quantity);
+      listed.arity = entry.arity;
+      listed.flags = entry.flags;
     }
-    Message greeting;
-    greeting.put_text(failure).put(watch_.noticed()).put(kernels_.size());
-    for (const Kernel& kernel : kernels_) {
-      greeting.put_text(kernel.entry.name).put_text(kernel.entry.quantity);
-      greeting.put(kernel.entry.arity).put(kernel.entry.flags);
-    }
-    send(greeting);
+    exchange_.kernels = kernels_.size();
+    exchange_.status = 0;
+  } catch (const std::exception& error) {
+    copy(error.what(), exchange_.failure);
+    exchange_.status = 1;
   }
 
-  Message answer(Message& request) {
-    switch (request.take<Request>()) {
-      case Request::open:
-        return open(request.take<std::size_t>());
-      case Request::close:
-        return close();
-      case Request::evaluate:
-        return evaluate(request);
-      default:
-        return time(request);
-    }
-  }
-
-  Message open(std::size_t number) {
-    kernel_ = &kernels_.at(number);
-    const int status = kernel_->entry.open == nullptr ? 0 : kernel_->entry.open(&kernel_->state);
-    return Message().put(watch_.noticed()).put(status);
-  }
-
-  Message close() {
-    if (kernel_->entry.close != nullptr) {
-      kernel_->entry.close(kernel_->state);
-      kernel_->state = nullptr;
-    }
-    return Message().put(watch_.noticed());
-  }
-
-  [[nodiscard]] std::vector<Column> columns(Message& request) const {
-    const auto count = request.take<std::size_t>();
-    std::vector<Column> columns(kernel_->entry.arity, Column(count));
-    for (Column& column : columns) request.take_column(column);
-    return columns;
-  }
-
-  Message evaluate(Message& request) {
-    const Tried tried = trial_.evaluate(*kernel_, columns(request));
-    Message answer;
-    answer.put(watch_.noticed()).put(tried.status);
-    for (const Column* const column : {&tried.values, &tried.permuted, &tried.threaded})
-      answer.put_column(*column);
-    return answer;
-  }
-
-  Message time(Message& request) {
-    const auto passes = request.take<std::size_t>();
-    int status = 0;
-    const double seconds = trial_.time(*kernel_, columns(request), passes, status);
-    static_cast<void>(watch_.noticed());
-    return Message().put(status).put(seconds);
-  }
-
-  unsigned seconds_;
-  Watch watch_;
+  char** words_;
+  Exchange& exchange_;
   Trial trial_;
   std::vector<Kernel> kernels_;
   Kernel* kernel_ = nullptr;
@@ -175,13 +108,24 @@ class Host {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  constexpr int words = 6;
-  if (count != words) {
+int main(int count, char** words) {
+  if (count != 6) {
     std::fputs("nipref-kernel-host is called by nipref grade and by nothing else\n", stderr);
     return 2;
   }
   limit_resources();
   watch_guards();
-  Host(arguments + 1).serve();
+  // A timer ends a call that takes too long if the program, which would do so earlier, has ended.
+  constexpr double delay = 5;
+  const auto longest =
+      static_cast<unsigned>(std::ceil(std::max(std::stod(words[5]), protocol::seconds_to_begin) + delay));
+  Host host(words + 1);
+  for (std::uint64_t request = 0;
+       recv(protocol::connection, &request, sizeof request, 0) == sizeof request;) {
+    alarm(longest);
+    host.answer();
+    alarm(0);
+    if (send(protocol::connection, &request, sizeof request, MSG_NOSIGNAL) != sizeof request) break;
+  }
+  _exit(0);
 }

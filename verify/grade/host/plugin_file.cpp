@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <nipref/verify/grade/host/plugin_file.hpp>
-#include <nipref/verify/grade/internal/protocol.hpp>
+#include <nipref/verify/grade/internal/exchange.hpp>
 
 namespace nipref::verify::host {
 namespace {
@@ -59,6 +59,8 @@ Kernel checked(const nipref_kernel& given) {
   std::memcpy(&kernel.entry, &given, sizeof kernel.entry);
   if (text_of(given.name).empty()) refuse(given, "without a name");
   if (text_of(given.quantity).empty()) refuse(given, "without a quantity");
+  if (std::max(text_of(given.name).size(), text_of(given.quantity).size()) >= sizeof(protocol::Text))
+    refuse(given, "of a name that is too long");
   if (given.evaluate == nullptr) refuse(given, "without a function evaluate");
   if (given.arity == 0 || given.arity > protocol::most_arguments)
     refuse(given, "of " + std::to_string(given.arity) + " arguments");
@@ -85,6 +87,7 @@ std::vector<Kernel> load_kernels(const std::string& file, const std::string& sym
   const nipref_kernel* const* const all = list();
   for (std::size_t i = 0; all != nullptr && all[i] != nullptr; ++i) kernels.push_back(checked(*all[i]));
   if (kernels.empty()) throw std::runtime_error("lists no kernels");
+  if (kernels.size() > protocol::most_kernels) throw std::runtime_error("lists too many kernels");
   return kernels;
 }
 

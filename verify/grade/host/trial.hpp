@@ -1,69 +1,46 @@
 #pragma once
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include <nipref/verify/grade/host/environment.hpp>
 #include <nipref/verify/grade/host/guarded_array.hpp>
 #include <nipref/verify/grade/host/plugin_file.hpp>
-#include <nipref/verify/grade/internal/protocol.hpp>
+#include <nipref/verify/grade/internal/exchange.hpp>
 
 namespace nipref::verify::host {
 
-/// Detects what calls of the plugin change besides their results.
-class Watch {
- public:
-  Watch() : sound_(environment()) {}
+/// What calls of the plugin have done besides their results since the last call, of protocol::Noticed; it is undone.
+std::uint32_t noticed();
 
-  /// The changes and offences since the last call; the environment is restored.
-  protocol::Noticed noticed();
-
- private:
-  Environment sound_;
-};
-
-using Column = std::vector<double>;
-
-/// The values of one batch.
-struct Tried {
-  int status = 0;
-  Column values;
-  Column permuted;  ///< the points in another order
-  Column
-      threaded;  ///< computed by several threads; equal to `values` for a kernel that is not declared thread-safe
-};
-
-/// Calls kernels, one at a time, with guarded arrays.
+/// Calls kernels, one at a time, with guarded arrays. The points are those of an Exchange, the answers go to it.
 class Trial {
  public:
   Trial();
 
   /// Evaluates the same points several times.
-  Tried evaluate(const Kernel& kernel, const std::vector<Column>& columns);
+  void evaluate(const Kernel& kernel, protocol::Exchange& exchange);
 
-  /// The seconds for so many calls with all points. `status` becomes that of the last call with a status other than 0.
-  double time(const Kernel& kernel, const std::vector<Column>& columns, std::size_t passes, int& status);
+  /// Measures the time of so many calls with all points. The status is that of the last call with another than 0.
+  void time(const Kernel& kernel, protocol::Exchange& exchange);
 
  private:
+  using Order = std::vector<std::size_t>;
+
   /// The arrays of one call.
   struct Arrays {
-    Arrays();
-    int call(const Kernel& kernel, const std::vector<Column>& columns, std::span<const std::size_t> order,
-             Column& values);
-    void fill(const std::vector<Column>& columns, std::span<const std::size_t> order);
+    void fill(const Kernel& kernel, const protocol::Exchange& exchange, const Order& order);
+    int call(const Kernel& kernel, const protocol::Exchange& exchange, const Order& order,
+             protocol::Column& values);
 
     std::vector<GuardedArray> guarded_arguments;
-    GuardedArray guarded_output;
+    GuardedArray guarded_output{protocol::output_overrun};
     std::vector<const double*> arguments;
     std::span<double> output;
   };
-  void from_threads(const Kernel& kernel, const std::vector<Column>& columns, Tried& tried);
+  void evaluate_in_threads(const Kernel& kernel, protocol::Exchange& exchange);
 
-  std::vector<std::unique_ptr<Arrays>>
-      arrays_;  ///< the first is for this thread, the others are for further threads
-  int times_together_ = 0;
+  std::vector<std::unique_ptr<Arrays>> arrays_;  ///< the first of this thread, the others of further threads
+  int times_in_threads_ = 0;
 };
 
 }  // namespace nipref::verify::host

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -18,96 +17,47 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/grade/internal/child.hpp>
+#include <nipref/verify/grade/kernel.h>
 
 namespace nipref::verify {
 namespace {
 
 namespace fs = std::filesystem;
-using protocol::Message;
+using protocol::Exchange;
 using protocol::Request;
 
 constexpr auto host_variable = "NIPREF_KERNEL_HOST";
-/// The host's answers are not longer; a longer one was written by the plugin.
-constexpr std::size_t longest_answer = 16 << 20;
 
-[[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
-
-void check(int error, const char* what) {
-  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+/// Of a system call: std::system_error unless the error is 0.
+void check(int error) {
+  if (error != 0) throw std::system_error(error, std::generic_category(), "nipref-kernel-host");
 }
 
-/// A new file in memory, opened for appending.
-int scratch_file(const char* name) {
-  const int file = memfd_create(name, MFD_CLOEXEC);
-  if (file == -1 || fcntl(file, F_SETFL, O_APPEND) == -1) fail("memfd_create");
-  return file;
+/// A new file in memory, which is written at its end if that grows.
+int file_in_memory(int flags = O_APPEND) {
+  const int file = memfd_create("nipref", MFD_CLOEXEC);
+  return file != -1 && fcntl(file, F_SETFL, flags) == -1 ? -1 : file;
 }
 
-class FileActions {
- public:
-  FileActions() { check(posix_spawn_file_actions_init(&actions_), "posix_spawn"); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  void duplicate(int from, int to) {
-    check(posix_spawn_file_actions_adddup2(&actions_, from, to), "posix_spawn");
-  }
-  void open_nothing(int to) {
-    check(posix_spawn_file_actions_addopen(&actions_, to, "/dev/null", O_RDONLY, 0), "posix_spawn");
-  }
-  [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_{};
-};
-
-/// The process gets a process group of its own, so that Ctrl-C in a terminal interrupts this program only.
-class Attributes {
- public:
-  Attributes() {
-    check(posix_spawnattr_init(&attributes_), "posix_spawn");
-    check(posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK),
-          "posix_spawn");
-    sigset_t none;
-    sigemptyset(&none);
-    check(posix_spawnattr_setsigmask(&attributes_, &none), "posix_spawn");
-  }
-  Attributes(const Attributes&) = delete;
-  Attributes& operator=(const Attributes&) = delete;
-  ~Attributes() { posix_spawnattr_destroy(&attributes_); }
-  [[nodiscard]] const posix_spawnattr_t* get() const { return &attributes_; }
-
- private:
-  posix_spawnattr_t attributes_{};
-};
-
-std::string signal_text(int signal) {
-  const char* const name = sigabbrev_np(signal);
-  return name == nullptr ? fmt::format("signal {}", signal)
-                         : fmt::format("SIG{} ({})", name, sigdescr_np(signal));
-}
-
-/// The folder of the running program; empty if it is unknown.
-fs::path program_folder() {
-  std::error_code unknown;
-  return fs::read_symlink("/proc/self/exe", unknown).parent_path();
-}
-
-bool can_run(const fs::path& file) { return access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file); }
-
-}  // namespace
-
-Descriptor::~Descriptor() {
-  if (number_ >= 0) close(number_);
+Exchange* mapped(int file) {
+  check(ftruncate(file, sizeof(Exchange)) == 0 ? 0 : errno);
+  void* const memory = mmap(nullptr, sizeof(Exchange), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  check(memory == MAP_FAILED ? errno : 0);
+  return static_cast<Exchange*>(memory);
 }
 
 fs::path kernel_host() {
+  const auto can_run = [](const fs::path& file) {
+    return access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file);
+  };
   if (const char* const chosen = std::getenv(host_variable)) {
     if (can_run(chosen)) return chosen;
     throw data::BadInput(host_variable, chosen, "must be the program nipref-kernel-host");
   }
-  for (const fs::path& folder : {program_folder() / NIPREF_HOST_FROM_PROGRAM, fs::path(NIPREF_HOST_INSTALLED),
-                                 fs::path(NIPREF_HOST_BUILT)}) {
+  std::error_code unknown;
+  const fs::path beside =
+      fs::read_symlink("/proc/self/exe", unknown).parent_path() / NIPREF_HOST_FROM_PROGRAM;
+  for (const fs::path& folder : {beside, fs::path(NIPREF_HOST_INSTALLED), fs::path(NIPREF_HOST_BUILT)}) {
     if (can_run(folder / "nipref-kernel-host")) return folder / "nipref-kernel-host";
   }
   throw data::BadInput(
@@ -116,99 +66,82 @@ fs::path kernel_host() {
       "was installed");
 }
 
-Child::Child(const HostOrders& orders)
-    : time_limit_(orders.time_limit),
-      output_(scratch_file("standard output")),
-      error_(scratch_file("standard error")) {
-  std::array<int, 2> ends{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == -1) fail("socketpair");
+/// Starts a program whose descriptors 0, 1, ... are these. It gets a process group of its own, so that Ctrl-C in a
+/// terminal interrupts this program only.
+pid_t started(std::vector<std::string> words, const std::vector<int>& descriptors) {
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions{};
+  posix_spawnattr_t attributes{};
+  sigset_t none;
+  sigemptyset(&none);
+  check(posix_spawn_file_actions_init(&actions));
+  check(posix_spawnattr_init(&attributes));
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  for (std::size_t i = 0; i < descriptors.size(); ++i)
+    posix_spawn_file_actions_adddup2(&actions, descriptors[i], static_cast<int>(i));
+  pid_t process = -1;
+  const int error = posix_spawn(&process, pointers[0], &actions, &attributes, pointers.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  posix_spawnattr_destroy(&attributes);
+  check(error);
+  return process;
+}
+
+std::string signal_text(int signal) {
+  const char* const name = sigabbrev_np(signal);
+  return name == nullptr ? fmt::format("signal {}", signal)
+                         : fmt::format("SIG{} ({})", name, sigdescr_np(signal));
+}
+
+}  // namespace
+
+Descriptor::Descriptor(int number) : number_(number) { check(number == -1 ? errno : 0); }
+Descriptor::~Descriptor() { close(number_); }
+
+Child::Child(const Plugin& plugin)
+    : time_limit_(plugin.time_limit),
+      output_(file_in_memory()),
+      error_(file_in_memory()),
+      memory_(file_in_memory(0)),
+      exchange_(mapped(memory_.number()), [](Exchange* memory) { munmap(memory, sizeof(Exchange)); }) {
+  std::array<int, 2> ends{-1, -1};
+  check(socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) == 0 ? 0 : errno);
+  connection_.emplace(ends[0]);
   const Descriptor its_end(ends[1]);
-  socket_ = ends[0];
-  FileActions actions;
-  actions.open_nothing(STDIN_FILENO);
-  actions.duplicate(output_.number(), STDOUT_FILENO);
-  actions.duplicate(error_.number(), STDERR_FILENO);
-  actions.duplicate(its_end.number(), protocol::descriptor);
-  std::array<std::string, 6> words{kernel_host().string(),
-                                   fs::absolute(orders.file).string(),
-                                   orders.symbol,
-                                   fmt::format("{}", orders.arity),
-                                   fmt::format("{}", orders.flags),
-                                   fmt::format("{}", orders.time_limit)};
-  std::array<char*, words.size() + 1> arguments{};
-  for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  const Attributes attributes;
-  if (const int error =
-          posix_spawn(&process_, arguments[0], actions.get(), attributes.get(), arguments.data(), environ)) {
-    close(socket_);
-    check(error, "posix_spawn");
-  }
+  const BareFunction function = plugin.function.value_or(BareFunction{"", 0});
+  process_ = started({kernel_host().string(), fs::absolute(plugin.file).string(), function.symbol,
+                      fmt::format("{}", function.arity),
+                      fmt::format("{}", function.thread_safe ? nipref_kernel_thread_safe : 0),
+                      fmt::format("{}", time_limit_)},
+                     {memory_.number(), output_.number(), error_.number(), its_end.number()});
 }
 
 Child::~Child() {
-  close(socket_);
-  if (process_ == -1) return;
-  ::kill(process_, SIGKILL);
-  wait();
+  if (!has_ended()) kill(FaultKind::given_up, "");
 }
 
-Child::Answer Child::greeting() { return receive(std::max(time_limit_, protocol::seconds_to_begin)); }
-
-Child::Answer Child::ask(const Message& request) {
-  if (!send(request)) return death();
-  const auto kind = Message(request).take<Request>();
-  const bool begins = kind == Request::open || kind == Request::close;
-  return receive(begins ? std::max(time_limit_, protocol::seconds_to_begin) : time_limit_);
-}
-
-Child::Answer Child::receive(double time_limit) {
-  const Instant deadline =
-      std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                             std::chrono::duration<double>(time_limit));
-  const auto end = [&](Received how) {
-    return how == Received::late ? kill(FaultKind::hang, fmt::format("no answer within {} s", time_limit))
-                                 : death();
-  };
-  std::size_t size = 0;
-  if (const Received how = receive(&size, sizeof size, deadline); how != Received::all) return end(how);
-  if (size > longest_answer) return kill(FaultKind::protocol, "wrote to a descriptor that is not its own");
-  std::vector<char> bytes(size);
-  if (const Received how = receive(bytes.data(), size, deadline); how != Received::all) return end(how);
-  return Message(std::move(bytes));
-}
-
-Child::Received Child::receive(void* data, std::size_t size, Instant deadline) const {
-  char* next = static_cast<char*>(data);
-  while (size > 0) {
-    const double left =
-        std::chrono::duration<double, std::milli>(deadline - std::chrono::steady_clock::now()).count();
-    if (left <= 0) return Received::late;
-    pollfd waiting{socket_, POLLIN, 0};
-    constexpr double longest = 1e9;
-    if (poll(&waiting, 1, static_cast<int>(std::ceil(std::min(left, longest)))) <= 0) continue;
-    const ssize_t count = recv(socket_, next, size, 0);
-    if (count == -1 && errno == EINTR) continue;
-    if (count <= 0) return Received::end;
-    next += count;
-    size -= static_cast<std::size_t>(count);
-  }
-  return Received::all;
-}
-
-bool Child::send(const Message& message) const {
-  const auto send_all = [this](const void* data, std::size_t size) {
-    const char* next = static_cast<const char*>(data);
-    while (size > 0) {
-      const ssize_t count = ::send(socket_, next, size, MSG_NOSIGNAL);
-      if (count == -1 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      next += count;
-      size -= static_cast<std::size_t>(count);
-    }
-    return true;
-  };
-  const std::size_t size = message.bytes().size();
-  return send_all(&size, sizeof size) && send_all(message.bytes().data(), size);
+std::optional<Trouble> Child::ask(Request request) {
+  const bool computes = request == Request::evaluate || request == Request::time;
+  const double limit = computes ? time_limit_ : std::max(time_limit_, protocol::seconds_to_begin);
+  const double whole = std::floor(limit);
+  const timeval longest{static_cast<time_t>(whole), static_cast<suseconds_t>(1e6 * (limit - whole)) + 1};
+  const int connection = connection_->number();
+  setsockopt(connection, SOL_SOCKET, SO_RCVTIMEO, &longest, sizeof longest);
+  exchange_->request = request;
+  ++asked_;
+  if (send(connection, &asked_, sizeof asked_, MSG_NOSIGNAL) == -1) return death();
+  std::uint64_t answered = 0;
+  ssize_t size = 0;
+  do size = recv(connection, &answered, sizeof answered, MSG_TRUNC);
+  while (size == -1 && errno == EINTR);
+  if (size == -1 && errno == EAGAIN)
+    return kill(FaultKind::hang, fmt::format("no answer within {} s", limit));
+  if (size <= 0) return death();
+  if (size == sizeof answered && answered == asked_) return std::nullopt;
+  return kill(FaultKind::protocol, "wrote to a descriptor that is not its own");
 }
 
 int Child::wait() {
@@ -219,14 +152,14 @@ int Child::wait() {
   return status;
 }
 
-Death Child::kill(FaultKind kind, std::string words) {
+Trouble Child::kill(FaultKind kind, std::string words) {
   ::kill(process_, SIGKILL);
   wait();
   return {kind, words + last_words()};
 }
 
 /// The process has closed its end of the connection, most likely because it ended.
-Death Child::death() {
+Trouble Child::death() {
   constexpr std::chrono::milliseconds patience(2000), step(1);
   siginfo_t ended{};
   for (auto waited = step * 0; waited < patience && ended.si_pid == 0; waited += step) {
@@ -243,14 +176,13 @@ Death Child::death() {
 /// The last characters that the process wrote to standard error.
 std::string Child::last_words() const {
   constexpr off_t most = 200;
-  const off_t size = lseek(error_.number(), 0, SEEK_END);
-  std::string text(static_cast<std::size_t>(std::clamp<off_t>(size, 0, most)), '\0');
-  const ssize_t count = pread(error_.number(), text.data(), text.size(), std::max<off_t>(size - most, 0));
-  text.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  for (char& letter : text) {
-    if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
-  }
+  std::array<char, most> last{};
+  const off_t start = std::max<off_t>(0, lseek(error_.number(), 0, SEEK_END) - most);
+  const ssize_t count = pread(error_.number(), last.data(), most, start);
+  std::string text(last.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  text.resize(text.find_last_not_of('\n') + 1);
+  std::ranges::replace_if(
+      text, [](unsigned char letter) { return letter < ' '; }, ' ');
   return text.empty() ? "" : ", saying: " + text;
 }
 

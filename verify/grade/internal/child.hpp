@@ -1,21 +1,28 @@
 #pragma once
 #include <sys/types.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
-#include <variant>
 
-#include <nipref/verify/grade/fault.hpp>
-#include <nipref/verify/grade/internal/protocol.hpp>
+#include <nipref/verify/grade/internal/exchange.hpp>
+#include <nipref/verify/grade/plugin.hpp>
 
 namespace nipref::verify {
+
+/// A fault of a call.
+struct Trouble {
+  FaultKind kind;
+  std::string words;
+};
 
 /// A file descriptor that is closed in the destructor.
 class Descriptor {
  public:
-  explicit Descriptor(int number = -1) : number_(number) {}
+  /// std::system_error if the number is -1, what a system call returns that failed.
+  explicit Descriptor(int number);
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   ~Descriptor();
@@ -25,59 +32,36 @@ class Descriptor {
   int number_;
 };
 
-/// The plugin that a host process loads, and its options.
-struct HostOrders {
-  std::filesystem::path file;
-  std::string symbol;  ///< of a bare function; empty if the object lists its kernels
-  std::uint32_t arity;
-  std::uint32_t flags;
-  double time_limit;  ///< seconds for an answer
-};
-
-/// How a child ended.
-struct Death {
-  FaultKind kind;
-  std::string words;
-};
-
-/// A process that runs nipref-kernel-host with a plugin. After a Death it must not be asked again. Only one thread
-/// may use it at a time.
+/// A process that runs nipref-kernel-host with a plugin. After it has ended, which is a Trouble, it must not be asked
+/// again. Only one thread may use it at a time.
 class Child {
  public:
-  using Answer = std::variant<protocol::Message, Death>;
-
-  /// Starts the process. std::system_error if this fails; BadInput as of kernel_host.
-  explicit Child(const HostOrders& orders);
+  /// Starts the process. std::system_error if this fails; BadInput that names the variable NIPREF_KERNEL_HOST if the
+  /// program is not found.
+  explicit Child(const Plugin& plugin);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   /// Ends the process.
   ~Child();
 
-  /// The first message of the process: the result of loading the plugin.
-  Answer greeting();
-  /// Its answer to a request, within the time limit.
-  Answer ask(const protocol::Message& request);
+  /// The request's numbers before asking, and the answer's afterwards.
+  [[nodiscard]] protocol::Exchange& exchange() { return *exchange_; }
+  /// Waits for the answer, within the time limit; how the process ended if it did.
+  std::optional<Trouble> ask(protocol::Request request);
+  [[nodiscard]] bool has_ended() const { return process_ == -1; }
 
  private:
-  Answer receive(double time_limit);
-  using Instant = std::chrono::steady_clock::time_point;
-  enum class Received { all, end, late };
-  Received receive(void* data, std::size_t size, Instant deadline) const;
-  [[nodiscard]] bool send(const protocol::Message& message) const;
-  Death death();
-  Death kill(FaultKind kind, std::string words);
+  Trouble kill(FaultKind kind, std::string words);
+  Trouble death();
   int wait();
   [[nodiscard]] std::string last_words() const;
 
   double time_limit_;
-  Descriptor output_, error_;  ///< its standard output and standard error
-  int socket_ = -1;
+  Descriptor output_, error_, memory_;
+  std::unique_ptr<protocol::Exchange, void (*)(protocol::Exchange*)> exchange_;
+  std::optional<Descriptor> connection_;
+  std::uint64_t asked_ = 0;
   pid_t process_ = -1;
 };
-
-/// The path of nipref-kernel-host: the value of the environment variable NIPREF_KERNEL_HOST, otherwise the first that
-/// exists beside the running program, in the folder of the installation, and in that of the build. BadInput that
-/// names the variable if there is none.
-std::filesystem::path kernel_host();
 
 }  // namespace nipref::verify

@@ -62,7 +62,7 @@ struct Request {
   }
 };
 
-Propagated in_double(const ref::Estimate& reference) {
+Propagated as_propagated(const ref::Estimate& reference) {
   const double value = reference.to_double();
   return {value, std::fabs(reference.error_of(value)) + std::strtod(reference.error_text().c_str(), nullptr)};
 }
@@ -73,7 +73,7 @@ Propagated of_quantity(const Request& request) {
   constexpr int digits = 20;
   const Quantity& quantity = find_quantity(request.name);
   const ParsedArguments arguments = parse_arguments(quantity, request.arguments());
-  const Propagated by_ref = in_double(quantity.by_ref(arguments.exact, digits));
+  const Propagated by_ref = as_propagated(quantity.by_ref(arguments.exact, digits));
   if (request.kind == "ref") return by_ref;
   const Point point = arguments.nearest(quantity);
   if (request.kind == "printed") {
@@ -83,7 +83,7 @@ Propagated of_quantity(const Request& request) {
   }
   const double value = quantity.by_fast(point, {});
   const double promised = quantity.promise * ulp_of(std::max(std::fabs(value), quantity.envelope(point)));
-  const Propagated change = in_double(ref_value(quantity, point, digits)) - by_ref;
+  const Propagated change = as_propagated(ref_value(quantity, point, digits)) - by_ref;
   return {value, promised + std::fabs(change.value()) + change.error()};
 }
 
