@@ -1,13 +1,17 @@
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
-#include <nipref/verify/solve/internal/converged_contact.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/nip_results.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -35,28 +39,93 @@ fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
   return counted(contact.unknowns(), contact.normal_kernel_values(), contact.tangential_kernel_values());
 }
 
+bool has_full_friction(const data::ElasticNipProblem& problem) {
+  return problem.friction == data::Friction::full;
+}
+bool has_full_friction(const data::ViscoelasticNipProblem&) { return false; }
+
+/// A contact and what its results inside the sheet have in common, which is computed once.
+template <class Path, class Contact>
+struct Nip {
+  Contact contact;
+  std::optional<std::vector<typename Path::Stresses>> stresses = {};
+  std::optional<typename Path::Greatest> greatest = {};
+
+  const auto& stresses_at(const Places& places) {
+    if (!stresses) {
+      std::vector<typename Path::Point> points;
+      for (const Place& place : places) points.push_back({place.y, place.depth});
+      stresses = contact.inner_stresses(points);
+    }
+    return *stresses;
+  }
+  const auto& greatest_shear() {
+    if (!greatest) greatest = contact.greatest_shear();
+    return *greatest;
+  }
+};
+
+template <class Path, class Contact>
+void set_inside(SolvedContact<typename Path::Number>& solved,
+                const std::shared_ptr<Nip<Path, Contact>>& nip) {
+  using Stresses = typename Path::Stresses;
+  using Number = typename Path::Number;
+  const auto field = [&](ResultId id, auto part) {
+    solved.set(id, [nip, part](const Places& places) {
+      std::vector<Number> numbers;
+      for (const Stresses& here : nip->stresses_at(places)) numbers.push_back(std::invoke(part, here));
+      return numbers;
+    });
+  };
+  field(ResultId::stress_across, &Stresses::across);
+  field(ResultId::stress_along, &Stresses::along);
+  field(ResultId::stress_shear, &Stresses::shear);
+  field(ResultId::highest_stress, &Stresses::highest);
+  field(ResultId::lowest_stress, &Stresses::lowest);
+  field(ResultId::maximum_shear, &Stresses::maximum_shear);
+  solved.set(ResultId::greatest_shear, [nip]() -> Number { return nip->greatest_shear().value; });
+  solved.set(ResultId::greatest_shear_position, [nip]() -> Number { return nip->greatest_shear().y; });
+  solved.set(ResultId::greatest_shear_depth, [nip]() -> Number { return nip->greatest_shear().depth; });
+}
+
+/// A converged nip of either path, elastic or rolling.
 template <class Path, class Problem, class Contact>
-std::unique_ptr<SolvedContact<typename Path::Number>> converged(const Problem& problem, Contact contact,
-                                                                double accuracy) {
-  return std::make_unique<ConvergedContact<Path, Contact>>(
-      std::move(contact), problem.nip.roller_radius, accuracy,
-      [](const Contact& solved) { return work_of(solved); });
+std::unique_ptr<SolvedContact<typename Path::Number>> converged(const Problem& problem, Contact solution) {
+  using Number = typename Path::Number;
+  auto solved = std::make_unique<SolvedContact<Number>>();
+  const auto nip = std::make_shared<Nip<Path, Contact>>(std::move(solution));
+  const std::shared_ptr<Contact> contact(nip, &nip->contact);
+  set_nip_results<Contact>([&](ResultId id, auto function) { solved->set(id, contact, function); },
+                           [](const Contact&) -> Number { return Path::exactly(0, 16); });
+  set_inside<Path>(*solved, nip);
+  complete_nip(*solved, problem);
+  solved->work = [contact] { return work_of(*contact); };
+  if constexpr (Path::is_fast) {
+    set_moments(*solved);
+    solved->solve_again = [nip] {
+      nip->stresses.reset();
+      nip->greatest.reset();
+      return nip->contact.refine();
+    };
+  } else {
+    set_slip(*solved, has_full_friction(problem));
+    if (solved->is_symmetric) solved->measure = Measure::itself;
+  }
+  return solved;
 }
 
 }  // namespace
 
 SolvedInDouble solve_converged(const data::ElasticNipProblem& problem, double accuracy) {
   return converged<FastPath>(
-      problem,
-      solve_given(
-          problem.given,
-          [&](double load) {
-            return fast::converged_for_load(problem.nip, problem.friction, load, accuracy);
-          },
-          [&](double length) {
-            return fast::converged_for_length(problem.nip, problem.friction, length, accuracy);
-          }),
-      accuracy);
+      problem, solve_given(
+                   problem.given,
+                   [&](double load) {
+                     return fast::converged_for_load(problem.nip, problem.friction, load, accuracy);
+                   },
+                   [&](double length) {
+                     return fast::converged_for_length(problem.nip, problem.friction, length, accuracy);
+                   }));
 }
 
 SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, double accuracy) {
@@ -64,26 +133,20 @@ SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, doub
       problem,
       solve_given(
           problem.given, [&](double load) { return fast::converged_for_load(problem.nip, load, accuracy); },
-          [&](double length) { return fast::converged_for_length(problem.nip, length, accuracy); }),
-      accuracy);
+          [&](double length) { return fast::converged_for_length(problem.nip, length, accuracy); }));
 }
 
 SolvedByRef solve_ref_converged(const data::ElasticNipProblem& problem, int digits) {
   const data::ElasticNip& nip = problem.nip;
-  const double accuracy = std::pow(10.0, -digits);
   if (problem.friction == data::Friction::none)
     return converged<RefPath>(
-        problem,
-        solve_given(
-            problem.given, [&](double load) { return ref::converged_for_load(nip, load, digits); },
-            [&](double length) { return ref::converged_for_length(nip, length, digits); }),
-        accuracy);
+        problem, solve_given(
+                     problem.given, [&](double load) { return ref::converged_for_load(nip, load, digits); },
+                     [&](double length) { return ref::converged_for_length(nip, length, digits); }));
   return converged<RefPath>(
-      problem,
-      solve_given(
-          problem.given, [&](double load) { return ref::gripped_for_load(nip, load, digits); },
-          [&](double length) { return ref::gripped_for_length(nip, length, digits); }),
-      accuracy);
+      problem, solve_given(
+                   problem.given, [&](double load) { return ref::gripped_for_load(nip, load, digits); },
+                   [&](double length) { return ref::gripped_for_length(nip, length, digits); }));
 }
 
 SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int digits) {
@@ -91,8 +154,7 @@ SolvedByRef solve_ref_converged(const data::ViscoelasticNipProblem& problem, int
       problem,
       solve_given(
           problem.given, [&](double load) { return ref::converged_for_load(problem.nip, load, digits); },
-          [&](double length) { return ref::converged_for_length(problem.nip, length, digits); }),
-      std::pow(10.0, -digits));
+          [&](double length) { return ref::converged_for_length(problem.nip, length, digits); }));
 }
 
 }  // namespace nipref::verify

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <utility>
 
@@ -8,7 +7,7 @@
 #include <nipref/fast/elastic_nip/line_loads.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
-#include <nipref/verify/solve/internal/line_load_contact.hpp>
+#include <nipref/verify/solve/internal/compared_with_truth.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -16,16 +15,6 @@ namespace {
 using fast::Estimate;
 using fast::LineLoadMethod;
 using fast::Work;
-
-const std::map<ResultId, double fast::LineLoadSolution::*> elastic_line_load_numbers{
-    {ResultId::contact_length, &fast::LineLoadSolution::contact_length},
-    {ResultId::load, &fast::LineLoadSolution::load},
-    {ResultId::indentation, &fast::LineLoadSolution::indentation},
-    {ResultId::edge_displacement, &fast::LineLoadSolution::edge_displacement},
-    {ResultId::trailing_displacement, &fast::LineLoadSolution::edge_displacement},
-    {ResultId::peak_pressure, &fast::LineLoadSolution::peak_pressure},
-    {ResultId::peak_shear, &fast::LineLoadSolution::peak_shear},
-};
 
 [[noreturn]] void refuse_without_creep(const char* argument, double value) {
   throw data::BadInput(
@@ -62,76 +51,76 @@ fast::LineLoadSolution solve_loads(const data::ElasticNipProblem& problem, const
       });
 }
 
-class ElasticLineLoads : public LineLoadContact {
- public:
-  ElasticLineLoads(const data::ElasticNipProblem& problem, LineLoadMethod method)
-      : LineLoadContact(solve_converged(problem, truth_accuracy)),
-        nip_(problem.nip),
-        method_(std::move(method)),
-        solution_(solve_loads(problem, method_, &work_)) {}
+/// Solved line loads: what they were solved for, and their results.
+struct ElasticLineLoads {
+  data::ElasticNip nip;
+  LineLoadMethod method;
+  Work work;  ///< grows with each result that is computed
+  fast::LineLoadSolution solution;
 
-  /// The error of a zero of the shear is its distance to the nearest zero of the continuous contact.
-  [[nodiscard]] std::vector<Estimate> list(ResultId id) const override {
-    if (id == ResultId::creep_range) return creep_range();
-    const std::vector<Estimate> zeros_of_truth = truth().list(id);
-    std::vector<Estimate> zeros;
-    for (const double place : fast::shear_borders(solution_)) {
-      zeros.push_back(
-          estimate(place, *std::ranges::min_element(zeros_of_truth, {}, [&](const Estimate& zero) {
-                     return std::fabs(zero.value - place);
-                   })));
-    }
-    return zeros;
-  }
-  [[nodiscard]] ProfileExtent profile_extent() const override { return {0, solution_.contact_length / 2}; }
-  [[nodiscard]] Work work() const override { return work_; }
+  ElasticLineLoads(const data::ElasticNipProblem& problem, LineLoadMethod with)
+      : nip(problem.nip), method(std::move(with)), solution(solve_loads(problem, method, &work)) {}
 
- private:
-  /// The continuous contact has one creep ratio, to which all three are compared.
-  [[nodiscard]] std::vector<Estimate> creep_range() const {
-    const auto creep = fast::thesis_creep(nip_, method_, solution_.contact_length, &work_);
-    if (!creep) refuse_without_creep("contact_length", solution_.contact_length);
-    const Estimate creep_of_truth = truth().number(ResultId::creep_ratio);
-    return {estimate(creep->range.lower, creep_of_truth), estimate(creep->range.upper, creep_of_truth),
-            estimate(creep->chosen, creep_of_truth)};
-  }
-  /// The loads of one side are given; the other side mirrors them.
-  [[nodiscard]] double moment(ResultId id) const override {
+  [[nodiscard]] double contact_length() const { return solution.contact_length; }
+  [[nodiscard]] double load() const { return solution.load; }
+  [[nodiscard]] double indentation() const { return solution.indentation; }
+  [[nodiscard]] double edge_displacement() const { return solution.edge_displacement; }
+  [[nodiscard]] double peak_pressure() const { return solution.peak_pressure; }
+  [[nodiscard]] double peak_shear() const { return solution.peak_shear; }
+  [[nodiscard]] double peak_pressure_position() const { return fast::place_of_largest_pressure(solution); }
+  [[nodiscard]] double peak_shear_position() const { return fast::place_of_largest_shear(solution); }
+  [[nodiscard]] double creep_ratio() { return fast::creep_ratio(nip, solution, method, &work); }
+  /// The moments of the loads of one side (thesis 7.13); the other side mirrors them.
+  [[nodiscard]] double leading_moment() const {
     double sum = 0;
-    for (std::size_t k = 0; k < solution_.line_loads.size(); ++k)
-      sum += solution_.line_loads[k] * (static_cast<double>(k) + 0.5) * solution_.element_width();
-    return id == ResultId::leading_moment ? sum : -sum;
+    for (std::size_t k = 0; k < solution.line_loads.size(); ++k)
+      sum += solution.line_loads[k] * (static_cast<double>(k) + 0.5) * solution.element_width();
+    return sum;
   }
-  [[nodiscard]] double value(ResultId id) const override {
-    if (id == ResultId::leading_length || id == ResultId::trailing_length)
-      return solution_.contact_length / 2;
-    if (id == ResultId::rolling_resistance) return 0;
-    if (id == ResultId::peak_pressure_position) return fast::place_of_largest_pressure(solution_);
-    if (id == ResultId::peak_shear_position) return fast::place_of_largest_shear(solution_);
-    if (id == ResultId::creep_ratio) return fast::creep_ratio(nip_, solution_, method_, &work_);
-    return solution_.*elastic_line_load_numbers.at(id);
+  [[nodiscard]] double trailing_moment() const { return -leading_moment(); }
+  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(solution, y); }
+  [[nodiscard]] double shear(double y) const { return fast::element_shear(solution, y); }
+  [[nodiscard]] double normal_displacement(double y) {
+    return fast::normal_displacement(nip, solution, method, y, &work);
   }
-  [[nodiscard]] double profile(ResultId id, double y) const override {
-    if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
-    if (id == ResultId::shear) return fast::element_shear(solution_, y);
-    if (id == ResultId::normal_displacement) {
-      return fast::normal_displacement(nip_, solution_, method_, y, &work_);
-    }
-    return fast::tangential_displacement(nip_, solution_, method_, y, &work_);
+  [[nodiscard]] double tangential_displacement(double y) {
+    return fast::tangential_displacement(nip, solution, method, y, &work);
   }
-
-  data::ElasticNip nip_;
-  LineLoadMethod method_;
-  mutable Work work_;  ///< grows with each result that is computed
-  fast::LineLoadSolution solution_;
 };
+
+/// The error of a zero of the shear is its distance to the nearest zero of the continuous contact.
+std::vector<Estimate> shear_zeros(const ElasticLineLoads& loads, const SolvedContact<Estimate>& truth) {
+  const std::vector<Estimate>& zeros_of_truth = truth.get(ResultId::shear_zeros);
+  std::vector<Estimate> zeros;
+  for (const double place : fast::shear_borders(loads.solution)) {
+    const auto distance = [&](const Estimate& zero) { return std::fabs(zero.value - place); };
+    zeros.push_back(compared_with(*std::ranges::min_element(zeros_of_truth, {}, distance), place));
+  }
+  return zeros;
+}
+
+/// The continuous contact has one creep ratio, to which all three are compared.
+std::vector<Estimate> creep_range(ElasticLineLoads& loads, const SolvedContact<Estimate>& truth) {
+  const double length = loads.solution.contact_length;
+  const auto creep = fast::thesis_creep(loads.nip, loads.method, length, &loads.work);
+  if (!creep) refuse_without_creep("contact_length", length);
+  const Estimate& creep_of_truth = truth.number(ResultId::creep_ratio);
+  return {compared_with(creep_of_truth, creep->range.lower),
+          compared_with(creep_of_truth, creep->range.upper), compared_with(creep_of_truth, creep->chosen)};
+}
 
 }  // namespace
 
-SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
+SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& wanted,
                                 double accuracy) {
-  return std::make_unique<ElasticLineLoads>(
-      problem, LineLoadMethod(loads.leading_elements, loads.residue_terms, fast::Accuracy(accuracy)));
+  const std::shared_ptr<const SolvedContact<Estimate>> truth = solve_converged(problem, truth_accuracy);
+  const auto loads = std::make_shared<ElasticLineLoads>(
+      problem, LineLoadMethod(wanted.leading_elements, wanted.residue_terms, fast::Accuracy(accuracy)));
+  SolvedInDouble contact = compared_with_truth(loads, truth, problem);
+  contact->set(ResultId::shear_zeros, [=](const Places&) { return shear_zeros(*loads, *truth); });
+  contact->set(ResultId::creep_range, [=](const Places&) { return creep_range(*loads, *truth); });
+  contact->work = [loads] { return loads->work; };
+  return contact;
 }
 
 }  // namespace nipref::verify

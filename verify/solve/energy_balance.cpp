@@ -3,7 +3,7 @@
 #include <variant>
 
 #include <nipref/verify/solve/energy_balance.hpp>
-#include <nipref/verify/solve/internal/linear_theory.hpp>
+#include <nipref/verify/solve/internal/collect_results.hpp>
 #include <nipref/verify/solve/internal/loss_integral.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/refuse_given.hpp>
@@ -26,7 +26,7 @@ EnergyBalance balance_of(const data::Scene& scene, const data::ViscoelasticNip& 
   balance.warnings = beyond_theory(scene, contact);
   balance.work =
       in_double(contact.number(ResultId::load)) * in_double(contact.number(ResultId::rolling_resistance));
-  balance.loss = loss_integral(nip, contact.profile_extent(),
+  balance.loss = loss_integral(nip, contact.ends(),
                                [&](double y) { return in_double(contact.at(ResultId::pressure, y)); });
   return balance;
 }

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -11,9 +12,10 @@
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
 #include <nipref/verify/solve/internal/counted_response.hpp>
-#include <nipref/verify/solve/internal/half_space_contact.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
+#include <nipref/verify/solve/internal/paths.hpp>
 #include <nipref/verify/solve/internal/ref_surface.hpp>
+#include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -118,31 +120,139 @@ ref::RollingSphere roll(const RefSurface& surface, const Problem& problem, int d
   return {surface.answer(), std::get<data::RigidRollingSphere>(problem.body).radius, problem.given, digits};
 }
 
+/// The angle in degrees plus that of the motion. The two senses of an axis are equivalent, so that it is from -90 to 90.
+fast::Estimate from_x1(const fast::Estimate& from_motion, double motion) {
+  return {std::remainder(from_motion.value + motion, 180),
+          from_motion.error + 0x1p-52 * (std::fabs(from_motion.value) + std::fabs(motion))};
+}
+ref::Estimate from_x1(ref::Estimate angle, double motion) {
+  mpfr_prec_round(angle.value.get(), angle.value.precision() + 64, MPFR_RNDN);
+  mpfr_add_d(angle.value.get(), angle.value.get(), motion, MPFR_RNDN);
+  ref::Real half_turn(64);
+  mpfr_set_ui(half_turn.get(), 180, MPFR_RNDN);
+  mpfr_remainder(angle.value.get(), angle.value.get(), half_turn.get(), MPFR_RNDN);
+  return angle;
+}
+
+/// A body on a half-space by either path: `contact` is solved when a result first needs it; `surface` gives what depends
+/// on the solids and the speed alone.
+template <class Path, class Surface, class Contact>
+struct BodyOnHalfSpace {
+  using Number = typename Path::Number;
+  using Position = typename Path::Position;
+
+  Surface surface;
+  Problem problem;
+  int digits;  ///< the reference's
+  Contact (*make)(const Surface&, const Problem&, int digits);
+  std::optional<Contact> made = {};
+
+  const Contact& contact() {
+    if (!made) made = make(surface, problem, digits);
+    return *made;
+  }
+  [[nodiscard]] Number exactly(double value) const { return Path::exactly(value, digits); }
+  /// The reference returns what the scene gives without an error.
+  Number span(double degrees) {
+    const auto* given = std::get_if<data::GivenSpan>(&problem.given);
+    if (!Path::is_fast && given != nullptr && degrees == 0) return exactly(given->along);
+    return contact().span(Path::line(degrees));
+  }
+  Number normal_force() {
+    const auto* given = std::get_if<data::GivenNormalForce>(&problem.given);
+    if (!Path::is_fast && given != nullptr) return exactly(given->force);
+    return contact().force();
+  }
+  Number by_friction(const Number& normal) { return exactly(problem.friction) * normal; }
+  Number pressure(double x) { return contact().pressure(Path::line(*problem.line), Position(x)); }
+  /// Friction times the pressure of a sliding body, or the shear under a rolling sphere.
+  Number shear(double x) {
+    if constexpr (requires { contact().shear(Path::line(x), Position(x)); })
+      return contact().shear(Path::line(*problem.line), Position(x));
+    return by_friction(pressure(x));
+  }
+  /// x+ on the line in this direction; it is half of the span where the centre is the point of first touch.
+  Number end(const typename Path::Line& psi) {
+    if constexpr (requires { contact().leading_end(psi); }) return contact().leading_end(psi);
+    return 0.5 * contact().span(psi);
+  }
+  Number leading_end(double degrees) { return end(Path::line(degrees)); }
+  Number trailing_end(double degrees) { return -1 * end(Path::reversed(Path::line(degrees))); }
+  ContactEnds ends() {
+    if (!problem.line) return {-90, 90};
+    return {value_of(trailing_end(*problem.line)), value_of(leading_end(*problem.line))};
+  }
+  [[nodiscard]] fast::Work work() const {
+    fast::Work work;
+    work.line_responses = surface.evaluations();
+    return work;
+  }
+};
+
 template <class Path, class Contact, class Surface>
 std::unique_ptr<SolvedContact<typename Path::Number>> solved(const Surface& surface, const Problem& problem,
-                                                             double accuracy, int digits,
+                                                             int digits,
                                                              Contact (*make)(const Surface&, const Problem&,
                                                                              int)) {
-  return std::make_unique<HalfSpaceContact<Path, Surface, Contact>>(surface, problem, accuracy, digits, make);
+  using Number = typename Path::Number;
+  using Body = BodyOnHalfSpace<Path, Surface, Contact>;
+  auto contact = std::make_unique<SolvedContact<Number>>();
+  const auto body = std::make_shared<Body>(Body{surface, problem, digits, make});
+  const auto set = [&](ResultId id, auto function) { contact->set(id, body, function); };
+  set(ResultId::span_along, [](Body& one) { return one.span(0); });
+  set(ResultId::span_across, [](Body& one) { return one.span(90); });
+  set(ResultId::span_ratio, [](Body& one) { return one.contact().span_ratio(Path::line(90)); });
+  set(ResultId::normal_force, &Body::normal_force);
+  set(ResultId::friction_force, [](Body& one) { return one.by_friction(one.normal_force()); });
+  set(ResultId::peak_pressure, [](Body& one) { return one.contact().peak_pressure(); });
+  set(ResultId::critical_speed, [](Body& one) { return one.surface.critical_speed(); });
+  set(ResultId::pressure, &Body::pressure);
+  set(ResultId::shear, &Body::shear);
+  set(ResultId::span, &Body::span);
+  set(ResultId::leading_end, &Body::leading_end);
+  set(ResultId::trailing_end, &Body::trailing_end);
+  set(ResultId::compliance, [](Body& one, double psi) { return one.surface.compliance(psi); });
+  set(ResultId::coupling, [](Body& one, double psi) { return one.surface.coupling(psi); });
+  for (const ResultId centre : {ResultId::centre_along, ResultId::centre_across})
+    set(centre, [](Body& one) { return one.exactly(0); });
+  if constexpr (requires(const Contact& one) { one.centre_along(); }) {
+    if (Path::is_fast || problem.friction != 0) {
+      set(ResultId::centre_along, [](Body& one) { return one.contact().centre_along(); });
+      set(ResultId::centre_across, [](Body& one) { return one.contact().centre_across(); });
+    }
+  }
+  if constexpr (requires(const Contact& one) { one.creep(Path::line(0)); }) {
+    set(ResultId::creep, [](Body& one, double psi) { return one.contact().creep(Path::line(psi)); });
+    set(ResultId::compressed_radius,
+        [](Body& one, double psi) { return one.contact().compressed_radius(Path::line(psi)); });
+  }
+  if constexpr (requires(const Contact& one) { one.axis_ratio(); }) {
+    set(ResultId::axis_ratio, [](Body& one) { return one.contact().axis_ratio(); });
+    set(ResultId::approach, [](Body& one) { return one.contact().approach(); });
+    set(ResultId::orientation,
+        [](Body& one) { return from_x1(one.contact().orientation(), one.problem.direction); });
+  }
+  contact->ends = [body] { return body->ends(); };
+  contact->work = [body] { return body->work(); };
+  return contact;
 }
 
 template <class Path, class Surface>
-auto solve_by(const Surface& surface, const Problem& problem, double accuracy, int digits) {
-  if (problem.rule == data::ContourRule::exact)
-    return solved<Path>(surface, problem, accuracy, digits, ellipse);
+auto solve_by(const Surface& surface, const Problem& problem, int digits) {
+  if (problem.rule == data::ContourRule::exact) return solved<Path>(surface, problem, digits, ellipse);
   return std::holds_alternative<data::RigidRollingSphere>(problem.body)
-             ? solved<Path>(surface, problem, accuracy, digits, roll)
-             : solved<Path>(surface, problem, accuracy, digits, slide);
+             ? solved<Path>(surface, problem, digits, roll)
+             : solved<Path>(surface, problem, digits, slide);
 }
 
 }  // namespace
 
 SolvedInDouble solve_half_space(const data::Scene& scene, const Problem& problem) {
-  return solve_by<FastPath>(CountedResponse(problem, scene.origin), problem, scene.accuracy, 0);
+  return solve_by<FastPath>(CountedResponse(problem, scene.origin), problem, 0);
 }
 
 SolvedByRef solve_ref_half_space(const RefSurface& surface, const Problem& problem, int digits) {
-  return solve_by<RefPath>(surface, problem, std::pow(10.0, -digits), digits);
+  return solve_by<RefPath>(surface, problem, digits);
 }
 
 }  // namespace nipref::verify

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -13,24 +16,57 @@
 namespace nipref::verify {
 namespace {
 
-SolvedInDouble solved(const data::ElasticNipProblem& problem, double accuracy) {
-  const auto* const loads = std::get_if<data::LineLoads>(&problem.method);
-  return loads != nullptr ? solve_line_loads(problem, *loads, accuracy) : solve_converged(problem, accuracy);
-}
-SolvedInDouble solved(const data::ViscoelasticNipProblem& problem, double accuracy) {
-  const auto* const loads = std::get_if<data::ViscoelasticLineLoads>(&problem.method);
-  return loads != nullptr ? solve_line_loads(problem, *loads) : solve_converged(problem, accuracy);
+/// Solves a nip by its method: converged(problem) or line_loads(problem, loads).
+template <class Problem>
+auto solve_nip(const data::Scene& scene, const Problem& problem, const auto& converged,
+               const auto& line_loads) {
+  try {
+    const auto solve_by = [&](const auto& method) {
+      if constexpr (requires { method.leading_elements; }) {
+        return line_loads(problem, method);
+      } else {
+        return converged(problem);
+      }
+    };
+    return std::visit(solve_by, problem.method);
+  } catch (const data::BadInput& error) {
+    refuse_given(scene, problem.given, error);
+  }
 }
 
 SolvedInDouble solved(const data::Scene& scene, const data::HalfSpaceProblem& problem) {
   return solve_half_space(scene, problem);
 }
 SolvedInDouble solved(const data::Scene& scene, const auto& nip) {
-  try {
-    return solved(nip, scene.accuracy);
-  } catch (const data::BadInput& error) {
-    refuse_given(scene, nip.given, error);
+  return solve_nip(
+      scene, nip, [&](const auto& problem) { return solve_converged(problem, scene.accuracy); },
+      [&](const auto& problem, const auto& loads) {
+        return solve_line_loads(problem, loads, scene.accuracy);
+      });
+}
+
+void refuse_moments(const data::Scene& scene) {
+  for (std::size_t i = 0; i < scene.wanted.size(); ++i) {
+    if (is_moment(scene.wanted[i])) {
+      scene.origin.refuse(
+          fmt::format("wanted[{}]", i), data::scene_result(scene.wanted[i]).name,
+          "must be wanted of the fast path: the reference has the eccentricity, their sum over the load, "
+          "and moments of rolling line loads");
+    }
   }
+}
+
+SolvedByRef solved_by_ref(const data::Scene& scene, const data::HalfSpaceProblem& problem, int digits) {
+  const RefSurface surface(problem, digits);
+  surface.check_subcritical(scene.origin);
+  return solve_ref_half_space(surface, problem, digits);
+}
+SolvedByRef solved_by_ref(const data::Scene& scene, const auto& nip, int digits) {
+  const bool is_rolling = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);
+  if (!is_rolling || !is_by_line_loads(scene)) refuse_moments(scene);
+  return solve_nip(
+      scene, nip, [&](const auto& problem) { return solve_ref_converged(problem, digits); },
+      [&](const auto& problem, const auto& loads) { return solve_ref_line_loads(problem, loads, digits); });
 }
 
 /// The largest ratio of an error of the result to its allowed error.
@@ -53,20 +89,35 @@ void collect_better(const data::Scene& scene, const SolvedContact<fast::Estimate
   solution.work = contact.work();
 }
 
+/// The solution, with the time that it takes.
+template <class Number>
+SceneSolution<Number> timed(const auto& solution_of) {
+  SceneSolution<Number> solution;
+  const double seconds = seconds_of([&] { solution = solution_of(); });
+  solution.seconds = seconds;
+  return solution;
+}
+
 }  // namespace
 
 SceneSolution<fast::Estimate> solve(const data::Scene& scene) {
   scene.check();
-  SceneSolution<fast::Estimate> solution;
-  const auto solve_system = [&](const auto& problem) {
-    const SolvedInDouble contact = solved(scene, problem);
-    const WithDerivedResults results(scene, *contact);
-    solution = collect_results(scene, problem.profile, results, scene.accuracy);
-    while (!solution.missed().empty() && contact->refine()) collect_better(scene, results, solution);
-  };
-  const double seconds = seconds_of([&] { std::visit(solve_system, scene.system); });
-  solution.seconds = seconds;
-  return solution;
+  return timed<fast::Estimate>([&] {
+    const SolvedInDouble contact =
+        std::visit([&](const auto& problem) { return solved(scene, problem); }, scene.system);
+    auto solution = collect_results(scene, *contact, scene.accuracy);
+    while (!solution.missed().empty() && contact->refine()) collect_better(scene, *contact, solution);
+    return solution;
+  });
+}
+
+SceneSolution<ref::Estimate> solve_by_ref(const data::Scene& scene, int digits) {
+  scene.check();
+  return timed<ref::Estimate>([&] {
+    const SolvedByRef contact =
+        std::visit([&](const auto& problem) { return solved_by_ref(scene, problem, digits); }, scene.system);
+    return collect_results(scene, *contact, std::pow(10.0L, -digits));
+  });
 }
 
 }  // namespace nipref::verify

@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <utility>
 
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
-#include <nipref/verify/solve/internal/line_load_contact.hpp>
+#include <nipref/verify/solve/internal/compared_with_truth.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -15,17 +14,6 @@ using fast::Estimate;
 using fast::ViscoelasticLineLoadMethod;
 using fast::ViscoelasticLineLoads;
 using fast::Work;
-
-const std::map<ResultId, double ViscoelasticLineLoads::*> viscoelastic_line_load_numbers{
-    {ResultId::leading_length, &ViscoelasticLineLoads::leading_length},
-    {ResultId::trailing_length, &ViscoelasticLineLoads::trailing_length},
-    {ResultId::load, &ViscoelasticLineLoads::load},
-    {ResultId::indentation, &ViscoelasticLineLoads::indentation},
-    {ResultId::edge_displacement, &ViscoelasticLineLoads::leading_displacement},
-    {ResultId::trailing_displacement, &ViscoelasticLineLoads::trailing_displacement},
-    {ResultId::rolling_resistance, &ViscoelasticLineLoads::rolling_resistance},
-    {ResultId::peak_pressure, &ViscoelasticLineLoads::peak_pressure},
-};
 
 /// Searches for the number of trailing elements for a load unless the method has it.
 ViscoelasticLineLoads solve_loads(const data::ViscoelasticNipProblem& problem,
@@ -43,74 +31,72 @@ ViscoelasticLineLoads solve_loads(const data::ViscoelasticNipProblem& problem,
       });
 }
 
-class LineLoadViscoelastic : public LineLoadContact {
- public:
-  LineLoadViscoelastic(const data::ViscoelasticNipProblem& problem, const data::ViscoelasticLineLoads& loads)
-      : LineLoadContact(solve_converged(problem, truth_accuracy)),
-        nip_(problem.nip),
-        solution_(solve_loads(problem, method_of(loads), !loads.trailing_elements)),
-        method_(method_of(loads, solution_)),
-        surface_(nip_, solution_, method_) {}
+/// Solved line loads: what they were solved for, and their results. A search chooses the number of trailing elements.
+struct RollingLineLoads {
+  data::ViscoelasticNip nip;
+  ViscoelasticLineLoads solution;
+  ViscoelasticLineLoadMethod method;
+  fast::ViscoelasticLineLoadSurface surface;
 
-  [[nodiscard]] ProfileExtent profile_extent() const override {
-    return {-solution_.trailing_length, solution_.leading_length};
+  RollingLineLoads(const data::ViscoelasticNipProblem& problem, const ViscoelasticLineLoadMethod& wanted,
+                   bool search)
+      : nip(problem.nip),
+        solution(solve_loads(problem, wanted, search)),
+        method{wanted.leading_elements, static_cast<int>(solution.loads.size()) - wanted.leading_elements,
+               wanted.approach, wanted.residue_terms},
+        surface(nip, solution, method) {}
+
+  [[nodiscard]] double contact_length() const { return solution.contact_length(); }
+  [[nodiscard]] double leading_length() const { return solution.leading_length; }
+  [[nodiscard]] double trailing_length() const { return solution.trailing_length; }
+  [[nodiscard]] double load() const { return solution.load; }
+  [[nodiscard]] double indentation() const { return solution.indentation; }
+  [[nodiscard]] double leading_displacement() const { return solution.leading_displacement; }
+  [[nodiscard]] double trailing_displacement() const { return solution.trailing_displacement; }
+  [[nodiscard]] double rolling_resistance() const { return solution.rolling_resistance; }
+  [[nodiscard]] double peak_pressure() const { return solution.peak_pressure; }
+  [[nodiscard]] double peak_pressure_position() const {
+    return place_of(
+        static_cast<std::size_t>(std::ranges::max_element(solution.loads) - solution.loads.begin()));
   }
-  [[nodiscard]] Work work() const override {
-    Work work;
-    work.systems = static_cast<std::uint64_t>(solution_.systems);
-    work.unknowns = static_cast<int>(solution_.loads.size()) + 1;
-    return work;
-  }
+  [[nodiscard]] double creep_ratio() const { return fast::creep_ratio(nip, solution, method); }
+  [[nodiscard]] double leading_moment() const { return moment(true); }
+  [[nodiscard]] double trailing_moment() const { return moment(false); }
+  [[nodiscard]] double pressure(double y) const { return fast::element_pressure(solution, y); }
+  [[nodiscard]] double normal_displacement(double y) const { return surface.normal_displacement(y); }
+  [[nodiscard]] double tangential_displacement(double y) const { return surface.tangential_displacement(y); }
 
  private:
-  static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads) {
-    return {loads.leading_elements, loads.trailing_elements.value_or(0), loads.approach_lengths,
-            loads.residue_terms};
+  [[nodiscard]] double place_of(std::size_t load) const {
+    return solution.leading_length - (static_cast<double>(load) + 0.5) * solution.element_width();
   }
-  /// A search chooses the number of trailing elements.
-  static ViscoelasticLineLoadMethod method_of(const data::ViscoelasticLineLoads& loads,
-                                              const ViscoelasticLineLoads& solution) {
-    ViscoelasticLineLoadMethod method = method_of(loads);
-    method.trailing_elements = static_cast<int>(solution.loads.size()) - method.leading_elements;
-    return method;
-  }
-  [[nodiscard]] double moment(ResultId id) const override {
+  /// Of the loads of one side (thesis 7.13).
+  [[nodiscard]] double moment(bool is_leading) const {
     double sum = 0;
-    for (std::size_t j = 0; j < solution_.loads.size(); ++j) {
-      const double y = solution_.leading_length - (static_cast<double>(j) + 0.5) * solution_.element_width();
-      if ((y > 0) == (id == ResultId::leading_moment)) sum += solution_.loads[j] * y;
+    for (std::size_t j = 0; j < solution.loads.size(); ++j) {
+      const double y = place_of(j);
+      if ((y > 0) == is_leading) sum += solution.loads[j] * y;
     }
     return sum;
   }
-  [[nodiscard]] double place_of_largest_load() const {
-    const auto largest = std::ranges::max_element(solution_.loads) - solution_.loads.begin();
-    return solution_.leading_length - (static_cast<double>(largest) + 0.5) * solution_.element_width();
-  }
-  [[nodiscard]] double value(ResultId id) const override {
-    if (id == ResultId::peak_shear) return 0;  // without friction
-    if (id == ResultId::peak_pressure_position) return place_of_largest_load();
-    if (id == ResultId::contact_length) return solution_.contact_length();
-    if (id == ResultId::creep_ratio) return fast::creep_ratio(nip_, solution_, method_);
-    return solution_.*viscoelastic_line_load_numbers.at(id);
-  }
-  [[nodiscard]] double profile(ResultId id, double y) const override {
-    if (id == ResultId::shear) return 0;
-    if (id == ResultId::pressure) return fast::element_pressure(solution_, y);
-    if (id == ResultId::normal_displacement) return surface_.normal_displacement(y);
-    return surface_.tangential_displacement(y);
-  }
-
-  data::ViscoelasticNip nip_;
-  ViscoelasticLineLoads solution_;
-  ViscoelasticLineLoadMethod method_;
-  fast::ViscoelasticLineLoadSurface surface_;
 };
 
 }  // namespace
 
 SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
-                                const data::ViscoelasticLineLoads& loads) {
-  return std::make_unique<LineLoadViscoelastic>(problem, loads);
+                                const data::ViscoelasticLineLoads& wanted, double /*accuracy*/) {
+  const std::shared_ptr<const SolvedContact<Estimate>> truth = solve_converged(problem, truth_accuracy);
+  const ViscoelasticLineLoadMethod method{wanted.leading_elements, wanted.trailing_elements.value_or(0),
+                                          wanted.approach_lengths, wanted.residue_terms};
+  const auto loads = std::make_shared<RollingLineLoads>(problem, method, !wanted.trailing_elements);
+  SolvedInDouble contact = compared_with_truth(loads, truth, problem);
+  contact->work = [loads] {
+    Work work;
+    work.systems = static_cast<std::uint64_t>(loads->solution.systems);
+    work.unknowns = static_cast<int>(loads->solution.loads.size()) + 1;
+    return work;
+  };
+  return contact;
 }
 
 }  // namespace nipref::verify

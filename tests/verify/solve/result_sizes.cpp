@@ -23,15 +23,22 @@ namespace {
 
 /// L = 2, R = 4, pressure 10 in the middle.
 double size_of(ResultId id, double y = 0, double accuracy = 1e-6) {
-  return verify::nip_result_size(id, y, {4, -1, 1, accuracy}, [] { return 10.0; });
+  verify::SolvedContact<fast::Estimate> nip;
+  nip.ends = [] { return verify::ContactEnds{-1, 1}; };
+  nip.roller_radius = 4;
+  nip.set(ResultId::pressure, [](double) { return fast::Estimate{10, 0}; });
+  return verify::result_size(nip, id, y, accuracy);
 }
 
-struct EverythingIsTwo : verify::SolvedContact<fast::Estimate> {
-  [[nodiscard]] fast::Estimate number(ResultId) const override { return {2, 0}; }
-  [[nodiscard]] fast::Estimate at(ResultId, double) const override { return {2, 0}; }
-  [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {-1, 1}; }
-  [[nodiscard]] fast::Work work() const override { return {}; }
-};
+/// Of a contact on a half-space whose pressure and span are 2, and its compliance 3.
+double size_on_half_space(ResultId id) {
+  verify::SolvedContact<fast::Estimate> contact;
+  contact.ends = [] { return verify::ContactEnds{-1, 1}; };
+  for (const ResultId two : {ResultId::peak_pressure, ResultId::span_along})
+    contact.set(two, [] { return fast::Estimate{2, 0}; });
+  contact.set(ResultId::compliance, [](double) { return fast::Estimate{3, 0}; });
+  return verify::result_size(contact, id, 0, 1e-6);
+}
 
 std::string scene(const std::string& friction, double length, double accuracy) {
   return "title = \"thin\"\nwanted = [\"contact_length\", \"load\", \"peak_shear\", \"pressure\"]\naccuracy = " +
@@ -57,15 +64,12 @@ TEST_CASE("what may be 0 is measured by the size of its kind, everything else by
   CHECK(size_of(ResultId::peak_shear) == 1);
   CHECK(size_of(ResultId::rolling_resistance) == doctest::Approx(1e-8 / 4));
   CHECK(size_of(ResultId::rolling_resistance, 0, 1e-13) == doctest::Approx(0.1 / 4));
-  const auto on_half_space = [](ResultId id) {
-    return verify::half_space_result_size(id, 0, 1e-6, EverythingIsTwo(), [] { return 3.0; });
-  };
-  CHECK(on_half_space(ResultId::orientation) * std::acos(-1) == doctest::Approx(180));
-  CHECK(on_half_space(ResultId::coupling) == 3);
-  CHECK(on_half_space(ResultId::compliance) == 0);
+  CHECK(size_on_half_space(ResultId::orientation) * std::acos(-1) == doctest::Approx(180));
+  CHECK(size_on_half_space(ResultId::coupling) == 3);
+  CHECK(size_on_half_space(ResultId::compliance) == 0);
   for (const ResultId two :
        {ResultId::pressure, ResultId::shear, ResultId::centre_along, ResultId::centre_across})
-    CHECK(on_half_space(two) == 2);
+    CHECK(size_on_half_space(two) == 2);
 }
 
 TEST_CASE("next to an end a traction may be off by what moving that end by the accuracy changes") {

@@ -164,25 +164,15 @@ TEST_CASE("what would take longer than 20 s is refused") {
 }
 
 TEST_CASE("a result that is no number is refused by its name") {
-  class NoNumber : public verify::SolvedContact<fast::Estimate> {
-   public:
-    explicit NoNumber(fast::Estimate estimate) : estimate_(estimate) {}
-    [[nodiscard]] fast::Estimate number(data::ResultId id) const override {
-      return id == data::ResultId::load ? estimate_ : fast::Estimate{0, 0};
-    }
-    [[nodiscard]] fast::Estimate at(data::ResultId, double) const override { return estimate_; }
-    [[nodiscard]] verify::ProfileExtent profile_extent() const override { return {0, 1}; }
-    [[nodiscard]] fast::Work work() const override { return {}; }
-
-   private:
-    fast::Estimate estimate_;
-  };
   data::Scene scene = data::load_scene(data::example_scene("thick-frictionless"));
   scene.wanted = {data::ResultId::load};
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const fast::Estimate estimate : {fast::Estimate{infinity, 1}, {1, infinity}, {std::nan(""), 1}}) {
+    verify::SolvedContact<fast::Estimate> contact;
+    contact.set(data::ResultId::load, [estimate] { return estimate; });
+    contact.set(data::ResultId::indentation, [] { return fast::Estimate{0, 0}; });
     try {
-      (void)verify::collect_results(scene, {}, NoNumber(estimate), scene.accuracy);
+      (void)verify::collect_results(scene, contact, scene.accuracy);
       FAIL("accepted");
     } catch (const data::BadInput& error) {
       CAPTURE(error.what());

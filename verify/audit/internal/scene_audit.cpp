@@ -198,10 +198,9 @@ void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& pr
     if (is_too_dear(problem, surface, id, critical_speed) || (!dear && is_dear(problem, surface, id)))
       return std::optional<Other>();
     try {
-      const ref::Estimate number = result.what->shape == data::Shape::profile
-                                       ? contact->at(id, solved.positions[i])
-                                       : contact->number(id);
-      return std::optional(Other{ref_number(number), true});
+      const bool is_profile = result.what->shape == data::Shape::profile;
+      const auto& numbers = contact->get(id, is_profile ? Places{{solved.positions[i]}} : Places{});
+      return std::optional(Other{ref_number(numbers.front()), true});
     } catch (const data::BadInput&) {
       return std::optional<Other>();  // no proof is found, or the digits are not reached
     }

@@ -8,7 +8,7 @@ namespace nipref::verify {
 //     error <= accuracy * scale,    scale = max(|value|, envelope),
 //
 // accuracy being 10^-digits of the reference and rtol of fast, and the scale what the quantity's errors are measured
-// against, as for a scene's results the sizes of solve/internal/result_sizes.hpp. The error is the one that is stated,
+// against, as for a scene's results those of data::Scale. The error is the one that is stated,
 // before it is rounded up to two digits.
 
 /// Of the reference at these arguments. Where the envelope leaves the doubles the scale is the value alone, which is

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include <nipref/data/scene/results.hpp>
 #include <nipref/fast/elastic_nip/line_loads_displacements.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>
@@ -16,6 +17,14 @@
 namespace nipref::verify {
 namespace {
 
+using data::ResultId;
+
+ResultId result_named(const std::string& word) { return data::find_scene_result(word)->id; }
+
+bool is_displacement(ResultId quantity) {
+  return quantity == ResultId::normal_displacement || quantity == ResultId::tangential_displacement;
+}
+
 /// A profile by the thesis's line loads for a row, and the places where it is shown: pressures in the middles of the
 /// elements, displacements at their ends.
 struct ThesisProfile {
@@ -23,7 +32,7 @@ struct ThesisProfile {
   Curve curve;
 };
 
-ThesisProfile elastic_profile(const Replay& replay, std::size_t row, const std::string& quantity) {
+ThesisProfile elastic_profile(const Replay& replay, std::size_t row, ResultId quantity) {
   const LineLoadTable& how = line_load_table(replay.table.id);
   const data::ElasticNip nip = nip_of_the_tables(replay.table);
   const fast::LineLoadMethod method(how.elements_per_side);
@@ -32,49 +41,50 @@ ThesisProfile elastic_profile(const Replay& replay, std::size_t row, const std::
       how.friction == data::Friction::full
           ? fast::gripped_line_loads_for_length(nip, method, values.at("L"), values.at("creep"))
           : fast::line_loads_for_length(nip, method, values.at("L"));
-  const int ends = quantity.ends_with("displacement") ? 1 : 0;
+  const int ends = is_displacement(quantity) ? 1 : 0;
   const double reach = (loads.contact_length - (1 - ends) * loads.element_width()) / 2;
   return {evenly(-reach, reach, 2 * static_cast<int>(loads.line_loads.size()) + ends), [=](double y) {
-            if (quantity == "pressure") return fast::element_pressure(loads, y);
-            if (quantity == "shear") return fast::element_shear(loads, y);
-            return quantity == "normal_displacement" ? fast::normal_displacement(nip, loads, method, y)
-                                                     : fast::tangential_displacement(nip, loads, method, y);
+            if (quantity == ResultId::pressure) return fast::element_pressure(loads, y);
+            if (quantity == ResultId::shear) return fast::element_shear(loads, y);
+            return quantity == ResultId::normal_displacement
+                       ? fast::normal_displacement(nip, loads, method, y)
+                       : fast::tangential_displacement(nip, loads, method, y);
           }};
 }
 
-ThesisProfile rolling_profile(const Replay& replay, std::size_t row, const std::string& quantity) {
+ThesisProfile rolling_profile(const Replay& replay, std::size_t row, ResultId quantity) {
   const data::ViscoelasticNip nip = viscoelastic_nip_of_the_tables(replay.table, row, false);
   auto method = viscoelastic_method(*find_viscoelastic_table(replay.table.id));
   method.trailing_elements = replay.nips[row].trailing_elements;
   const auto loads = fast::viscoelastic_line_loads_for_length(nip, method, replay.nips[row].values.at("L1"));
   const auto surface = std::make_shared<fast::ViscoelasticLineLoadSurface>(nip, loads, method);
-  const int ends = quantity == "pressure" ? 0 : 1;
+  const int ends = quantity == ResultId::pressure ? 0 : 1;
   const double inwards = (1 - ends) * loads.element_width() / 2;
   return {evenly(inwards - loads.trailing_length, loads.leading_length - inwards,
                  static_cast<int>(loads.loads.size()) + ends),
           [=](double y) {
-            if (quantity == "pressure") return fast::element_pressure(loads, y);
-            return quantity == "normal_displacement" ? surface->normal_displacement(y)
-                                                     : surface->tangential_displacement(y);
+            if (quantity == ResultId::pressure) return fast::element_pressure(loads, y);
+            return quantity == ResultId::normal_displacement ? surface->normal_displacement(y)
+                                                             : surface->tangential_displacement(y);
           }};
 }
 
-double profile_at(const auto& contact, const std::string& quantity, double y) {
-  if (quantity == "pressure") return contact.pressure(y).value;
+double profile_at(const auto& contact, ResultId quantity, double y) {
+  if (quantity == ResultId::pressure) return contact.pressure(y).value;
   if constexpr (requires { contact.shear(y); }) {
-    if (quantity == "shear") return contact.shear(y).value;
+    if (quantity == ResultId::shear) return contact.shear(y).value;
   }
-  return (quantity == "normal_displacement" ? contact.normal_displacement(y)
-                                            : contact.tangential_displacement(y))
+  return (quantity == ResultId::normal_displacement ? contact.normal_displacement(y)
+                                                    : contact.tangential_displacement(y))
       .value;
 }
 
 void append(Panel& panel, const std::string& label, const std::vector<double>& places, const auto& contact,
-            const std::string& quantity, const ThesisProfile& thesis) {
+            ResultId quantity, const ThesisProfile& thesis) {
   panel.series.push_back(sampled(label, of_continuum, Mark::line, places,
                                  [&](double y) { return profile_at(contact, quantity, y); }));
   if constexpr (requires { contact.peak_shear(); }) {
-    if (quantity == "shear") {
+    if (quantity == ResultId::shear) {
       const Series& curve = panel.series.back();
       const auto peak = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
       panel.series.push_back({label, at_largest, Mark::star, {curve.x[peak]}, {contact.peak_shear().value}});
@@ -85,7 +95,7 @@ void append(Panel& panel, const std::string& label, const std::vector<double>& p
 
 /// Appends the profile for each table and load: places are denser towards the ends of the contact; displacements are shown
 /// over twice the contact length.
-void append_elastic(Panel& panel, const FigureSubject& subject, const std::string& quantity) {
+void append_elastic(Panel& panel, const FigureSubject& subject, ResultId quantity) {
   constexpr double accuracy = 1e-8;
   const std::vector<double> loads = subject.numbers("load");
   for (const Replay& replay : subject.replays()) {
@@ -97,8 +107,7 @@ void append_elastic(Panel& panel, const FigureSubject& subject, const std::strin
         const double half = contact.contact_length().value / 2;
         std::vector<double> places = subject.numbers("places");
         for (double& place : places) place = half * std::sin(std::numbers::pi / 2 * place);
-        if (quantity.ends_with("displacement"))
-          places = evenly(-2 * half, 2 * half, static_cast<int>(places.size()));
+        if (is_displacement(quantity)) places = evenly(-2 * half, 2 * half, static_cast<int>(places.size()));
         append(panel, loads.size() > 1 ? load_label(load) : friction_label(nip.friction), places, contact,
                quantity, elastic_profile(replay, row, quantity));
       });
@@ -108,9 +117,9 @@ void append_elastic(Panel& panel, const FigureSubject& subject, const std::strin
 
 std::vector<Panel> along_elastic_nips(const FigureSubject& subject) {
   std::vector<Panel> panels;
-  for (const std::string& quantity : subject.words) {
-    panels.push_back({{"distance from the middle of the nip Y, in"}, {axis_label(quantity)}, {}});
-    append_elastic(panels.back(), subject, quantity);
+  for (const std::string& word : subject.words) {
+    panels.push_back({{"distance from the middle of the nip Y, in"}, {axis_label(word)}, {}});
+    append_elastic(panels.back(), subject, result_named(word));
   }
   return panels;
 }
@@ -118,16 +127,16 @@ std::vector<Panel> along_elastic_nips(const FigureSubject& subject) {
 /// A profile for each memory: pressures along the contact, displacements at the given places.
 std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
   constexpr double accuracy = 1e-6;
-  const std::string& quantity = subject.text;
+  const ResultId quantity = result_named(subject.text);
   const Replay replay = std::move(subject.replays().front());
-  Panel panel{{"distance from the line of the centres Y, in (entry > 0)"}, {axis_label(quantity)}, {}};
+  Panel panel{{"distance from the line of the centres Y, in (entry > 0)"}, {axis_label(subject.text)}, {}};
   for (const double memory : subject.numbers("memory")) {
     NipAt nip = nip_of_table(replay.table, replay.table.parameter("W").value);
     nip.memory = memory;
     with_contact(nip, accuracy, [&](const auto& contact) {
       std::vector<double> places = subject.numbers("places");
       if constexpr (requires { contact.leading_length(); }) {
-        if (quantity == "pressure")
+        if (quantity == ResultId::pressure)
           places = evenly(-contact.trailing_length().value, contact.leading_length().value, 201);
       }
       append(panel, memory_label(memory), places, contact, quantity,

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <variant>
 
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/estimate.hpp>
@@ -13,33 +11,6 @@ namespace nipref::verify {
 namespace {
 
 using fast::Estimate;
-
-/// The product of mu_R with the factors named here.
-struct Product {
-  ResultId id;
-  bool has_radius, has_load, has_speed;
-};
-constexpr std::array products{Product{ResultId::eccentricity, true, false, false},
-                              Product{ResultId::resistance_force, false, true, false},
-                              Product{ResultId::power_loss, false, true, true}};
-
-const Product* product_of(ResultId id) {
-  const auto found = std::ranges::find(products, id, &Product::id);
-  return found == products.end() ? nullptr : &*found;
-}
-
-/// The factors that the scene gives. The speed of an elastic sheet does not matter, as the sheet loses no energy.
-struct FactorOf {
-  const Product& product;
-
-  double operator()(const data::ElasticNipProblem& problem) const {
-    return product.has_radius ? problem.nip.roller_radius : 1;
-  }
-  double operator()(const data::ViscoelasticNipProblem& problem) const {
-    return (product.has_radius ? problem.nip.roller_radius : 1) * (product.has_speed ? problem.nip.speed : 1);
-  }
-  double operator()(const data::HalfSpaceProblem&) const { return 1; }
-};
 
 Estimate exactly(double value, const Estimate&) { return {value, 0}; }
 ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
@@ -71,15 +42,9 @@ Estimate moment_by_gauss(const SolvedContact<Estimate>& contact, double a, doubl
   return sum;
 }
 
-}  // namespace
-
-bool is_product(ResultId id) { return product_of(id) != nullptr; }
-bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
-
-Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, ResultId id) {
+Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, bool is_leading) {
   const Estimate leading = contact.number(ResultId::leading_length),
                  trailing = contact.number(ResultId::trailing_length);
-  const bool is_leading = id == ResultId::leading_moment;
   // The whole contact may be ahead of the line through the centres.
   const double a = is_leading ? std::max(0.0, -trailing.value) : -trailing.value;
   const double b = is_leading ? leading.value : 0;
@@ -88,65 +53,56 @@ Estimate moment_of_pressure(const SolvedContact<Estimate>& contact, ResultId id)
   return {fine.value, fine.error + 2 * std::fabs(fine.value - coarse.value)};
 }
 
+bool has_load(ResultId product) { return product != ResultId::eccentricity; }
+
+/// The radius or the speed, where the product has it.
 template <class Number>
-Number WithDerivedResults<Number>::number(ResultId id) const {
-  const Product* const product = product_of(id);
-  if (product == nullptr) return contact_.number(id);
-  Number result = contact_.number(ResultId::rolling_resistance);
-  if (product->has_load) result = result * contact_.number(ResultId::load);
-  return result * exactly(std::visit(FactorOf{*product}, scene_.system), result);
+double given_factor(const SolvedContact<Number>& contact, ResultId product) {
+  if (product == ResultId::eccentricity) return contact.roller_radius;
+  return product == ResultId::power_loss ? contact.speed : 1;
 }
 
-template <class Number>
-const Number& WithDerivedResults<Number>::strain(double y) const {
-  const auto known = strains_.find(y);
-  return known != strains_.end()
-             ? known->second
-             : strains_.emplace(y, contact_.at(ResultId::surface_strain, y)).first->second;
-}
+}  // namespace
 
-template <>
-Estimate WithDerivedResults<Estimate>::slip(double y) const {
-  return contact_.at(ResultId::slip, y);
-}
+bool is_moment(ResultId id) { return id == ResultId::leading_moment || id == ResultId::trailing_moment; }
 
-template <>
-ref::Estimate WithDerivedResults<ref::Estimate>::slip(double y) const {
-  if (!creep_) creep_ = contact_.number(ResultId::creep_ratio);
-  const ref::Estimate& stretched = strain(y);
-  // Where the surface sticks, its strain is the creep ratio.
-  const auto* const elastic = std::get_if<data::ElasticNipProblem>(&scene_.system);
-  const bool grips = elastic != nullptr && elastic->friction == data::Friction::full;
-  if (!grips || !same(stretched, *creep_)) return stretched - *creep_;
-  ref::Estimate none = exactly(0, stretched);
-  none.proven = stretched.proven;
-  return none;
+void set_moments(SolvedContact<Estimate>& contact) {
+  contact.set(ResultId::leading_moment, [&] { return moment_of_pressure(contact, true); });
+  contact.set(ResultId::trailing_moment, [&] { return moment_of_pressure(contact, false); });
 }
 
 template <class Number>
-Number WithDerivedResults<Number>::at(ResultId id, double y) const {
-  if (id == ResultId::slip) return slip(y);
-  return id == ResultId::surface_strain ? strain(y) : contact_.at(id, y);
-}
-
-template <class Number>
-std::optional<double> WithDerivedResults<Number>::least_size(ResultId id, double y) const {
-  if (is_moment(id)) {
-    if (!contact_.least_size(ResultId::rolling_resistance, y)) return {};
-    const double half = (value_of(contact_.number(ResultId::leading_length)) +
-                         value_of(contact_.number(ResultId::trailing_length))) /
-                        2;
-    return half * value_of(contact_.number(ResultId::load));
+void set_products(SolvedContact<Number>& contact) {
+  for (const ResultId id : {ResultId::eccentricity, ResultId::resistance_force, ResultId::power_loss}) {
+    contact.set(id, [&contact, id] {
+      Number result = contact.number(ResultId::rolling_resistance);
+      if (has_load(id)) result = result * contact.number(ResultId::load);
+      return result * exactly(given_factor(contact, id), result);
+    });
   }
-  const Product* const product = product_of(id);
-  if (product == nullptr) return contact_.least_size(id, y);
-  auto size = contact_.least_size(ResultId::rolling_resistance, y);
-  if (!size) return {};
-  const double load = product->has_load ? value_of(contact_.number(ResultId::load)) : 1;
-  return *size * load * std::fabs(std::visit(FactorOf{*product}, scene_.system));
 }
 
-template class WithDerivedResults<Estimate>;
-template class WithDerivedResults<ref::Estimate>;
+template <class Number>
+double product_factor(const SolvedContact<Number>& contact, ResultId id) {
+  const double load = has_load(id) ? value_of(contact.number(ResultId::load)) : 1;
+  return load * std::fabs(given_factor(contact, id));
+}
+
+void set_slip(SolvedContact<ref::Estimate>& contact, bool has_full_friction) {
+  contact.set(ResultId::slip, [&contact, has_full_friction](double y) {
+    const ref::Estimate &strain = contact.at(ResultId::surface_strain, y),
+                        &creep = contact.number(ResultId::creep_ratio);
+    // Where the surface sticks, its strain is the creep ratio.
+    if (!has_full_friction || !same(strain, creep)) return strain - creep;
+    ref::Estimate none = exactly(0, strain);
+    none.proven = strain.proven;
+    return none;
+  });
+}
+
+template void set_products(SolvedContact<Estimate>&);
+template void set_products(SolvedContact<ref::Estimate>&);
+template double product_factor(const SolvedContact<Estimate>&, ResultId);
+template double product_factor(const SolvedContact<ref::Estimate>&, ResultId);
 
 }  // namespace nipref::verify

@@ -1,4 +1,5 @@
 #include <gsl/gsl_integration.h>
+#include <gsl/gsl_sf_bessel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,35 +16,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// j_0 .. j_n of x >= 0, n the last index: upwards where that is stable, otherwise downwards.
+/// j_0 .. j_n of x >= 0, n the last index. Steed's method is exact where j_n underflows, and slow where x is large.
 void spherical_bessel(double x, std::vector<double>& j) {
   const int last = static_cast<int>(j.size()) - 1;
-  if (x == 0) {
-    std::ranges::fill(j, 0);
-    j[0] = 1;
-    return;
+  if (x < 1000) {
+    gsl_sf_bessel_jl_steed_array(last, x, j.data());
+  } else {
+    gsl_sf_bessel_jl_array(last, x, j.data());
   }
-  const double j0 = std::sin(x) / x, j1 = (j0 - std::cos(x)) / x;
-  if (x > last) {
-    j[0] = j0, j[1] = j1;
-    for (int n = 1; n < last; ++n)
-      j[static_cast<std::size_t>(n + 1)] =
-          (2 * n + 1) / x * j[static_cast<std::size_t>(n)] - j[static_cast<std::size_t>(n - 1)];
-    return;
-  }
-  double above = 0, now = 1e-280;
-  for (int n = last + 25; n >= 0; --n) {
-    if (n <= last) j[static_cast<std::size_t>(n)] = now;
-    if (std::fabs(now) > 1e200) {
-      for (int k = std::min(n, last); k <= last && n <= last; ++k) j[static_cast<std::size_t>(k)] *= 1e-300;
-      now *= 1e-300, above *= 1e-300;
-    }
-    const double below = (2 * n + 1) / x * now - above;
-    above = now, now = below;
-  }
-  // j_1 by its formula is rounding where x is small, and j_0 is 0 at pi.
-  const double scale = std::fabs(j0) > 0.1 ? j0 / j[0] : j1 / j[1];
-  for (double& value : j) value *= scale;
 }
 
 /// A part of the contact: sum c_l P_l(t), t from -1 to 1.
@@ -55,17 +35,16 @@ struct LossPanel {
 /// The pressure's expansion, and what integrates its error.
 class ExpandedPressure {
  public:
-  ExpandedPressure(const ProfileExtent& extent, const std::function<fast::Estimate(double)>& pressure,
-                   int terms)
+  ExpandedPressure(const ContactEnds& ends, const std::function<fast::Estimate(double)>& pressure, int terms)
       : terms_(static_cast<std::size_t>(terms)), bessel_(terms_) {
     // Beyond the last halving the pressure, a square root, holds 2^{-60} of the load.
     constexpr int halvings = 40;
-    const double size = (extent.last - extent.first) / 2;
+    const double size = (ends.last - ends.first) / 2;
     for (const double side : {-1.0, 1.0}) {
       double outer = 0;  // from the middle
       for (int k = 1; k <= halvings; ++k) {
         const double next = size * (1 - std::ldexp(1, -k));
-        const double middle = extent.first + size + side * (outer + next) / 2;
+        const double middle = ends.first + size + side * (outer + next) / 2;
         append(middle, (next - outer) / 2, pressure);
         outer = next;
       }
@@ -174,12 +153,12 @@ Loss integral(const data::ViscoelasticNip& nip, const data::MaterialFunction& co
 
 }  // namespace
 
-fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ProfileExtent& extent,
+fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ContactEnds& ends,
                              const std::function<fast::Estimate(double y)>& pressure) {
   const data::MaterialFunction compliance = fast::material_functions(nip.material).normal_compliance();
   if (compliance.terms.empty()) return {0, 0};
-  const double length = extent.last - extent.first;
-  ExpandedPressure fine(extent, pressure, 22), coarse(extent, pressure, 17);
+  const double length = ends.last - ends.first;
+  ExpandedPressure fine(ends, pressure, 22), coarse(ends, pressure, 17);
   const Loss loss = integral(nip, compliance, length, fine, 56);
   const Loss rough = integral(nip, compliance, length, coarse, 40);
   constexpr double rounding = 1e-14;

@@ -11,7 +11,7 @@ namespace nipref::verify {
 ///
 ///     (1/pi) int_0^inf S(q b) |p^(q)|^2 (-Im N(i q speed)) dq,   S(s) = 2 sinh^2 s/(sinh 2s + 2s),
 ///
-/// b the half-thickness, p^ the Fourier transform of the pressure over the contact's `extent`: force per unit
+/// b the half-thickness, p^ the Fourier transform of the pressure over the contact's `ends`: force per unit
 /// width, energy per length and width. It is W mu_R, to which it comes by none of the kernels, memories and
 /// systems that the contact was solved by: a check.
 ///
@@ -22,7 +22,7 @@ namespace nipref::verify {
 ///
 /// The error is twice what a finer rule and more polynomials change, what the pressure's own error can change, and
 /// rounding.
-fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ProfileExtent& extent,
+fast::Estimate loss_integral(const data::ViscoelasticNip& nip, const ContactEnds& ends,
                              const std::function<fast::Estimate(double y)>& pressure);
 
 }  // namespace nipref::verify

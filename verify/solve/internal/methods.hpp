@@ -10,8 +10,8 @@
 
 namespace nipref::verify {
 
-// A contact solved by each method of a scene. BadInput that names "load" or "contact_length" if the contact's length is not
-// allowed.
+// A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if the
+// contact's length is not allowed.
 
 using SolvedInDouble = std::unique_ptr<SolvedContact<fast::Estimate>>;
 using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;
@@ -24,19 +24,17 @@ auto solve_given(const data::Given& given, const ForLoad& for_load, const ForLen
                          : for_length(std::get<data::GivenLength>(given).contact_length);
 }
 
-/// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about 1e-3.
-inline constexpr double truth_accuracy = 1e-5;
-
 /// The continuous contact in double; `accuracy` is the scene's.
 SolvedInDouble solve_converged(const data::ElasticNipProblem& problem, double accuracy);
 SolvedInDouble solve_converged(const data::ViscoelasticNipProblem& problem, double accuracy);
 
-/// Line loads in double. Those of a rolling nip need no accuracy: the kernels are exact to rounding, or they are the
-/// truncated series that the scene asks for.
+/// Line loads in double. The error of a result is its distance to the same result of the continuous contact, solved to
+/// 1e-5, whose own error is added. The kernels of those of a rolling nip are exact to rounding, or the truncated series
+/// that the scene asks for.
 SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const data::LineLoads& loads,
                                 double accuracy);
 SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
-                                const data::ViscoelasticLineLoads& loads);
+                                const data::ViscoelasticLineLoads& loads, double accuracy);
 
 /// A body on a half-space in double. BadInput that names the scene's key for a speed that is not subcritical on every line
 /// and for results that the method does not have.
@@ -54,8 +52,8 @@ SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
                                  const data::ViscoelasticLineLoads& loads, int digits);
 
 /// A body on a half-space by the reference: the errors of the response of a line and, where all lines are alike, of the
-/// critical speed are proven bounds, those of the contact are estimates. A result is computed when it is first asked for.
-/// BadInput "digits" if the digits cannot be reached, "span" if the span of a rolling sphere is too large.
+/// critical speed are proven bounds, those of the contact are estimates. BadInput "digits" if the digits cannot be
+/// reached, "span" if the span of a rolling sphere is too large.
 SolvedByRef solve_ref_half_space(const RefSurface& surface, const data::HalfSpaceProblem& problem,
                                  int digits);
 

@@ -2,25 +2,42 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/verify/solve/internal/derived_results.hpp>
 #include <nipref/verify/solve/internal/result_sizes.hpp>
 
 namespace nipref::verify {
+namespace {
 
-using data::Scale;
-
-double growth_next_to_end(double x, double first, double last, double accuracy) {
-  const double distance = std::min(std::fabs(x - first), std::fabs(x - last)) / ((last - first) / 2);
+/// The factor by which the size of a traction is larger next to an end of the contact, 1 elsewhere.
+double growth_next_to_end(double y, const ContactEnds& ends, double accuracy) {
+  const double half = (ends.last - ends.first) / 2;
+  const double distance = std::min(std::fabs(y - ends.first), std::fabs(y - ends.last)) / half;
   return std::max(1.0, std::numbers::sqrt2 / (std::sqrt(distance + accuracy) + std::sqrt(distance)));
 }
 
-double nip_result_size(data::ResultId id, double y, const NipSize& nip,
-                       const std::function<double()>& pressure_in_the_middle) {
-  const double half = (nip.last - nip.first) / 2, slope = half / nip.roller_radius;
-  const auto growth = [&] { return growth_next_to_end(y, nip.first, nip.last, nip.accuracy); };
-  const double flat_maximum = (1e-6 + 10 * std::sqrt(nip.accuracy)) / nip.accuracy;
-  switch (data::scene_result(id).scale) {
+}  // namespace
+
+template <class Number>
+double result_size(const SolvedContact<Number>& contact, ResultId id, double y, double accuracy) {
+  using data::Scale;
+  const data::SceneResult& result = data::scene_result(id);
+  if (contact.measure == Measure::itself && result.needs != data::Needs::inside) return 0;
+  const bool is_nip = contact.roller_radius > 0;
+  const ContactEnds ends = contact.ends();
+  const double half = (ends.last - ends.first) / 2, slope = half / contact.roller_radius;
+  const double flat_maximum = (1e-6 + 10 * std::sqrt(accuracy)) / accuracy;
+  const double rounding_of_slope = slope * std::min(1.0, 1e-14 / accuracy);
+  const auto growth = [&] { return growth_next_to_end(y, ends, accuracy); };
+  const auto pressure = [&] {
+    return value_of(is_nip ? contact.at(ResultId::pressure, 0) : contact.number(ResultId::peak_pressure));
+  };
+  switch (result.scale) {
+    case Scale::itself:
+      return 0;
     case Scale::half_contact:
       return half;
+    case Scale::half_contact_times_load:
+      return half * value_of(contact.number(ResultId::load));
     case Scale::hundred_half_contacts:
       return 100 * half;
     case Scale::roller_rise:
@@ -32,20 +49,30 @@ double nip_result_size(data::ResultId id, double y, const NipSize& nip,
     case Scale::distance_times_creep:
       return slope / 2 * std::min(std::fabs(y), half);
     case Scale::pressure:
-      return pressure_in_the_middle() * growth();
+      return pressure() * growth();
     case Scale::shear:
-      return 0.1 * pressure_in_the_middle() * growth();
+      return (is_nip ? 0.1 : 1) * pressure() * growth();
     case Scale::tenth_of_pressure:
-      return 0.1 * pressure_in_the_middle();
+      return 0.1 * pressure();
     case Scale::flat_maximum_depth:
       return flat_maximum;
     case Scale::flat_maximum:
       return half * flat_maximum;
     case Scale::rounding_of_slope:
-      return slope * std::min(1.0, 1e-14 / nip.accuracy);
-    default:
-      return 0;
+      return rounding_of_slope;
+    case Scale::rolling_resistance:
+      return rounding_of_slope * product_factor(contact, id);
+    case Scale::radian:
+      return 180 / std::numbers::pi;
+    case Scale::span_along:
+      return value_of(contact.number(ResultId::span_along));
+    case Scale::compliance:
+      return value_of(contact.at(ResultId::compliance, y));
   }
+  return 0;
 }
+
+template double result_size(const SolvedContact<fast::Estimate>&, ResultId, double, double);
+template double result_size(const SolvedContact<ref::Estimate>&, ResultId, double, double);
 
 }  // namespace nipref::verify

@@ -1,0 +1,80 @@
+#pragma once
+#include <type_traits>
+
+#include <nipref/data/scene/scene.hpp>
+#include <nipref/verify/solve/internal/derived_results.hpp>
+#include <nipref/verify/solve/internal/solved_contact.hpp>
+
+namespace nipref::verify {
+
+/// Calls set(result, function) for the results of a solved nip: the solution's functions have the names of the results. In
+/// an elastic nip both sides are alike and there is no rolling resistance; without friction there is no shear; a
+/// pressure of which no position of its peak is known has it in the middle. `zero` is a function of the solution.
+template <class Solution>
+void set_nip_results(const auto& set, const auto& zero) {
+  constexpr bool is_rolling = requires(Solution & nip) { nip.leading_length(); };
+  constexpr bool has_shear = requires(Solution & nip) { nip.shear(0.0); };
+  constexpr bool has_peak = requires(Solution & nip) { nip.peak_pressure_position(); };
+  set(ResultId::contact_length, &Solution::contact_length);
+  set(ResultId::load, &Solution::load);
+  set(ResultId::indentation, &Solution::indentation);
+  set(ResultId::creep_ratio, &Solution::creep_ratio);
+  set(ResultId::peak_pressure, &Solution::peak_pressure);
+  set(ResultId::pressure, &Solution::pressure);
+  set(ResultId::normal_displacement, &Solution::normal_displacement);
+  set(ResultId::tangential_displacement, &Solution::tangential_displacement);
+  if constexpr (is_rolling) {
+    set(ResultId::leading_length, &Solution::leading_length);
+    set(ResultId::trailing_length, &Solution::trailing_length);
+    set(ResultId::edge_displacement, &Solution::leading_displacement);
+    set(ResultId::trailing_displacement, &Solution::trailing_displacement);
+    set(ResultId::rolling_resistance, &Solution::rolling_resistance);
+  } else {
+    const auto half = [](const Solution& nip) { return 0.5 * nip.contact_length(); };
+    set(ResultId::leading_length, half);
+    set(ResultId::trailing_length, half);
+    set(ResultId::edge_displacement, &Solution::edge_displacement);
+    set(ResultId::trailing_displacement, &Solution::edge_displacement);
+    set(ResultId::rolling_resistance, zero);
+  }
+  if constexpr (has_peak) set(ResultId::peak_pressure_position, &Solution::peak_pressure_position);
+  if constexpr (!has_peak) set(ResultId::peak_pressure_position, zero);
+  if constexpr (has_shear) {
+    set(ResultId::shear, &Solution::shear);
+    set(ResultId::peak_shear, &Solution::peak_shear);
+    set(ResultId::peak_shear_position, &Solution::peak_shear_position);
+  } else {
+    set(ResultId::shear, [zero](Solution& nip, double) { return zero(nip); });
+    set(ResultId::peak_shear, zero);
+  }
+  // Results that only some methods have.
+  if constexpr (requires(Solution & nip) { nip.shear_zeros(); })
+    set(ResultId::shear_zeros, &Solution::shear_zeros);
+  if constexpr (requires(Solution & nip) { nip.creep_range(); })
+    set(ResultId::creep_range, &Solution::creep_range);
+  if constexpr (requires(Solution & nip) { nip.leading_moment(); }) {
+    set(ResultId::leading_moment, &Solution::leading_moment);
+    set(ResultId::trailing_moment, &Solution::trailing_moment);
+  }
+  if constexpr (requires(Solution & nip) { nip.surface_strain(0.0); })
+    set(ResultId::surface_strain, &Solution::surface_strain);
+  if constexpr (requires(Solution & nip) { nip.slip(0.0); }) set(ResultId::slip, &Solution::slip);
+}
+
+inline double speed_of(const data::ElasticNipProblem&) { return 1; }
+inline double speed_of(const data::ViscoelasticNipProblem& problem) { return problem.nip.speed; }
+
+/// Completes a contact that has the results of a solved nip: with their products, its ends and what is given.
+template <class Number, class Problem>
+void complete_nip(SolvedContact<Number>& contact, const Problem& problem) {
+  contact.is_symmetric = std::is_same_v<Problem, data::ElasticNipProblem>;
+  contact.roller_radius = problem.nip.roller_radius;
+  contact.speed = speed_of(problem);
+  contact.ends = [&contact] {
+    return ContactEnds{-value_of(contact.number(ResultId::trailing_length)),
+                       value_of(contact.number(ResultId::leading_length))};
+  };
+  set_products(contact);
+}
+
+}  // namespace nipref::verify
