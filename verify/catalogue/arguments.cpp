@@ -41,20 +41,14 @@ ref::Exact parse(const Argument& argument, const std::string& text) {
 const Argument* material_of(const Quantity& quantity) {
   if (quantity.solid) return &*quantity.solid;
   const auto found =
-      std::ranges::find_if(quantity.arguments, [](const Argument& one) { return !one.keys.empty(); });
+      std::ranges::find_if(quantity.arguments, [](const Argument& one) { return !one.models.empty(); });
   return found == quantity.arguments.end() ? nullptr : &*found;
-}
-
-bool holds(const std::vector<ModelKey>& keys, const std::string& argument) {
-  return std::ranges::any_of(keys, [&](const ModelKey& key) {
-    return key.name == argument || std::ranges::find(key.arguments, argument) != key.arguments.end();
-  });
 }
 
 /// Whether it is written within the material, whatever the model.
 bool is_of_material(const Argument* material, const std::string& argument) {
-  return material != nullptr && std::ranges::any_of(material->keys, [&](const std::vector<ModelKey>& keys) {
-           return holds(keys, argument);
+  return material != nullptr && std::ranges::any_of(material->models, [&](const MaterialModel& model) {
+           return model.holds(argument);
          });
 }
 
@@ -80,11 +74,11 @@ std::vector<std::string> items_of(const std::string& text) {
 }
 
 /// KEY=VALUE or KEY=[VALUE, ...] of a model, as pairs of the arguments that hold the values.
-void append_key(const std::vector<ModelKey>& keys, const std::string& item, const BadInput& not_so,
+void append_key(const MaterialModel& model, const std::string& item, const BadInput& not_so,
                 Assignments& all) {
   const std::size_t equals = item.find('=');
-  const auto key = std::ranges::find(keys, item.substr(0, equals), &ModelKey::name);
-  if (equals == std::string::npos || key == keys.end()) throw not_so;
+  const ModelKey* const key = model.key(item.substr(0, equals));
+  if (equals == std::string::npos || key == nullptr) throw not_so;
   std::string value = item.substr(equals + 1);
   const bool is_list = value.starts_with('[') && value.ends_with(']');
   if (is_list != (key->arguments.size() > 1)) throw not_so;
@@ -98,30 +92,51 @@ void append_key(const std::vector<ModelKey>& keys, const std::string& item, cons
     all.emplace_back(key->arguments[i], i < values.size() ? values[i] : "0");
 }
 
+std::size_t number_of(const Argument& material, const auto& is_wanted) {
+  const auto found = std::ranges::find_if(material.models, is_wanted);
+  return static_cast<std::size_t>(found - material.models.begin());
+}
+
+/// Of the models of the name that a user writes, the first that has all keys in `items`, otherwise the first.
+std::size_t model_written(const Argument& material, const std::string& name,
+                          const std::vector<std::string>& items) {
+  const std::size_t fitting = number_of(material, [&](const MaterialModel& model) {
+    return model.name == name && std::ranges::all_of(items, [&](const std::string& item) {
+             return model.key(item.substr(0, item.find('='))) != nullptr;
+           });
+  });
+  if (fitting < material.models.size()) return fitting;
+  return number_of(material, [&](const MaterialModel& model) { return model.name == name; });
+}
+
+std::string written_models(const Argument& material, const std::string& name) {
+  std::vector<std::string> written;
+  for (const MaterialModel& model : material.models)
+    if (model.name == name) written.push_back(written_model(model));
+  return fmt::format("{}", fmt::join(written, " or "));
+}
+
 /// `is_number`: a number of the point says which model it is.
 void append_material(const Argument& material, bool is_number, const std::string& given, Assignments& all) {
-  const std::string text = without_blanks(given);
-  const std::size_t open = text.find('(');
-  const auto found = std::ranges::find(material.choices, text.substr(0, open));
-  if (found == material.choices.end()) throw BadInput(material.name, given, "must be " + domain(material));
-  if (is_number) all.emplace_back(material.name, *found);
-  if (open == std::string::npos) return;
-  const auto model = static_cast<std::size_t>(found - material.choices.begin());
+  const std::string text = without_blanks(given), name = text.substr(0, text.find('('));
+  const bool has_keys = name.size() < text.size(), is_closed = text.ends_with(')') && !text.ends_with("()");
+  std::vector<std::string> items;
+  if (has_keys && is_closed) items = items_of(text.substr(name.size() + 1, text.size() - name.size() - 2));
+  const std::size_t model = model_written(material, name, items);
+  if (model == material.models.size()) throw BadInput(material.name, given, "must be " + domain(material));
   const BadInput not_so(material.name, given,
-                        fmt::format("must be {}, each key at most once", written_model(material, model)));
-  if (!text.ends_with(')') || text.ends_with("()")) throw not_so;
-  for (const std::string& item : items_of(text.substr(open + 1, text.size() - open - 2)))
-    append_key(material.keys[model], item, not_so, all);
+                        fmt::format("must be {}, each key at most once", written_models(material, name)));
+  if (has_keys && !is_closed) throw not_so;
+  if (is_number) all.emplace_back(material.name, material.choices[model]);
+  for (const std::string& item : items) append_key(material.models[model], item, not_so, all);
 }
 
 [[noreturn]] void refuse_outside_material(const Argument& material, const std::string& name,
                                           const std::string& value) {
-  const auto model = std::ranges::find_if(
-      material.keys, [&](const std::vector<ModelKey>& keys) { return holds(keys, name); });
+  const std::size_t model = number_of(material, [&](const MaterialModel& one) { return one.holds(name); });
   throw BadInput(
       name, value,
-      fmt::format("is part of the {0}: {0}={1}", material.name,
-                  written_model(material, static_cast<std::size_t>(model - material.keys.begin()))));
+      fmt::format("is part of the {0}: {0}={1}", material.name, written_model(material.models[model])));
 }
 
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {
@@ -134,11 +149,11 @@ double nearest_double(const std::string& name, const std::string& text, const re
 
 }  // namespace
 
-std::string written_model(const Argument& material, std::size_t model) {
+std::string written_model(const MaterialModel& model) {
   std::vector<std::string> keys;
-  for (const ModelKey& key : material.keys[model])
+  for (const ModelKey& key : model.keys)
     keys.push_back(key.name + (key.arguments.size() > 1 ? "=[...]" : "=..."));
-  return fmt::format("{}({})", material.choices[model], fmt::join(keys, ", "));
+  return fmt::format("{}({})", model.name, fmt::join(keys, ", "));
 }
 
 const std::string& written_name(const Quantity& quantity, const Argument& argument) {
@@ -184,12 +199,12 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
     const std::string list = fmt::format("{}", fmt::join(values, ", "));
     return key.name + (values.size() > 1 ? "=[" + list + "]" : "=" + list);
   };
-  const auto text_of_model = [&](const std::string& model) {
-    const auto number = std::ranges::find(material->choices, model) - material->choices.begin();
+  const auto text_of_model = [&](const std::string& choice) {
+    const auto number = std::ranges::find(material->choices, choice) - material->choices.begin();
+    const MaterialModel& model = material->models[static_cast<std::size_t>(number)];
     std::vector<std::string> keys;
-    for (const ModelKey& key : material->keys[static_cast<std::size_t>(number)])
-      keys.push_back(text_of_key(key));
-    return fmt::format("{}({})", model, fmt::join(keys, ", "));
+    for (const ModelKey& key : model.keys) keys.push_back(text_of_key(key));
+    return fmt::format("{}({})", model.name, fmt::join(keys, ", "));
   };
   Assignments written;
   for (const Argument& argument : written_arguments(quantity)) {
@@ -197,7 +212,7 @@ Assignments written_arguments(const Quantity& quantity, const std::vector<std::s
     const std::string& own = at == quantity.arguments.end()
                                  ? argument.choices.front()
                                  : text[static_cast<std::size_t>(at - quantity.arguments.begin())];
-    written.emplace_back(argument.name, argument.keys.empty() ? own : text_of_model(own));
+    written.emplace_back(argument.name, argument.models.empty() ? own : text_of_model(own));
   }
   return written;
 }

@@ -32,8 +32,8 @@ const std::string& written_name(const Quantity& quantity, const Argument& argume
 /// The arguments that a user writes: a material or solid in place of those that hold its numbers.
 std::vector<Argument> written_arguments(const Quantity& quantity);
 
-/// How the model of that number is written: MODEL(KEY=..., KEY=[...]).
-std::string written_model(const Argument& material, std::size_t model);
+/// How the model is written: MODEL(KEY=..., KEY=[...]).
+std::string written_model(const MaterialModel& model);
 
 /// A quantity's arguments, in its order: the text, the number that it is exactly, and the nearest double.
 struct ParsedArguments {

@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include <nipref/data/bad_input.hpp>
@@ -12,33 +14,52 @@ namespace nipref::verify {
 
 namespace {
 
-std::string_view domain_of_number(ArgumentKind kind) {
-  switch (kind) {
-    case ArgumentKind::nonzero_position:
-      return "a finite nonzero number";
-    case ArgumentKind::young:
-    case ArgumentKind::positive:
-      return "a finite number > 0";
-    case ArgumentKind::depth:
-      return "a number from -1 to 1";
-    case ArgumentKind::poisson:
-      return "a number > -1 and <= 0.5";
-    case ArgumentKind::index:
-      return "a whole number from 1 to 1000000";
-    case ArgumentKind::rate:
-    case ArgumentKind::time:
-    case ArgumentKind::nonnegative:
-      return "a finite number >= 0";
-    default:
-      return "a finite number";
-  }
-}
+struct KindOfNumber {
+  ArgumentKind kind;
+  std::string_view name, domain;
+};
+constexpr KindOfNumber kinds[] = {
+    {ArgumentKind::nonzero_position, "nonzero_position", "a finite nonzero number"},
+    {ArgumentKind::position, "position", "a finite number"},
+    {ArgumentKind::depth, "depth", "a number from -1 to 1"},
+    {ArgumentKind::young, "young", "a finite number > 0"},
+    {ArgumentKind::poisson, "poisson", "a number > -1 and <= 0.5"},
+    {ArgumentKind::index, "index", "a whole number from 1 to 1000000"},
+    {ArgumentKind::rate, "rate", "a finite number >= 0"},
+    {ArgumentKind::amplitude, "amplitude", "a finite number"},
+    {ArgumentKind::time, "time", "a finite number >= 0"},
+    {ArgumentKind::passing_time, "passing_time", "a finite number"},
+    {ArgumentKind::positive, "positive", "a finite number > 0"},
+    {ArgumentKind::nonnegative, "nonnegative", "a finite number >= 0"},
+    {ArgumentKind::degrees, "degrees", "a finite number"}};
 
 }  // namespace
 
+ArgumentKind argument_kind(std::string_view name) {
+  const auto found = std::ranges::find(kinds, name, &KindOfNumber::name);
+  if (found == std::end(kinds))
+    throw std::logic_error(fmt::format("there is no kind '{}' of arguments", name));
+  return found->kind;
+}
+
 std::string domain(const Argument& argument) {
-  if (argument.kind != ArgumentKind::choice) return std::string(domain_of_number(argument.kind));
-  return fmt::format("{}", fmt::join(argument.choices, " or "));
+  if (argument.kind != ArgumentKind::choice)
+    return std::string(std::ranges::find(kinds, argument.kind, &KindOfNumber::kind)->domain);
+  std::vector<std::string> names = argument.choices;
+  // Of models of one name the later ones have choices of their own.
+  std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
+  return fmt::format("{}", fmt::join(names, " or "));
+}
+
+const ModelKey* MaterialModel::key(std::string_view wanted) const {
+  const auto found = std::ranges::find(keys, wanted, &ModelKey::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+bool MaterialModel::holds(std::string_view argument_or_key) const {
+  return key(argument_or_key) != nullptr || std::ranges::any_of(keys, [&](const ModelKey& one) {
+           return std::ranges::find(one.arguments, argument_or_key) != one.arguments.end();
+         });
 }
 
 double default_number(const Argument& argument) {

@@ -43,20 +43,33 @@ struct ModelKey {
   bool is_whole = false;  ///< all numbers must be given; otherwise those that lack at the end are 0
 };
 
+/// A model of a material as a user writes it, MODEL(KEY=VALUE, KEY=[VALUE, ...]). Models of one name differ by their keys.
+struct MaterialModel {
+  std::string name;
+  std::vector<ModelKey> keys;
+
+  [[nodiscard]] const ModelKey* key(
+      std::string_view name) const;  ///< null if the model has none of that name
+  [[nodiscard]] bool holds(
+      std::string_view argument_or_key) const;  ///< whether it is written within the model
+};
+
 struct Argument {
   std::string name;
   ArgumentKind kind;
   std::optional<std::string> default_text;  ///< none: the argument must be given
   std::vector<double>
       hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
-  std::vector<std::string> choices = {};  ///< names of a choice, in the order of their numbers
-  /// Of a material, the keys of each choice: a user writes them with it, material=MODEL(KEY=VALUE, ...).
-  std::vector<std::vector<ModelKey>> keys = {};
+  std::vector<std::string> choices = {};   ///< names of a choice, in the order of their numbers
+  std::vector<MaterialModel> models = {};  ///< of a material: what a user writes for each choice
 
   [[nodiscard]] const std::string& choice(double number) const {
     return choices[static_cast<std::size_t>(number)];
   }
 };
+
+/// The kind of that name. std::logic_error if there is none.
+ArgumentKind argument_kind(std::string_view name);
 
 /// Domain of an argument, in words that continue "must be ...".
 std::string domain(const Argument& argument);

@@ -56,8 +56,8 @@ std::string full_text(const Quantity& quantity) {
         fmt::format("  {} {}: {}\n", argument.name,
                     argument.default_text ? "= " + *argument.default_text + " if not given" : "must be given",
                     domain(argument));
-    for (std::size_t model = 0; model < argument.keys.size(); ++model)
-      text += fmt::format("    {}={}\n", argument.name, written_model(argument, model));
+    for (const MaterialModel& model : argument.models)
+      text += fmt::format("    {}={}\n", argument.name, written_model(model));
   }
   for (const SeedForm& form : quantity.seed_forms)
     text += fmt::format("  form={}: {}\n", form.name, form.differs);

@@ -1,6 +1,4 @@
 // What half-spaces of any anisotropy answer along lines, and their critical speed. (brock2013 A.1-A.5)
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -197,26 +195,6 @@ Quantity entry_anisotropic_critical() {
 }
 
 }  // namespace
-
-ArgumentGroup stiffness_arguments() {
-  const data::Stiffness standard = epoxy();
-  std::vector<Argument> arguments;
-  ModelKey stiffness{"stiffness", {}, true};
-  for (const auto& [i, k] : places) {
-    stiffness.arguments.push_back(fmt::format("c{}{}", i + 1, k + 1));
-    arguments.push_back({stiffness.arguments.back(),
-                         i == k ? ArgumentKind::positive : ArgumentKind::amplitude,
-                         fmt::format("{:.15g}", standard.voigt[i][k]),
-                         {}});
-  }
-  arguments.push_back({"density", ArgumentKind::positive, fmt::format("{}", standard.density), {}});
-  return {arguments, Argument{"solid",
-                              ArgumentKind::choice,
-                              "anisotropic",
-                              {},
-                              {"anisotropic"},
-                              {{stiffness, {"density", {"density"}}}}}};
-}
 
 std::vector<Quantity> anisotropic_entries() {
   using fast::LineResponse;

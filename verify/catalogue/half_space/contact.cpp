@@ -86,15 +86,11 @@ Quantity entry_die_span_ratio() {
                        return slide(x).span_ratio({0, 1}).value;
                      }),
                  draw_sliding);
-  const char* const names[] = {"poisson", "friction", "speed"};
-  entry.seed_forms = {
-      {"printed", "(35) as it stands: sqrt(c_D^4 + friction^2) where friction does nothing across the motion",
-       of_point(entry, names, die_span_ratio_as_printed)},
-      {"table",
-       "as Table 1 was made: (35) printed, and friction left out of Delta_1 and Q_1, roots to 5 decimals",
-       of_point(entry, names, [](double poisson, double friction, double speed) {
-         return die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
-       })}};
+  set_forms(
+      entry, [](NamedPoint x) { return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]); },
+      [](NamedPoint x) {
+        return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
+      });
   return entry;
 }
 
@@ -130,12 +126,11 @@ Quantity entry_rolling_span_ratio() {
                                     return roll(x).span_ratio({0, 1}).value;
                                   }),
                               draw_nothing);
-  entry.seed_forms = {{"printed", "(53b) as it stands: a factor c_D under its second root",
-                       of_point(entry, {"poisson", "speed"}, rolling_span_ratio_as_printed)},
-                      {"table", "as Table 2 was made: right, but with roots to 5 decimals",
-                       of_point(entry, {"poisson", "speed"}, [](double poisson, double speed) {
-                         return rolling_span_ratio_as_tabulated(poisson, speed, table_root_decimals);
-                       })}};
+  set_forms(
+      entry, [](NamedPoint x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
+      [](NamedPoint x) {
+        return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
+      });
   return entry;
 }
 
@@ -186,9 +181,9 @@ Quantity entry_rolling_creep() {
         keep_span(x);
       },
       keep_span);
-  entry.seed_forms = {
-      {"printed", "(48) as it stands: P with the wrong sign",
-       of_point(entry, {"poisson", "speed", "psi_deg", "span_over_radius"}, rolling_creep_as_printed)}};
+  set_forms(entry, [](NamedPoint x) {
+    return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
+  });
   return entry;
 }
 

@@ -95,7 +95,7 @@ ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const Lin
 
 Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
                          ref::Enclosure ref::LineResponse::*of_ref,
-                         double (*as_printed)(double, double, double), const char* differs) {
+                         double (*as_printed)(double, double, double)) {
   Quantity entry = line_entry(
       name,
       [of_ref](const Exact& poisson, const Exact& speed, const Exact& psi_deg, int digits) {
@@ -106,7 +106,7 @@ Quantity isotropic_shear(const char* name, double fast::ShearResponse::*of_fast,
                                               Direction::of_degrees(psi_deg)).*
                of_fast;
       });
-  entry.seed_forms = {{"printed", differs, of_point(entry, {"poisson", "speed", "psi_deg"}, as_printed)}};
+  set_forms(entry, [as_printed](NamedPoint x) { return as_printed(x["poisson"], x["speed"], x["psi_deg"]); });
   return entry;
 }
 
@@ -175,9 +175,9 @@ std::vector<Quantity> half_space_entries() {
   return {isotropic_line("halfspace.compliance", &LineResponse::compliance, &ref::LineResponse::compliance),
           isotropic_line("halfspace.coupling", &LineResponse::coupling, &ref::LineResponse::coupling),
           isotropic_shear("halfspace.in_line", &ShearResponse::in_line, &ref::LineResponse::in_line,
-                          in_line_as_printed, "(39a) as it stands: M in place of R, which leaves nothing"),
+                          in_line_as_printed),
           isotropic_shear("halfspace.across", &ShearResponse::across, &ref::LineResponse::across,
-                          across_as_printed, "(39a) as it stands: M in place of R"),
+                          across_as_printed),
           entry_condition(),
           entry_rayleigh(),
           entry_separation()};

@@ -122,16 +122,10 @@ Quantity entry_sphere_span_ratio() {
       },
       [](NamedPoint x) { return seed_slide(x).span_ratio(Direction::of_degrees(x["phi_deg"])).value; },
       nearest_critical, draw_line_of_contact);
-  const auto form = [&](InPlaneForm in_plane) {
-    return of_point(entry, [in_plane](NamedPoint x) { return seed_span_ratio(x, in_plane); });
+  const auto form = [](InPlaneForm in_plane) {
+    return [in_plane](NamedPoint x) { return seed_span_ratio(x, in_plane); };
   };
-  entry.seed_forms = {
-      {"printed",
-       "(35) and (43) as they stand: c_D^2 - 1 under both bodies' terms, couplings added, a sign and a term "
-       "of M",
-       form(in_plane_compliance_as_printed)},
-      {"table", "as Tables 1 and 3 were made: (35) as printed, (43) without the last term of M",
-       form(in_plane_compliance_as_tabulated)}};
+  set_forms(entry, form(in_plane_compliance_as_printed), form(in_plane_compliance_as_tabulated));
   return entry;
 }
 
@@ -143,13 +137,12 @@ Quantity entry_sphere_exponent() {
       },
       [](NamedPoint x) { return -seed_slide(x).along(Direction::of_degrees(x["phi_deg"])).leading_share; },
       nearest_critical, draw_line_of_contact);
-  entry.seed_forms = {
-      {"printed", "(25c) as it stands: the couplings of both bodies added", of_point(entry, [](NamedPoint x) {
-         check_seed_contact(x);
-         if (symmetry_axis(x) == data::SymmetryAxis::in_plane) return -0.5;
-         return sphere_exponent_as_printed(scaled_moduli_of(x), x["friction"], x["speed"],
-                                           Direction::of_degrees(x["phi_deg"]).cosine);
-       })}};
+  set_forms(entry, [](NamedPoint x) {
+    check_seed_contact(x);
+    if (symmetry_axis(x) == data::SymmetryAxis::in_plane) return -0.5;
+    return sphere_exponent_as_printed(scaled_moduli_of(x), x["friction"], x["speed"],
+                                      Direction::of_degrees(x["phi_deg"]).cosine);
+  });
   return entry;
 }
 
@@ -163,16 +156,13 @@ Quantity entry_sphere_force() {
       },
       [](NamedPoint x) { return seed_slide(x).force().value; }, nearest,
       [](Random& random, NamedNumbers x) { x["friction"] = draw_friction(random); });
-  entry.seed_forms = {
-      {"printed",
-       "(36), (25c) and (43) as they stand: 1/Q^2, exponents interchanged, couplings added, a sign and a term of M",
-       of_point(entry, [](NamedPoint x) {
-         check_seed_contact(x);
-         const ScaledModuli moduli = scaled_moduli_of(x);
-         return symmetry_axis(x) == data::SymmetryAxis::normal
-                    ? sphere_force_as_printed(moduli, x["friction"], x["speed"])
-                    : in_plane_force_as_printed(moduli, Direction::of_degrees(x["theta_deg"]), x["speed"]);
-       })}};
+  set_forms(entry, [](NamedPoint x) {
+    check_seed_contact(x);
+    const ScaledModuli moduli = scaled_moduli_of(x);
+    return symmetry_axis(x) == data::SymmetryAxis::normal
+               ? sphere_force_as_printed(moduli, x["friction"], x["speed"])
+               : in_plane_force_as_printed(moduli, Direction::of_degrees(x["theta_deg"]), x["speed"]);
+  });
   return entry;
 }
 

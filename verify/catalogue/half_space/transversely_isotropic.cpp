@@ -89,19 +89,15 @@ Quantity entry_transverse_compliance() {
   Quantity entry =
       transverse_line("ti.compliance", &LineResponse::compliance, &ref::LineResponse::compliance);
   // The seed's own K with the axis in the surface.
-  const auto seed_form = [&](InPlaneCompliance form) {
-    return of_point(entry, [form](NamedPoint x) {
+  const auto seed_form = [](InPlaneCompliance form) {
+    return [form](NamedPoint x) {
       if (symmetry_axis(x) == SymmetryAxis::normal)
         throw data::BadInput("axis", "normal", "must be in-plane: elsewhere the seed has no other form");
       const double cosine = Direction::of_degrees(x["psi_deg"] - x["theta_deg"]).cosine;
       return form(scaled_moduli_of(x), direction_of(x, "psi_deg"), cosine, x["speed"]);
-    });
+    };
   };
-  entry.seed_forms = {
-      {"printed", "(43) as it stands: the first term of M with the wrong sign, its last term missing",
-       seed_form(in_plane_compliance_as_printed)},
-      {"table", "as Table 3 was made: the last term of M missing",
-       seed_form(in_plane_compliance_as_tabulated)}};
+  set_forms(entry, seed_form(in_plane_compliance_as_printed), seed_form(in_plane_compliance_as_tabulated));
   return entry;
 }
 

@@ -2,8 +2,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <map>
+#include <iterator>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 
@@ -17,25 +17,10 @@ constexpr std::string_view definitions =
 #include <nipref_quantities.inc>
     ;
 
-const std::map<std::string_view, ArgumentKind> kinds{{"nonzero_position", ArgumentKind::nonzero_position},
-                                                     {"position", ArgumentKind::position},
-                                                     {"depth", ArgumentKind::depth},
-                                                     {"young", ArgumentKind::young},
-                                                     {"poisson", ArgumentKind::poisson},
-                                                     {"index", ArgumentKind::index},
-                                                     {"rate", ArgumentKind::rate},
-                                                     {"amplitude", ArgumentKind::amplitude},
-                                                     {"time", ArgumentKind::time},
-                                                     {"passing_time", ArgumentKind::passing_time},
-                                                     {"positive", ArgumentKind::positive},
-                                                     {"nonnegative", ArgumentKind::nonnegative},
-                                                     {"degrees", ArgumentKind::degrees}};
-
-using Groups = std::map<std::string_view, ArgumentGroup (*)()>;
-const Groups groups{{"@sheet", sheet_arguments},
-                    {"@material", material_arguments},
-                    {"@constants", constants_arguments},
-                    {"@stiffness", stiffness_arguments}};
+const toml::table& definitions_table() {
+  static const toml::table table = toml::parse(definitions);
+  return table;
+}
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
   std::istringstream stream(text);
@@ -44,33 +29,65 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-/// NAME:KIND, NAME:KIND=DEFAULT, NAME:ONE|OTHER=DEFAULT.
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// A model from its name and its keys.
+MaterialModel model_of(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  MaterialModel model{words.front(), {}};
+  for (const std::string& name : std::span(words).subspan(1)) {
+    const auto key = definitions_table()["keys"][name];
+    model.keys.push_back(
+        {name, words_of(key["arguments"].value_or(std::string(name))), key["whole"].value_or(false)});
+  }
+  return model;
+}
+
+/// NAME:KIND, NAME:KIND=DEFAULT, NAME:ONE|OTHER=DEFAULT, NAME:@MODELS=DEFAULT.
 Argument argument_of(const std::string& text) {
   const std::size_t colon = text.find(':'), equals = text.find('=');
   Argument argument{text.substr(0, colon), ArgumentKind::choice, {}, {}};
   const std::string kind = text.substr(colon + 1, equals - colon - 1);
   if (equals != text.npos) argument.default_text = text.substr(equals + 1);
-  if (const auto found = kinds.find(kind); found != kinds.end()) {
-    argument.kind = found->second;
-  } else {
+  if (kind.starts_with('@')) {
+    for (const toml::node& model : *definitions_table()["models"][kind.substr(1)].as_array()) {
+      argument.models.push_back(model_of(model.value<std::string>().value()));
+      const std::string& name = argument.models.back().name;
+      const bool is_new = std::ranges::find(argument.choices, name) == argument.choices.end();
+      argument.choices.push_back(is_new ? name : fmt::format("{}/{}", name, argument.choices.size()));
+    }
+  } else if (kind.find('|') != kind.npos) {
     argument.choices = parts_of(kind, '|');
+  } else {
+    argument.kind = argument_kind(kind);
   }
   return argument;
+}
+
+/// Adds the arguments. A material of one model has no number in a point.
+void add_arguments(Quantity& quantity, const std::string& text) {
+  for (const std::string& word : words_of(text)) {
+    if (word.starts_with('@')) {
+      add_arguments(quantity, definitions_table()["groups"][word.substr(1)].value<std::string>().value());
+      continue;
+    }
+    const Argument argument = argument_of(word);
+    if (argument.models.size() == 1) {
+      quantity.solid = argument;
+    } else {
+      quantity.arguments.push_back(argument);
+    }
+  }
 }
 
 Quantity quantity_of(const toml::table& row) {
   Quantity quantity;
   quantity.name = row["name"].value<std::string>().value();
   quantity.subject = row["subject"].value<std::string>().value();
-  for (const std::string& word : parts_of(row["arguments"].value<std::string>().value(), ' ')) {
-    if (const auto found = groups.find(word); found != groups.end()) {
-      ArgumentGroup group = found->second();
-      std::ranges::move(group.arguments, std::back_inserter(quantity.arguments));
-      quantity.solid = std::move(group.written);
-    } else {
-      quantity.arguments.push_back(argument_of(word));
-    }
-  }
+  add_arguments(quantity, row["arguments"].value<std::string>().value());
   quantity.unit = row["unit"].value_or(std::string("1"));
   quantity.promise = row["promise"].value<double>().value();
   quantity.audit_points = row["points"].value_or(quantity.audit_points);
@@ -78,22 +95,22 @@ Quantity quantity_of(const toml::table& row) {
   quantity.source = row["source"].value<std::string>().value();
   quantity.scale = row["scale"].value_or(std::string("the value"));
   quantity.definition = row["definition"].value<std::string>().value();
+  if (const toml::array* const forms = row["forms"].as_array()) {
+    for (const toml::node& node : *forms) {
+      const toml::table& form = *node.as_table();
+      quantity.seed_forms.push_back(
+          {form["name"].value_or(std::string()), form["differs"].value_or(std::string()), {}});
+    }
+  }
   return quantity;
 }
 
 }  // namespace
 
-std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments) {
-  std::vector<ModelKey> keys;
-  for (const std::string& argument : arguments) keys.push_back({argument, {argument}});
-  return keys;
-}
-
 const std::vector<Quantity>& described_quantities() {
   static const std::vector<Quantity> all = [] {
-    const toml::table table = toml::parse(definitions);
     std::vector<Quantity> rows;
-    for (const toml::node& row : *table["quantities"].as_array())
+    for (const toml::node& row : *definitions_table()["quantities"].as_array())
       rows.push_back(quantity_of(*row.as_table()));
     return rows;
   }();
@@ -105,6 +122,12 @@ Quantity described(std::string_view name) {
   if (found == described_quantities().end())
     throw std::logic_error(fmt::format("quantities.toml has no row '{}'", name));
   return *found;
+}
+
+void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys) {
+  for (const ModelKey& key : keys)
+    for (const std::string& name : key.arguments)
+      x[name] = default_number(x.arguments()[argument_number(x.arguments(), name)]);
 }
 
 }  // namespace nipref::verify

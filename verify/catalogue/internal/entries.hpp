@@ -29,22 +29,6 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
-/// Arguments that several quantities take, and the one by which a user writes them, if that holds no number of a point.
-struct ArgumentGroup {
-  std::vector<Argument> arguments;
-  std::optional<Argument> written = {};
-};
-
-// @sheet, @material, @constants and @stiffness in the table.
-
-ArgumentGroup sheet_arguments();      ///< a moving load's speed, half-thickness and viscoelastic material
-ArgumentGroup material_arguments();   ///< every model of a viscoelastic material
-ArgumentGroup constants_arguments();  ///< of a transversely isotropic solid
-ArgumentGroup stiffness_arguments();  ///< of an anisotropic solid
-
-/// Keys of the same name as the argument that holds their number.
-std::vector<ModelKey> keys_of_numbers(const std::vector<std::string>& arguments);
-
 /// Values of an argument of that kind where trouble is likely, of a quantity without sampling of its own.
 std::vector<double> hard_values(ArgumentKind kind);
 
@@ -150,9 +134,14 @@ void set_keep_off(Quantity& entry, KeepOff keep_off) {
                     keep_off](Point& point) { keep_off(NamedNumbers(*arguments, point)); };
 }
 
-/// Sets the numbers of those arguments to their defaults.
-inline void set_defaults(const NamedNumbers& x, std::span<const Argument> arguments) {
-  for (const Argument& argument : arguments) x[argument.name] = default_number(argument);
+/// Sets the numbers of those keys to their defaults.
+void set_defaults(const NamedNumbers& x, const std::vector<ModelKey>& keys);
+
+/// Sets the evaluators of the seed's forms, functions of a NamedPoint, in the order of the table.
+template <class... Values>
+void set_forms(Quantity& entry, Values... values) {
+  std::size_t next = 0;
+  ((entry.seed_forms.at(next++).value = of_point(entry, values)), ...);
 }
 
 }  // namespace nipref::verify

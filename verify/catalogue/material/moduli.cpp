@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
@@ -20,16 +19,17 @@ namespace {
 using data::SpringModel;
 using ref::Exact;
 
-/// Springs and dashpots first, in the order of SpringModel's below.
-const std::vector<std::string> models{
-    "standard-linear-solid", "kelvin-voigt", "maxwell", "elastic", "prony", "operators", "thesis-misprint"};
+// The models in the order of quantities.toml.
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
 constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
+/// The last, the standard linear solid with one relaxation time, is drawn as the first one's special case.
+constexpr std::size_t drawn_models = 7;
 
 std::size_t model_of(const NamedPoint& x) { return static_cast<std::size_t>(x["material"]); }
 std::size_t model_of(const NamedExact& x) { return static_cast<std::size_t>(x["material"].approximate()); }
 bool is_of_springs(std::size_t model) { return model < of_springs.size(); }
+int theta2_rate_factor(std::size_t model) { return model == thesis_model ? data::misprinted_rate_factor : 1; }
 
 /// The moduli of springs and dashpots, fast::Modulus or ref::ExactModulus; name: shear or bulk.
 template <class Modulus, class Number>
@@ -47,29 +47,13 @@ fast::RationalSolid rational_solid(const NamedPoint& x) {
   if (model_of(x) == prony_model) return prony_of(x);
   if (model_of(x) == operators_model) return operators_of(x);
   return data::SingleRelaxationTimeSolid{x["bulk"], x["shear"], x["relaxation_time"],
-                                         data::misprinted_rate_factor};
+                                         theta2_rate_factor(model_of(x))};
 }
 
 ref::ExactRationalSolid rational_solid(const NamedExact& x) {
   if (model_of(x) == prony_model) return exact_prony_of(x);
   if (model_of(x) == operators_model) return exact_operators_of(x);
-  return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], data::misprinted_rate_factor);
-}
-
-/// What each of the models has, named as in a scene where scenes have the model.
-std::vector<std::vector<ModelKey>> keys_of_models() {
-  std::vector<ModelKey> standard =
-      keys_of_numbers({"shear", "shear_2", "shear_viscosity", "bulk", "bulk_2", "bulk_viscosity"});
-  standard[0].name = "shear_1";
-  standard[3].name = "bulk_1";
-  const auto damped = keys_of_numbers({"shear", "shear_viscosity", "bulk", "bulk_viscosity"});
-  return {std::move(standard),
-          damped,
-          damped,
-          keys_of_numbers({"shear", "bulk"}),
-          prony_keys(),
-          operator_keys(),
-          keys_of_numbers({"bulk", "shear", "relaxation_time"})};
+  return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], theta2_rate_factor(model_of(x)));
 }
 
 /// Springs and times far apart or alike. variable: the name of t, or of omega, which is 1/t.
@@ -84,7 +68,7 @@ void draw_material(Random& random, const NamedNumbers& x, const char* variable) 
   x["shear_2"] = shear * times(1e10);
   x["bulk"] = shear * times(1e10);
   x["bulk_2"] = x["bulk"] * times(1e10);
-  x["material"] = static_cast<double>(random.index(models.size()));
+  x["material"] = static_cast<double>(random.index(drawn_models));
   x["shear_viscosity"] = x["shear_2"] * time;
   x["bulk_viscosity"] = x["bulk_2"] * time * times(1e6);
   x["relaxation_time"] = time;
@@ -96,7 +80,7 @@ void draw_material(Random& random, const NamedNumbers& x, const char* variable) 
 /// About the fastest rate there is.
 double fastest_rate(const NamedPoint& x) {
   const std::size_t model = model_of(x);
-  if (model == thesis_model) return 2 / x["relaxation_time"];
+  if (model >= thesis_model) return 2 / x["relaxation_time"];
   if (model == prony_model)
     return std::max({x["theta1_rate"], x["theta1_rate_2"], x["theta2_rate"], x["theta2_rate_2"]});
   if (is_of_springs(model))
@@ -180,18 +164,6 @@ Quantity theta_entry(const char* name, Springs springs,
 }
 
 }  // namespace
-
-ArgumentGroup material_arguments() {
-  std::vector<Argument> arguments{
-      {"material", ArgumentKind::choice, models.front(), {}, models, keys_of_models()}};
-  for (const std::string name : {"shear", "bulk"}) {
-    for (const char* part : {"", "_2", "_viscosity"})
-      arguments.push_back({name + part, ArgumentKind::positive, name == "shear" ? "0.375" : "1", {}});
-  }
-  arguments.push_back({"relaxation_time", ArgumentKind::positive, "1", {}});
-  std::ranges::move(rational_arguments(), std::back_inserter(arguments));
-  return {arguments};
-}
 
 std::vector<Quantity> material_entries() {
   // The overloads of both paths: found by the types of their arguments.

@@ -23,7 +23,10 @@ namespace {
 using fast::Accuracy;
 using std::numbers::pi;
 
-constexpr double standard_linear_solid = 0, thesis_solid = 1, prony_solid = 2, solid_of_operators = 3;
+// The models in the order of quantities.toml.
+constexpr double standard_linear_solid = 0, prony_solid = 2, solid_of_operators = 3, solid_of_two_moduli = 4;
+/// The last has the first as a special case, which is drawn.
+constexpr std::size_t drawn_solids = 4;
 
 /// Terms of equal rate joined, those of amplitude 0 left out.
 data::MaterialFunction joined_series(const data::PronyList& list) {
@@ -50,6 +53,8 @@ data::ViscoelasticMaterial material_of(const NamedPoint& x) {
     return {joined_series(series.theta1), joined_series(series.theta2)};
   }
   if (model == solid_of_operators) return data::operator_solid(operators_of(x));
+  if (model == solid_of_two_moduli)
+    return data::single_relaxation_time_solid(x["bulk"], x["shear"], x["relaxation_time"]);
   const data::Compliances at_once{4 / (3 * x["bulk"]), 4 / (9 * x["bulk"])};
   return model == standard_linear_solid ? data::single_relaxation_time_solid(at_once, x["relaxation_time"])
                                         : data::misprinted_thesis_solid(at_once, x["relaxation_time"]);
@@ -69,6 +74,8 @@ ref::ExactMaterial exact_material_of(const NamedExact& x) {
   if (model == solid_of_operators) return ref::exact_material(exact_operators_of(x));
   if (model == prony_solid)
     return {exact_function_of(exact_series_of(x, "theta1")), exact_function_of(exact_series_of(x, "theta2"))};
+  if (model == solid_of_two_moduli)
+    return ref::exact_material(ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], 1));
   return ref::exact_solid(
       model == standard_linear_solid ? ref::Solid::standard_linear_solid : ref::Solid::thesis, x["bulk"],
       x["relaxation_time"]);
@@ -189,7 +196,7 @@ void draw_sheet(Random& random, const NamedNumbers& x) {
     x["speed"] = random.log_uniform(1e-3, 1e3);
     x["half_thickness"] = random.log_uniform(1e-3, 1);
     const double unit = x["half_thickness"] / x["speed"];
-    x["material"] = static_cast<double>(random.index(4));
+    x["material"] = static_cast<double>(random.index(drawn_solids));
     x["bulk"] = random.log_uniform(1e-3, 1e6);
     x["relaxation_time"] = unit * random.log_uniform(1e-12, 1e12);
     draw_prony(x, random.log_uniform(1e-6, 1e3), unit * random.log_uniform(1e-5, 1e5), random);
@@ -206,7 +213,8 @@ void keep_material(const NamedNumbers& x, double farthest) {
   keep_passive(x);
   if (x["material"] != solid_of_operators || (farthest <= near && is_soon_confirmed(x))) return;
   if (farthest > near) x["material"] = standard_linear_solid;
-  set_defaults(x, operator_arguments());
+  const Argument& material = x.arguments()[argument_number(x.arguments(), "material")];
+  set_defaults(x, material.models[static_cast<std::size_t>(solid_of_operators)].keys);
 }
 
 /// Of the load and of where it started at most, by the first number and the others: times or distances.
@@ -265,22 +273,6 @@ Quantity steady_entry(Quantity entry, const std::vector<const char*>& names) {
 }
 
 }  // namespace
-
-ArgumentGroup sheet_arguments() {
-  const auto single = keys_of_numbers({"bulk", "relaxation_time"});
-  std::vector<Argument> arguments{{"speed", ArgumentKind::positive, "1", {}},
-                                  {"half_thickness", ArgumentKind::positive, "1", {}},
-                                  {"material",
-                                   ArgumentKind::choice,
-                                   "standard-linear-solid",
-                                   {},
-                                   {"standard-linear-solid", "thesis-misprint", "prony", "operators"},
-                                   {single, single, prony_keys(), operator_keys()}},
-                                  {"bulk", ArgumentKind::positive, "1", {}},
-                                  {"relaxation_time", ArgumentKind::positive, "1", {}}};
-  std::ranges::move(rational_arguments(), std::back_inserter(arguments));
-  return {arguments};
-}
 
 std::vector<Quantity> moving_load_entries() {
   return {started_entry(entry_of(

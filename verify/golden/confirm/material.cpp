@@ -47,7 +47,7 @@ struct States {
   };
 };
 
-enum Model { standard_linear, kelvin_voigt, maxwell, elastic, prony, operators, thesis };
+enum Model { standard_linear, kelvin_voigt, maxwell, elastic, prony, operators, thesis, one_time };
 
 /// The springs and the dashpot of a modulus; the second spring is 0 in models that have none.
 struct Parts {
@@ -169,11 +169,12 @@ struct Responses {
       theta2 = Wide(3) * inverse(Wide(6) * K + Wide(2) * G);
       return;
     }
-    if (model_of(x) == thesis) {
+    if (model_of(x) == thesis || model_of(x) == one_time) {
       const Wide rate = 1 / Wide(x["relaxation_time"]),
                  at_once = 3 / (6 * Wide(x["bulk"]) + 2 * Wide(x["shear"]));
       theta1 = (1 / (2 * Wide(x["shear"]))) * Ratio{{2 * rate, 1}, {rate, 1}};
-      theta2 = at_once * Ratio{{3 * rate, 1}, {2 * rate, 1}};
+      const Wide theta2_rate = (model_of(x) == thesis ? 2 : 1) * rate;
+      theta2 = at_once * Ratio{{theta2_rate + rate, 1}, {theta2_rate, 1}};
     } else {
       theta1 = series(x.from("theta1_instantaneous"));
       theta2 = series(x.from("theta2_instantaneous"));

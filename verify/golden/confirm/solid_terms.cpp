@@ -7,7 +7,7 @@ namespace {
 
 using Coefficients = std::vector<Long>;
 
-constexpr int thesis = 1, prony = 2, operators = 3;
+constexpr int thesis = 1, prony = 2, operators = 3, two_moduli = 4;
 
 SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
   return {at_once, {{LongComplex(at_once * rate), LongComplex(rate * rate_factor)}}};
@@ -108,7 +108,9 @@ SolidTerms solid_terms(Arguments x) {
             fraction(multiplied(3, p, p_bulk), added(multiplied(6, q_bulk, p), multiplied(2, q, p_bulk)))};
   }
   const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
-  return {relaxing(4 / (3 * bulk), rate, 1), relaxing(4 / (9 * bulk), rate, model == thesis ? 2 : 1)};
+  const Long shear = model == two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);
+  return {relaxing(1 / (2 * shear), rate, 1),
+          relaxing(3 / (6 * bulk + 2 * shear), rate, model == thesis ? 2 : 1)};
 }
 
 }  // namespace nipref::verify::confirm

@@ -3,8 +3,13 @@
 
 #include <string>
 
+#include <nipref/data/material/seed_solids.hpp>
+#include <nipref/data/material/stiffness.hpp>
+#include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/sampling.hpp>
+#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/named_point.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
 
@@ -17,7 +22,7 @@ TEST_CASE("materials: series, operators and the thesis's solid are confirmed by 
     if (!quantity.name.starts_with("material.")) continue;
     CAPTURE(quantity.name);
     verify::Random random("second method");
-    for (const double model : {4.0, 5.0, 6.0}) {
+    for (const double model : {4.0, 5.0, 6.0, 7.0}) {
       for (int i = 0; i < 5; ++i) {
         verify::Point point = quantity.draw(random);
         point[1] = model;
@@ -46,6 +51,65 @@ TEST_CASE("materials: constants of a model are arguments by the names that a sce
   const Outcome swept = run("eval material.G 'material=elastic(shear=0.5..2)' t=1 --points 3");
   CHECK(swept.status == 0);
   CHECK(swept.out.find("shear") != std::string::npos);
+}
+
+TEST_CASE(
+    "materials: a standard linear solid has one relaxation time, two moduli or six constants, as in a scene") {
+  const auto value = [](const std::string& arguments) {
+    const Outcome outcome = run("eval " + arguments + " --digits 20 --json");
+    CHECK(outcome.status == 0);
+    return outcome.out.substr(outcome.out.find("\"value\""), 30);
+  };
+  const std::string two = " 'material=standard-linear-solid(bulk=1, shear=0.375, relaxation_time=2)'";
+  const std::string one = " 'material=standard-linear-solid(bulk=1, relaxation_time=2)'";
+  const std::string six =
+      " 'material=standard-linear-solid(shear_1=0.375, shear_2=0.375, shear_viscosity=0.75, bulk_1=1, bulk_2=1, "
+      "bulk_viscosity=2)'";
+  for (const char* name :
+       {"Un t=1 T=0.5", "Vn t=1 T=0.5 t0=0.3", "Un_steady alpha=0.5", "Vn_steady alpha=0.5 eta=1"})
+    CHECK(value(name + two) == value(name + one));
+  for (const char* name :
+       {"material.theta1 t=1", "material.theta2 t=1", "material.K t=1", "material.loss_bulk omega=2"})
+    CHECK(value(name + two) == value(name + six));
+  check_call_refused(
+      "eval material.K t=1 'material=standard-linear-solid(bulk=1, shear_1=2)'",
+      "bulk_viscosity=...) or standard-linear-solid(bulk=..., shear=..., relaxation_time=...)");
+  check_call_refused(
+      "eval Un t=1 T=2 shear=2",
+      "shear = 2: is part of the material: material=standard-linear-solid(bulk=..., shear=...");
+}
+
+TEST_CASE("materials: the second method confirms a moving load on a solid of two moduli") {
+  for (const char* name : {"Un", "Vn"}) {
+    const verify::Quantity& quantity = verify::find_quantity(name);
+    verify::Point point = verify::point_of(quantity, {{"t", 1}, {"T", 0.5}, {"shear", 0.7}});
+    point[verify::argument_number(quantity.arguments, "material")] = 4;
+    verify::GoldenRow row = verify::golden_row(quantity, point, verify::ref_value(quantity, point, 30));
+    CHECK(verify::confirm_row(quantity, row) == "");
+  }
+}
+
+TEST_CASE("materials and solids: constants by default are the seed's, and keys are those of scenes") {
+  const verify::Quantity& transverse = verify::find_quantity("ti.critical");
+  const auto& [c11, c33, c13, c44, c66, density] = data::seed::graphite_epoxy;
+  CHECK(verify::point_of(transverse, {}) == verify::Point{0, 0, c11, c33, c13, c44, c66, density});
+  const verify::Quantity& any = verify::find_quantity("anisotropic.critical");
+  const verify::Point point = verify::point_of(any, {});
+  const auto epoxy = data::Stiffness::of(data::seed::graphite_epoxy, data::SymmetryAxis::in_plane).voigt;
+  std::size_t next = verify::argument_number(any.arguments, "c11");
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = i; k < 6; ++k) CHECK(point[next++] == doctest::Approx(epoxy[i][k]).epsilon(1e-15));
+  for (const verify::Quantity& quantity : verify::catalogue()) {
+    for (const verify::Argument& argument : verify::written_arguments(quantity)) {
+      const std::string table = argument.name == "solid" ? "half_space." : "material.";
+      for (const verify::MaterialModel& model : argument.models) {
+        for (const verify::ModelKey& key : model.keys) {
+          CAPTURE(key.name);
+          CHECK(data::find_scene_key(table + key.name) != nullptr);
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("materials: only what the model has is written, and it is written in the material alone") {

@@ -14,8 +14,6 @@
 namespace nipref::verify {
 namespace {
 
-using data::seed::graphite_epoxy;
-
 // Of the seed's steel in two words: 77.2 and sqrt(77.2/7860), as the decimals stand.
 constexpr double steel_shear = 0x1.34ccccccccccdp+6, steel_shear_low = -0x1.999999999999ap-49;
 constexpr fast::SpeedUnit steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
@@ -55,24 +53,6 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
     return {answer.compliance.value, answer.coupling.value, answer.coupling_across.value,
             answer.in_line.value};
   };
-}
-
-ArgumentGroup constants_arguments() {
-  const auto& [c11, c33, c13, c44, c66, density] = graphite_epoxy;
-  const auto argument = [](const char* name, ArgumentKind kind, double value) {
-    return Argument{name, kind, fmt::format("{}", value), {}};
-  };
-  const std::string model = "transversely-isotropic";
-  return {
-      {argument("c11", ArgumentKind::positive, c11), argument("c33", ArgumentKind::positive, c33),
-       argument("c13", ArgumentKind::amplitude, c13), argument("c44", ArgumentKind::positive, c44),
-       argument("c66", ArgumentKind::positive, c66), argument("density", ArgumentKind::positive, density)},
-      Argument{"solid",
-               ArgumentKind::choice,
-               model,
-               {},
-               {model},
-               {keys_of_numbers({"c11", "c33", "c13", "c44", "c66", "density"})}}};
 }
 
 data::SymmetryAxis symmetry_axis(const NamedPoint& x) {
@@ -194,6 +174,9 @@ double draw_share(Random& random, double least, double largest) {
 double draw_angle(Random& random) { return random.uniform(-90, 90); }
 double draw_friction(Random& random) { return random.chance(0.2) ? 0 : random.uniform(0, 1); }
 
-void put_epoxy(const NamedNumbers& x) { set_defaults(x, constants_arguments().arguments); }
+void put_epoxy(const NamedNumbers& x) {
+  static const std::vector<ModelKey> constants = described("ti.compliance").solid->models.front().keys;
+  set_defaults(x, constants);
+}
 
 }  // namespace nipref::verify

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <string>
 
 #include <nipref/verify/catalogue/internal/entries.hpp>
@@ -10,8 +9,6 @@
 namespace nipref::verify {
 namespace {
 
-constexpr std::array<const char*, 2> functions{"theta1", "theta2"};
-constexpr std::array<const char*, 4> polynomials{"P", "Q", "P_dilatation", "Q_dilatation"};
 constexpr std::size_t per_polynomial = 3;
 
 /// data::PronyList or ref::ExactSeries.
@@ -67,59 +64,12 @@ Quadratic draw_q(const Quadratic& p, double size, Random& random) {
 
 }  // namespace
 
-std::vector<Argument> rational_arguments() {
-  std::vector<Argument> arguments;
-  for (const std::string name : functions) {
-    const char* one = name == "theta1" ? "1" : "0.25";
-    arguments.push_back({name + "_instantaneous", ArgumentKind::nonnegative, one, {}});
-    arguments.push_back({name + "_amplitude", ArgumentKind::amplitude, one, {}});
-    arguments.push_back({name + "_rate", ArgumentKind::rate, "1", {}});
-    arguments.push_back({name + "_amplitude_2", ArgumentKind::amplitude, "0", {}});
-    arguments.push_back({name + "_rate_2", ArgumentKind::rate, "1", {}});
-  }
-  std::ranges::move(operator_arguments(), std::back_inserter(arguments));
-  return arguments;
-}
-
-std::vector<Argument> operator_arguments() {
-  // G = 0.375 (1 + p)/(2 + p), K = (1 + p)/(2 + p)
-  constexpr std::array<std::array<const char*, per_polynomial>, 4> standard{
-      {{"2", "1", "0"}, {"0.375", "0.375", "0"}, {"2", "1", "0"}, {"1", "1", "0"}}};
-  std::vector<Argument> arguments;
-  for (std::size_t i = 0; i < polynomials.size(); ++i) {
-    for (std::size_t k = 0; k < per_polynomial; ++k)
-      arguments.push_back({coefficient(polynomials[i], k), ArgumentKind::nonnegative, standard[i][k], {}});
-  }
-  return arguments;
-}
-
-std::vector<ModelKey> prony_keys() {
-  std::vector<ModelKey> keys;
-  for (const std::string name : functions) {
-    keys.push_back({name + "_instantaneous", {name + "_instantaneous"}});
-    keys.push_back({name + "_amplitudes", {name + "_amplitude", name + "_amplitude_2"}});
-    keys.push_back({name + "_rates", {name + "_rate", name + "_rate_2"}});
-  }
-  return keys;
-}
-
-std::vector<ModelKey> operator_keys() {
-  std::vector<ModelKey> keys;
-  for (const std::string name : polynomials) keys.push_back({name, {name + "_0", name + "_1", name + "_2"}});
-  return keys;
-}
-
 void default_unread(const NamedNumbers& x) {
-  const auto has = [](const std::vector<ModelKey>& keys, const std::string& argument) {
-    return std::ranges::any_of(keys, [&](const ModelKey& key) {
-      return std::ranges::find(key.arguments, argument) != key.arguments.end();
-    });
-  };
-  const auto& keys = x.arguments()[argument_number(x.arguments(), "material")].keys;
-  const auto& chosen = keys[static_cast<std::size_t>(x["material"])];
+  const auto& models = x.arguments()[argument_number(x.arguments(), "material")].models;
+  const MaterialModel& chosen = models[static_cast<std::size_t>(x["material"])];
   for (const Argument& argument : x.arguments()) {
-    const auto has_it = [&](const std::vector<ModelKey>& of_one) { return has(of_one, argument.name); };
-    if (std::ranges::any_of(keys, has_it) && !has_it(chosen)) x[argument.name] = default_number(argument);
+    const auto has_it = [&](const MaterialModel& model) { return model.holds(argument.name); };
+    if (std::ranges::any_of(models, has_it) && !has_it(chosen)) x[argument.name] = default_number(argument);
   }
 }
 
