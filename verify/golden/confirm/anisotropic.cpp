@@ -10,28 +10,15 @@
 namespace nipref::verify::confirm {
 namespace {
 
-/// Of the upper triangle of Voigt's matrix row by row, which begins with c11, and the density.
+/// The solid of the upper triangle of Voigt's matrix row by row, which begins with c11.
 template <unsigned digits>
-class AnySolid {
- public:
-  using Float = Number<digits>;
-
-  explicit AnySolid(Arguments x) : density_(x["density"]) {
-    auto modulus = x.from("c11").begin();
-    for (std::size_t i = 0; i < 6; ++i)
-      for (std::size_t k = i; k < 6; ++k) voigt_[i][k] = voigt_[k][i] = Float(*modulus++);
-  }
-
-  /// Y for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
-  [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
-    const Float psi = psi_degrees * pi<Float>() / 180;
-    return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
-  }
-
- private:
-  typename Stroh<digits>::Voigt voigt_;
-  Float density_;
-};
+StrohSolid<digits> any_solid(Arguments x) {
+  StrohSolid<digits> solid{{}, Number<digits>(x["density"])};
+  auto modulus = x.from("c11").begin();
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *modulus++;
+  return solid;
+}
 
 enum class Part { re, minus_im };
 
@@ -39,7 +26,7 @@ Confirm entry_of(std::size_t row, std::size_t column, Part part) {
   return [=](Arguments x) {
     using Float = Number<150>;
     const Float phase = Float(x["speed"]) * cosine_between<150>(x["psi_deg"], x["theta_deg"]);
-    const auto y = AnySolid<150>(x).admittance(x["psi_deg"], phase);
+    const auto y = any_solid<150>(x).admittance(x["psi_deg"], phase);
     const Wave value(part == Part::re ? Float(y[row][column].real()) : Float(-y[row][column].imag()));
     const Wave size = std::max<Wave>(abs(Wave(y[2][2].real())),
                                      std::max<Wave>(abs(Wave(y[0][0].real())), abs(Wave(y[1][1].real()))));
@@ -48,12 +35,12 @@ Confirm entry_of(std::size_t row, std::size_t column, Part part) {
 }
 
 Confirmation critical_of_any(Arguments x) {
+  const auto exact = any_solid<130>(x);
   data::Stiffness solid{{}, x["density"]};
-  auto modulus = x.from("c11").begin();
   for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = i; k < 6; ++k) solid.voigt[i][k] = solid.voigt[k][i] = *modulus++;
+    for (std::size_t k = 0; k < 6; ++k) solid.voigt[i][k] = static_cast<double>(exact.voigt[i][k]);
   const auto near = fast::critical_speed(solid, fast::Direction::of_degrees(x["theta_deg"]));
-  return lowest_surface_wave(AnySolid<130>(x), near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
+  return lowest_surface_wave(exact, near.psi * 180 / std::numbers::pi, x["theta_deg"], near.speed);
 }
 
 }  // namespace

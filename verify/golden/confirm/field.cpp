@@ -12,7 +12,7 @@ struct InnerPoint {
   Float alpha, depth;
 };
 
-/// A node of the double exponential rule of kernels.cpp, with 2 sinh z/S - 2 e^-z and 2 cosh z/S - 2 e^-z.
+/// A node of the double exponential rule with 2 sinh z/S - 2 e^-z and 2 cosh z/S - 2 e^-z.
 struct Rests {
   Float z, weight, sine, cosine;
 };
@@ -20,13 +20,10 @@ struct Rests {
 const std::vector<Rests>& rests() {
   static const std::vector<Rests> all = [] {
     std::vector<Rests> made;
-    const Float step = Float(1) / 256;
-    for (int j = -1400; j <= 1600; ++j) {
-      const Float t = j * step, z = exp(t - exp(-t)), weight = step * z * (1 + exp(-t));
-      if (z > 250) break;
+    double_exponential_rule(250, [&](const Float& z, const Float& weight) {
       const Float q = exp(-2 * z), whole = 4 * z * q - expm1(-4 * z), scale = -2 * exp(-3 * z) / whole;
       made.push_back({z, weight, scale * (1 + 4 * z - q), scale * (4 * z - 1 - q)});
-    }
+    });
     return made;
   }();
   return all;
@@ -93,17 +90,14 @@ Float half_planes(Part part, bool normal, const InnerPoint& at, const Float& t1)
 /// pi times the quantity; for v the part that does not depend on eta.
 Split near_sum(Part part, bool normal, const InnerPoint& at, const Float& t1) {
   const bool sine = is_sine(part, normal), twofold = part == Part::v && !normal;
-  Float even = 0, odd = 0;
-  bool is_even = true;
-  for (const Rests& node : rests()) {
+  Split sum = integral(rests(), [&](const Rests& node) -> Float {
     const Float angle = at.alpha * node.z;
     Float value = integrand<Float>(part, normal, at.depth, t1, node.z, node.sine, node.cosine) *
                   (sine ? sin(angle) : cos(angle));
     if (twofold) value -= node.cosine / node.z;
-    (is_even ? even : odd) += node.weight * value;
-    is_even = !is_even;
-  }
-  Split sum{0, even + odd + half_planes(part, normal, at, t1), abs(odd - even) + abs(even) * Float("1e-90")};
+    return node.weight * value;
+  });
+  sum.rest += half_planes(part, normal, at, t1);
   if (twofold) sum.add(1, kernel_I6_eta(0));
   sum.error += abs(sum.rest) * Float("1e-90");
   return sum;

@@ -1,9 +1,10 @@
+#include <Eigen/Dense>
 #include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <cstddef>
 
 #include <nipref/verify/golden/confirm/gripped_contact.hpp>
-#include <nipref/verify/golden/confirm/linear_system.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
@@ -33,7 +34,8 @@ struct Kernels {
 
   template <class Kernel>
   static Smooth made(double half_length, double digits, const Kernel& kernel, bool has_logarithm) {
-    return {Solved(2 * half_length), smooth_points(2 * half_length, digits), [&](const Solved& x) {
+    return {Solved(-2 * half_length), Solved(2 * half_length), smooth_points(2 * half_length, digits),
+            [&](const Solved& x) {
               mpq_class exact;
               mpfr_get_q(exact.get_mpq_t(), x.backend().data());
               const Float value = kernel(exact);
@@ -85,12 +87,15 @@ class Contact {
 
   void solve() {
     const int last = grid_.last;
-    const auto of_pressure = [](int j) { return static_cast<std::size_t>(std::abs(j)); };
-    const auto of_shear = [&](int j) { return static_cast<std::size_t>(last + std::abs(j)); };
-    const std::size_t of_strain = static_cast<std::size_t>(2 * last + 1);
-    LinearSystem<Digits> system(of_strain + 1);
+    const auto of_pressure = [](int j) { return std::abs(j); };
+    const auto of_shear = [&](int j) { return last + std::abs(j); };
+    const int of_strain = 2 * last + 1;
+    using Matrix = Eigen::Matrix<Digits, Eigen::Dynamic, Eigen::Dynamic>;
+    using Vector = Eigen::Matrix<Digits, Eigen::Dynamic, 1>;
+    Matrix system = Matrix::Zero(of_strain + 1, of_strain + 1);
+    Vector right = Vector::Zero(of_strain + 1);
     for (int k = 0; k <= last; ++k) {
-      const std::size_t slope = static_cast<std::size_t>(k), strain = static_cast<std::size_t>(last + 1 + k);
+      const int slope = k, strain = last + 1 + k;
       const Digits w = grid_.middle(k), x = half_length_ * tanh(w);
       for (int j = -last; j <= last; ++j) {
         const Digits v = grid_.node(j), weight = half_length_ * grid_.step / square(cosh(v));
@@ -105,14 +110,14 @@ class Contact {
         system(slope, of_shear(j)) += sign * (local - coupling);
         system(strain, of_shear(j)) += sign * (singular + weight * Digits(kernels_.stretch.slope(way)));
       }
-      system.right(slope) = -2 * pi<Digits>() * x;
+      right(slope) = -2 * pi<Digits>() * x;
       system(strain, of_strain) = -pi<Digits>();
     }
-    const std::vector<Digits> found = system.solution();
+    const Vector found = system.partialPivLu().solve(right);
     pressure_.assign(found.begin(), found.begin() + last + 1);
     shear_.assign(1, Digits(0));
     shear_.insert(shear_.end(), found.begin() + last + 1, found.begin() + 2 * last + 1);
-    strain_ = found.back();
+    strain_ = found(of_strain);
   }
 
   [[nodiscard]] Digits shear_at(const Digits& w) const {

@@ -1,47 +1,14 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <functional>
-#include <vector>
+#include <map>
 
 #include <nipref/verify/golden/confirm/history.hpp>
+#include <nipref/verify/golden/confirm/interpolant.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
 using boost::math::quadrature::gauss;
-
-/// The Chebyshev interpolant of a function on [0, 3].
-class Interpolant {
- public:
-  explicit Interpolant(const std::function<Float(const Float& x)>& f) {
-    std::vector<Float> values;
-    for (int k = 0; k < points; ++k)
-      values.push_back(f(Float(far) / 2 * (1 + cos(pi<Float>() * (2 * k + 1) / (2 * points)))));
-    for (int n = 0; n < points; ++n) {
-      Float sum = 0;
-      for (int k = 0; k < points; ++k)
-        sum += values[static_cast<std::size_t>(k)] * cos(pi<Float>() * n * (2 * k + 1) / (2 * points));
-      coefficients_.push_back(2 * sum / points);
-    }
-    coefficients_[0] /= 2;
-  }
-
-  [[nodiscard]] Float at(const Float& x) const {
-    const Float u = 2 * x / far - 1, twice = 2 * u;
-    Float last = 0, before = 0;
-    for (std::size_t n = coefficients_.size() - 1; n > 0; --n) {
-      const Float next = coefficients_[n] + twice * last - before;
-      before = last;
-      last = next;
-    }
-    return coefficients_[0] + u * last - before;
-  }
-
- private:
-  static constexpr int points =
-      180;  // the nearest singularity, +-i, is on Bernstein's ellipse of parameter 2.4
-  std::vector<Float> coefficients_;
-};
 
 mpq_class exact(const Float& x) {
   mpq_class value;
@@ -49,35 +16,21 @@ mpq_class exact(const Float& x) {
   return value;
 }
 
-/// I1 + ln |w|, or the odd kernel over w.
-const Interpolant& smooth_part(Remembered kernel) {
-  static const Interpolant I1([](const Float&w) { return Float(kernel_I1(exact(w)).value() + log(w)); }),
-      I3([](const Float&w) { return Float(kernel_I3(exact(w)).value() / w); }),
-      I4([](const Float&w) { return Float(kernel_I4(exact(w)).value() / w); }),
-      I5([](const Float&w) { return Float(kernel_I5(exact(w)).value() / w); });
-  switch (kernel) {
-    case Remembered::I1:
-      return I1;
-    case Remembered::I3:
-      return I3;
-    case Remembered::I4:
-      return I4;
-    default:
-      return I5;
-  }
-}
-
-Complex Pole::*residue_of(Remembered kernel) {
-  switch (kernel) {
-    case Remembered::I1:
-      return &Pole::I1;
-    case Remembered::I3:
-      return &Pole::I3;
-    case Remembered::I4:
-      return &Pole::I4;
-    default:
-      return &Pole::I5;
-  }
+/// I1 + ln |w|, or the odd kernel over w, for |w| < 3. The nearest singularity, +-i, is on Bernstein's ellipse of parameter
+/// 2.4.
+const Interpolant<Float>& smooth_part(const Remembered& kernel) {
+  static const auto made = [](const Remembered& of) {
+    return Interpolant<Float>(0, far, 180, [of](const Float& w) {
+      const Float value = of.at(exact(w)).value();
+      return of.is_odd ? Float(value / w) : Float(value + log(w));
+    });
+  };
+  static const std::map<Split (*)(const mpq_class&), Interpolant<Float>> all{
+      {kernel_I1, made(remembered_I1)},
+      {kernel_I3, made(remembered_I3)},
+      {kernel_I4, made(remembered_I4)},
+      {kernel_I5, made(remembered_I5)}};
+  return all.at(kernel.at);
 }
 
 /// An interval of distances on one side of the load. The memory decays from the near end on if `freshest_near`,
@@ -96,39 +49,32 @@ struct Piece {
 /// A memory is neglected where it has decayed by e to this power.
 constexpr int forgotten = 200;
 
-/// int f(x) piece.left(x) dx for a real f.
-Complex by_gauss(const std::function<Float(const Float&)>& f, const Piece& piece, const Float& a,
-                 const Float& b, bool coarse) {
-  const bool swings = piece.rate.imag() != 0;
+/// The integral of a complex function, real if its imaginary part is not wanted.
+template <class Integrand>
+Complex by_gauss(const Integrand& f, const Float& a, const Float& b, bool coarse, bool is_complex) {
   const auto part = [&](auto part_of) {
-    const auto integrand = [&](const Float& x) -> Float { return f(x) * part_of(piece.left(x)); };
+    const auto integrand = [&](const Float& x) -> Float { return part_of(f(x)); };
     return coarse ? gauss<Float, 40>::integrate(integrand, a, b)
                   : gauss<Float, 52>::integrate(integrand, a, b);
   };
   const Float real = part([](const Complex& z) -> Float { return z.real(); });
-  return {real, swings ? part([](const Complex& z) -> Float { return z.imag(); }) : Float(0)};
+  return {real, is_complex ? part([](const Complex& z) -> Float { return z.imag(); }) : Float(0)};
 }
 
-/// The same of f = -ln x from 0 to `end` by the substitution x = end e^(-v), for x down to 10^-70 of `end`.
+/// int -ln x piece.left(x) dx from 0 to `end` by the substitution x = end e^(-v), for x down to 10^-70 of `end`.
 Complex logarithm_at_zero(const Piece& piece, const Float& end, bool coarse) {
   Complex sum = 0;
-  const auto part = [&](int v, auto part_of) {
-    const auto integrand = [&](const Float& u) -> Float {
-      const Float x = end * exp(-u);
-      return -log(x) * x * part_of(piece.left(x));
-    };
-    return coarse ? gauss<Float, 40>::integrate(integrand, Float(v), Float(v + 4))
-                  : gauss<Float, 52>::integrate(integrand, Float(v), Float(v + 4));
+  const auto integrand = [&](const Float& u) -> Complex {
+    const Float x = end * exp(-u);
+    return Float(-log(x) * x) * piece.left(x);
   };
-  for (int v = 0; v < 176; v += 4) {
-    sum += Complex(part(v, [](const Complex& z) -> Float { return z.real(); }),
-                   part(v, [](const Complex& z) -> Float { return z.imag(); }));
-  }
+  for (int v = 0; v < 176; v += 4)
+    sum += by_gauss(integrand, Float(v), Float(v + 4), coarse, piece.rate.imag() != 0);
   return sum;
 }
 
 /// The integral over a piece with 0 <= near < distant <= 3.
-Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
+Complex close_piece(const Remembered& kernel, Piece piece, bool coarse) {
   const Float fades = piece.rate.real(), turns = abs(piece.rate);
   if (fades * (piece.distant - piece.near) > forgotten) {
     if (piece.freshest_near) {
@@ -138,12 +84,15 @@ Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
       piece.near = piece.distant - forgotten / fades;
     }
   }
-  const bool has_logarithm = kernel == Remembered::I1;
-  const Interpolant& smooth = smooth_part(kernel);
-  const auto remembered = [&](const Float& x) -> Float {
-    return has_logarithm ? Float(smooth.at(x) - log(x)) : Float(smooth.at(x) * x - pi<Float>() / 4);
+  const bool has_logarithm = !kernel.is_odd;
+  const Interpolant<Float>& smooth = smooth_part(kernel);
+  const auto remembered = [&](const Float& x) -> Complex {
+    return Float(has_logarithm ? smooth(x) - log(x) : smooth(x) * x - pi<Float>() / 4) * piece.left(x);
   };
-  const auto without_logarithm = [&](const Float& x) -> Float { return smooth.at(x); };
+  const auto without_logarithm = [&](const Float& x) -> Complex { return smooth(x) * piece.left(x); };
+  const auto over = [&](const auto& f, const Float& a, const Float& b) {
+    return by_gauss(f, a, b, coarse, piece.rate.imag() != 0);
+  };
   Complex sum = 0;
   Float from = piece.near;
   while (from < piece.distant) {
@@ -151,9 +100,9 @@ Complex close_piece(Remembered kernel, Piece piece, bool coarse) {
     if (turns > 0) to = std::min<Float>(to, from + 8 / turns);
     if (has_logarithm && from > 0) to = std::min<Float>(to, 2 * from);
     if (has_logarithm && from == 0) {
-      sum += by_gauss(without_logarithm, piece, from, to, coarse) + logarithm_at_zero(piece, to, coarse);
+      sum += over(without_logarithm, from, to) + logarithm_at_zero(piece, to, coarse);
     } else {
-      sum += by_gauss(remembered, piece, from, to, coarse);
+      sum += over(remembered, from, to);
     }
     from = to;
   }
@@ -173,21 +122,20 @@ Complex of_wave(const Complex& z, const Piece& piece, bool endless) {
 
 /// The integral over a piece with near >= 3, as a sum over the pairs of poles z and -conj z. The terms of a pair are
 /// conjugate but for the factor of the memory.
-Complex far_piece(Remembered kernel, const Piece& piece, bool endless) {
-  const bool is_odd = kernel != Remembered::I1;
+Complex far_piece(const Remembered& kernel, const Piece& piece, bool endless) {
   const Complex i(Float(0), Float(1));
   Complex sum = 0;
   for (std::size_t n = poles; n >= 1; --n) {
-    const Complex residue = pole(n).*residue_of(kernel), z = pole(n).z;
+    const Complex residue = pole(n).*kernel.residue, z = pole(n).z;
     const Complex wave = residue * of_wave(z, piece, endless);
     const Complex mirrored = conj(residue) * of_wave(Complex(-conj(z)), piece, endless);
-    sum += is_odd ? Complex(wave + mirrored) : Complex((wave - mirrored) * i);
+    sum += kernel.is_odd ? Complex(wave + mirrored) : Complex((wave - mirrored) * i);
   }
   return sum * pi<Float>();
 }
 
 /// The integral over the distances from `near` to `distant`, or to infinity without `distant`, on one side of the load.
-Complex one_side(Remembered kernel, const mpq_class& near, const std::optional<mpq_class>& distant,
+Complex one_side(const Remembered& kernel, const mpq_class& near, const std::optional<mpq_class>& distant,
                  bool freshest_near, const Complex& rate, bool coarse) {
   const mpq_class border = far;
   const bool goes_far = !distant || *distant > border;
@@ -214,10 +162,10 @@ Complex one_side(Remembered kernel, const mpq_class& near, const std::optional<m
 
 }  // namespace
 
-Complex history(Remembered kernel, const mpq_class& from, const std::optional<mpq_class>& to,
+Complex history(const Remembered& kernel, const mpq_class& from, const std::optional<mpq_class>& to,
                 const Complex& rate, bool coarse) {
   Complex sum = 0;
-  const int parity = kernel == Remembered::I1 ? 1 : -1;
+  const int parity = kernel.is_odd ? -1 : 1;
   if (from < 0) {
     const mpq_class end = to && *to < 0 ? *to : mpq_class(0);
     sum += parity * one_side(kernel, -end, mpq_class(-from), false, rate, coarse);

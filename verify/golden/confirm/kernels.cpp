@@ -14,36 +14,17 @@ struct Node {
   Float T, I3, I4, I5, I7, I6_alpha, I6_eta;  ///< weight times symbol
 };
 
-/// Node j is at t = j/256; the coarse rule has the even nodes. For kernels at |x| <= 3 the integrands are analytic and
-/// bounded in the strip |Im t| < 0.3.
-std::vector<Node> make_nodes() {
-  std::vector<Node> nodes;
-  const Float step = Float(1) / 256;
-  for (int j = -1400; j <= 1600; ++j) {
-    const Float t = j * step, x = exp(t - exp(-t)), weight = step * x * (1 + exp(-t));
-    if (x > 400) break;
-    const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
-    nodes.push_back({x, weight, unit * sine / cosine, unit, unit * sine / x, unit * cosine, unit * sine,
-                     unit / x, unit * cosine / x});
-  }
-  return nodes;
-}
-
 const std::vector<Node>& nodes() {
-  static const std::vector<Node> all = make_nodes();
+  static const std::vector<Node> all = [] {
+    std::vector<Node> made;
+    double_exponential_rule(400, [&](const Float& x, const Float& weight) {
+      const Float sine = sinh(x), cosine = cosh(x), S = sinh(2 * x) + 2 * x, unit = 2 * weight / S;
+      made.push_back({x, weight, unit * sine / cosine, unit, unit * sine / x, unit * cosine, unit * sine,
+                      unit / x, unit * cosine / x});
+    });
+    return made;
+  }();
   return all;
-}
-
-/// The sum of `integrand` over the nodes; the error is its difference from twice the sum over the even nodes.
-template <class Integrand>
-Split integral(Integrand integrand) {
-  Float even = 0, odd = 0;
-  bool is_even = true;
-  for (const Node& node : nodes()) {
-    (is_even ? even : odd) += integrand(node);
-    is_even = !is_even;
-  }
-  return {0, even + odd, abs(odd - even) + abs(even) * Float("1e-90")};
 }
 
 /// The sum of e^(i x z) times the residue over the poles.
@@ -75,7 +56,7 @@ bool is_far(const mpq_class& x) { return abs(x) >= far; }
 Split odd(const mpq_class& x, Float Node::*symbol, Complex Pole::*residue) {
   if (is_far(x)) return odd_far(x, residue);
   const Float at = to_number<Float>(x);
-  return integral([&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
+  return integral(nodes(), [&](const Node& node) -> Float { return node.*symbol * sin(at * node.x); });
 }
 
 /// An approximate root by Newton's iteration in double, which is only the centre of a circle around the root.
@@ -114,7 +95,7 @@ Pole make_pole(std::size_t n) {
 /// I1 as - ln tanh(pi alpha/4) - int 2 tanh x cos(alpha x)/S dx.
 Split I1_near(const mpq_class& alpha) {
   const Float at = abs(to_number<Float>(alpha));
-  Split sum = integral([&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
+  Split sum = integral(nodes(), [&](const Node& node) -> Float { return -node.T * cos(at * node.x); });
   sum.rest -= log(tanh(pi<Float>() * at / 4));
   return sum;
 }
@@ -122,7 +103,7 @@ Split I1_near(const mpq_class& alpha) {
 /// int 2 cosh x (cos(eta x) - cos(3 x))/(x S) dx.
 Split eta_from_far(const mpq_class& eta) {
   const Float at = to_number<Float>(eta), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
-  return integral([&](const Node& node) -> Float {
+  return integral(nodes(), [&](const Node& node) -> Float {
     return 2 * node.I6_eta * sin(half_sum * node.x) * sin(half_difference * node.x);
   });
 }
@@ -130,7 +111,7 @@ Split eta_from_far(const mpq_class& eta) {
 /// int 2 (cos(alpha x) - cosh x cos(3 x))/(x S) dx, without cancellation at small x.
 Split alpha_from_far(const mpq_class& alpha) {
   const Float at = to_number<Float>(alpha), half_sum = (far + at) / 2, half_difference = (far - at) / 2;
-  return integral([&](const Node& node) -> Float {
+  return integral(nodes(), [&](const Node& node) -> Float {
     const Float lifted = sinh(node.x / 2);
     return 2 * node.I6_alpha *
            (sin(half_sum * node.x) * sin(half_difference * node.x) - cos(far * node.x) * lifted * lifted);
@@ -138,6 +119,15 @@ Split alpha_from_far(const mpq_class& alpha) {
 }
 
 }  // namespace
+
+void double_exponential_rule(int end, const std::function<void(const Float& x, const Float& weight)>& add) {
+  const Float step = Float(1) / 256;
+  for (int j = -1400; j <= 1600; ++j) {
+    const Float t = j * step, x = exp(t - exp(-t));
+    if (x > end) break;
+    add(x, step * x * (1 + exp(-t)));
+  }
+}
 
 Split& Split::add(const mpq_class& factor, const Split& term) {
   const Float by = to_number<Float>(factor);
@@ -170,7 +160,7 @@ Split kernel_I5(const mpq_class& eta) { return odd(eta, &Node::I5, &Pole::I5); }
 Split kernel_I7(const mpq_class& eta) {
   if (is_far(eta)) return even_far(eta, &Pole::I7);
   const Float at = to_number<Float>(eta);
-  return integral([&](const Node& node) -> Float { return node.I7 * cos(at * node.x); });
+  return integral(nodes(), [&](const Node& node) -> Float { return node.I7 * cos(at * node.x); });
 }
 
 Split kernel_I6_eta(const mpq_class& eta) {

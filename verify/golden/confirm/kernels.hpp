@@ -1,4 +1,7 @@
 #pragma once
+#include <functional>
+#include <vector>
+
 #include <nipref/verify/golden/confirm/number.hpp>
 
 /// The sheet's kernels by a second method. For |x| <= 3 it integrates along the real axis by a double exponential
@@ -19,6 +22,22 @@ struct Split {
   Split& add(const mpq_class& factor, const Split& term);
   [[nodiscard]] Float value() const;
 };
+
+/// Calls add(x, weight) for each node below `end` of the double exponential rule on x > 0. Node j is at t = j/256; the coarse
+/// rule has the nodes of even j. For kernels at |x| <= 3 the integrands are analytic and bounded in the strip |Im t| < 0.3.
+void double_exponential_rule(int end, const std::function<void(const Float& x, const Float& weight)>& add);
+
+/// The sum of `integrand` over the nodes; the error is its difference from twice the sum over the even nodes.
+template <class Node, class Integrand>
+Split integral(const std::vector<Node>& nodes, Integrand integrand) {
+  Float even = 0, odd = 0;
+  bool is_even = true;
+  for (const Node& node : nodes) {
+    (is_even ? even : odd) += integrand(node);
+    is_even = !is_even;
+  }
+  return {0, even + odd, abs(odd - even) + abs(even) * Float("1e-90")};
+}
 
 Split kernel_I1(const mpq_class& alpha);
 Split kernel_I2(const mpq_class& alpha);

@@ -76,16 +76,15 @@ class Convolution {
     }
   }
 
-  void add(Long& sum, Float& error, int sign, Remembered kernel, const LoadPath& way) const {
+  void add(Long& sum, Float& error, int sign, const Remembered& kernel, const LoadPath& way) const {
     const auto part = [&](const LongComplex& amplitude, const Complex& fine, const Complex& coarse) {
       const LongComplex whole(Long(fine.real()), Long(fine.imag()));
       sum += sign * LongComplex(amplitude * whole).real();
       error += Float(abs(amplitude)) * Float(abs(Complex(fine - coarse)) + abs(fine) * Float("1e-65"));
     };
-    const bool is_odd = kernel != Remembered::I1;
-    if (!is_odd || sgn(way.alpha) != 0) {
-      const Split now = at(kernel, way.alpha);
-      const Float rest = is_odd ? Float(now.value() - sgn(way.alpha) * pi<Float>() / 4) : now.rest;
+    if (!kernel.is_odd || sgn(way.alpha) != 0) {
+      const Split now = kernel.at(way.alpha);
+      const Float rest = kernel.is_odd ? Float(now.value() - sgn(way.alpha) * pi<Float>() / 4) : now.rest;
       const Float exact_rest = now.quarters != 0 ? now.rest : rest;
       part(LongComplex(theta_.instantaneous), exact_rest, exact_rest);
     }
@@ -95,7 +94,7 @@ class Convolution {
       part(amplitude, history(kernel, way.alpha, way.start, short_rate, false),
            history(kernel, way.alpha, way.start, short_rate, true));
     }
-    if (is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
+    if (kernel.is_odd) add_sign(sum, sign, mpq_class(1, 4), way);
   }
 
   /// Adds `share` times the convolution of theta with pi sign.
@@ -110,19 +109,6 @@ class Convolution {
 
  private:
   static bool is_at_rest(const LoadPath& way) { return way.start && *way.start == way.alpha; }
-
-  static Split at(Remembered kernel, const mpq_class& alpha) {
-    switch (kernel) {
-      case Remembered::I1:
-        return kernel_I1(alpha);
-      case Remembered::I3:
-        return kernel_I3(alpha);
-      case Remembered::I4:
-        return kernel_I4(alpha);
-      default:
-        return kernel_I5(alpha);
-    }
-  }
 
   SolidFunction theta_;
 };
@@ -146,7 +132,7 @@ Confirmation Un(const Sheet& sheet, const LoadPath& way) {
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
-    theta->add(sum, error, 1, Remembered::I1, way);
+    theta->add(sum, error, 1, remembered_I1, way);
   return over_pi(sum, error);
 }
 
@@ -154,10 +140,10 @@ Confirmation Vn(const Sheet& sheet, const LoadPath& alpha, const LoadPath& eta) 
   Long sum = 0;
   Float error = 0;
   for (const Convolution* theta : {&sheet.theta1, &sheet.theta2})
-    theta->add(sum, error, 1, Remembered::I3, alpha);
+    theta->add(sum, error, 1, remembered_I3, alpha);
   sheet.theta2.add_sign(sum, -1, mpq_class(1, 2), alpha);
-  sheet.theta2.add(sum, error, 1, Remembered::I4, eta);
-  sheet.theta1.add(sum, error, -1, Remembered::I5, eta);
+  sheet.theta2.add(sum, error, 1, remembered_I4, eta);
+  sheet.theta1.add(sum, error, -1, remembered_I5, eta);
   return over_pi(sum, error);
 }
 

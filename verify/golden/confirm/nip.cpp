@@ -41,9 +41,9 @@ std::vector<Confirmation> compared(const char* method, const std::vector<Solved>
 std::vector<Solved> without_friction(Arguments x, double digits) {
   const Solved half_length = x["L_over_B"], poisson = x["poisson"];
   const Solved beta = (1 - 2 * poisson) / (2 * (1 - poisson));
-  const Smooth rest(2 * half_length, smooth_points(2 * x["L_over_B"], digits), [](const Solved& w) {
-    return rounded(kernel_I1(exactly(w)).value() + log(abs(Float(w))));
-  });
+  const Smooth rest(
+      -2 * half_length, 2 * half_length, smooth_points(2 * x["L_over_B"], digits),
+      [](const Solved& w) { return rounded(kernel_I1(exactly(w)).value() + log(abs(Float(w)))); });
   const RolledContact contact(
       half_length, [](const Solved&) { return Solved(1); }, [&](const Solved& w) { return rest(w); },
       smooth_points(x["L_over_B"], digits) + 1);
@@ -73,10 +73,10 @@ Numbers elastic_numbers(Arguments x) {
 
 /// The memory term int_0^inf e^(-rate w) I(x - w) dw of a kernel of the rolling sheet, x downstream. An odd kernel is
 /// taken without its term pi/4 sign.
-Solved remembered(Remembered kernel, const Solved& x, const mpq_class& rate, bool coarse) {
+Solved remembered(const Remembered& kernel, const Solved& x, const mpq_class& rate, bool coarse) {
   // The integration variable is v = w - x, so that an odd kernel changes its sign.
   const Float sum = history(kernel, -exactly(x), {}, Complex(to_number<Float>(rate)), coarse).real();
-  return rounded(kernel == Remembered::I1 ? sum : Float(-sum));
+  return rounded(kernel.is_odd ? Float(-sum) : sum);
 }
 
 /// int_0^inf rate e^(-rate w) sign(x - w) dw
@@ -114,13 +114,13 @@ std::vector<Solved> rolling(Arguments x, bool coarse) {
   const auto normal = [&](const Solved& w) {
     Solved sum = rounded(kernel_I1(exactly(w)).value());
     for (const Memory& memory : memories)
-      sum += memory.amplitude * rate(memory) * remembered(Remembered::I1, w, memory.rate, coarse);
+      sum += memory.amplitude * rate(memory) * remembered(remembered_I1, w, memory.rate, coarse);
     return sum;
   };
   // More points, an even number, for the growing exponentials.
   const double growth = 3 * x["L_over_B"] * static_cast<double>(rate(memories.back()));
   const int more = (coarse ? 8 : 16) + 2 * static_cast<int>(growth / 2);
-  const Smooth rest(2 * half_length, smooth_points(2 * x["L_over_B"], 11) + more,
+  const Smooth rest(-2 * half_length, 2 * half_length, smooth_points(2 * x["L_over_B"], 11) + more,
                     [&](const Solved& w) { return Solved(normal(w) + share(w) * log(abs(w))); });
   const RolledContact contact(
       half_length, share, [&](const Solved& w) { return rest(w); }, smooth_points(x["L_over_B"], 11) + more);
@@ -130,7 +130,7 @@ std::vector<Solved> rolling(Arguments x, bool coarse) {
     const Solved quarter = pi<Solved>() / 4;
     Solved sum = 2 * quarter * beta * (w > 0 ? 1 : -1) - rounded(kernel_I3(exactly(w)).value());
     for (const Memory& memory : memories) {
-      sum -= memory.amplitude * (rate(memory) * remembered(Remembered::I3, w, memory.rate, coarse) +
+      sum -= memory.amplitude * (rate(memory) * remembered(remembered_I3, w, memory.rate, coarse) +
                                  quarter * remembered_sign(w, rate(memory)));
     }
     return sum + 2 * quarter * theta2_memory * remembered_sign(w, rate(memories.back()));

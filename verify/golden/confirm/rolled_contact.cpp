@@ -1,8 +1,9 @@
+#include <Eigen/Dense>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include <nipref/verify/golden/confirm/linear_system.hpp>
 #include <nipref/verify/golden/confirm/rolled_contact.hpp>
 
 namespace nipref::verify::confirm {
@@ -33,27 +34,30 @@ RolledContact::RolledContact(const Solved& half_length, const std::function<Solv
     logarithm.push_back(sum / points);
   }
   const Solved own_logarithm = -log(half_length_);
-  LinearSystem<Solved> system(at(points) + 2);
+  using Matrix = Eigen::Matrix<Solved, Eigen::Dynamic, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<Solved, Eigen::Dynamic, 1>;
+  Matrix system = Matrix::Zero(points + 2, points + 2);
+  Vector right = Vector::Zero(points + 2);
   for (int k = 0; k < points; ++k) {
     for (int i = 0; i < points; ++i) {
       const Solved x = half_length_ * (nodes_[at(i)] - nodes_[at(k)]);
       const Solved of_logarithm = logarithm[at(i + k + 1)] + logarithm[at(i < k ? k - i : i - k)];
-      system(at(k), at(i)) =
-          half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
+      system(k, i) = half_length_ * (share(x) * (of_logarithm + own_logarithm * step) + rest(x) * step);
     }
     // The right side is D + slope t - (A t)^2.
-    system(at(k), at(points)) = -half_turn;
-    system(at(k), at(points) + 1) = -half_turn * nodes_[at(k)];
-    system.right(at(k)) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
+    system(k, points) = -half_turn;
+    system(k, points + 1) = -half_turn * nodes_[at(k)];
+    right(k) = -half_turn * half_length_ * half_length_ * nodes_[at(k)] * nodes_[at(k)];
   }
   for (int end = 0; end < 2; ++end) {
     for (int i = 0; i < points; ++i) {
       Solved sum = 1;
       for (long j = 1; j < points; ++j) sum += (end == 0 || j % 2 == 0 ? 2 : -2) * wave(j, i);
-      system(at(points + end), at(i)) = sum;
+      system(points + end, i) = sum;
     }
   }
-  values_ = system.solution();
+  const Vector found = system.partialPivLu().solve(right);
+  values_.assign(found.begin(), found.end());
   const Solved slope = values_[at(points) + 1], level = values_[at(points)];
   values_.resize(at(points));
   // The same parabola is d0 - (offset + A t)^2.
@@ -85,37 +89,6 @@ Solved RolledContact::middle_pressure() const {
     sum += weight * values_[static_cast<std::size_t>(i)];
   }
   return sum / points;
-}
-
-Smooth::Smooth(const Solved& reach, int points, const std::function<Solved(const Solved& x)>& f)
-    : reach_(reach) {
-  std::vector<Solved> values, cosine;
-  for (int m = 0; m < 4 * points; ++m) cosine.push_back(cos(pi<Solved>() * m / (2 * points)));
-  for (int k = 0; k < points; ++k) values.push_back(f(reach * cosine[at(2 * k + 1)]));
-  for (long n = 0; n < points; ++n) {
-    Solved sum = 0;
-    for (long k = 0; k < points; ++k)
-      sum += values[static_cast<std::size_t>(k)] *
-             cosine[static_cast<std::size_t>(n * (2 * k + 1) % (4 * points))];
-    coefficients_.push_back(2 * sum / points);
-  }
-  coefficients_[0] /= 2;
-  slopes_.assign(at(points), Solved(0));
-  for (int n = points - 1; n > 0; --n)
-    slopes_[at(n - 1)] =
-        (n + 1 < points ? slopes_[at(n + 1)] : Solved(0)) + 2 * n * coefficients_[at(n)] / reach;
-  slopes_[0] /= 2;
-}
-
-Solved Smooth::sum(const std::vector<Solved>& coefficients, const Solved& x) const {
-  const Solved u = x / reach_, twice = 2 * u;
-  Solved last = 0, before = 0;
-  for (std::size_t n = coefficients.size() - 1; n > 0; --n) {
-    const Solved next = coefficients[n] + twice * last - before;
-    before = last;
-    last = next;
-  }
-  return coefficients[0] + u * last - before;
 }
 
 int smooth_points(double reach, double digits) {

@@ -2,6 +2,7 @@
 #include <functional>
 #include <vector>
 
+#include <nipref/verify/golden/confirm/interpolant.hpp>
 #include <nipref/verify/golden/confirm/kernels.hpp>
 
 namespace nipref::verify::confirm {
@@ -34,19 +35,7 @@ class RolledContact {
   std::vector<Solved> nodes_, values_;
 };
 
-/// The interpolant of a smooth function on [-reach, reach] at an even number of Chebyshev points.
-class Smooth {
- public:
-  Smooth(const Solved& reach, int points, const std::function<Solved(const Solved& x)>& f);
-  Solved operator()(const Solved& x) const { return sum(coefficients_, x); }
-  [[nodiscard]] Solved slope(const Solved& x) const { return sum(slopes_, x); }
-
- private:
-  [[nodiscard]] Solved sum(const std::vector<Solved>& coefficients, const Solved& x) const;
-
-  Solved reach_;
-  std::vector<Solved> coefficients_, slopes_;
-};
+using Smooth = Interpolant<Solved>;
 
 /// An even number of points for so many digits on (-reach, reach), of a function whose singularities are at least 2
 /// away from the real axis.

@@ -1,11 +1,10 @@
-#include <algorithm>
-
+#include <nipref/verify/golden/confirm/rational.hpp>
 #include <nipref/verify/golden/confirm/solid_terms.hpp>
 
 namespace nipref::verify::confirm {
 namespace {
 
-using Coefficients = std::vector<Long>;
+using Coefficients = Polynomial<Long>;
 
 constexpr int thesis = 1, prony = 2, operators = 3, two_moduli = 4;
 
@@ -20,73 +19,16 @@ SolidFunction series(std::span<const double> x) {
   return function;
 }
 
-Coefficients polynomial(std::span<const double> x) {
-  Coefficients c(x.begin(), x.end());
-  while (c.size() > 1 && c.back() == 0) c.pop_back();
-  return c;
-}
-
-Coefficients multiplied(const Long& factor, const Coefficients& a, const Coefficients& b) {
-  Coefficients c(a.size() + b.size() - 1, Long(0));
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t k = 0; k < b.size(); ++k) c[i + k] += factor * a[i] * b[k];
-  }
-  return c;
-}
-
-Coefficients added(Coefficients a, Coefficients b) {
-  if (a.size() < b.size()) std::swap(a, b);
-  for (std::size_t i = 0; i < b.size(); ++i) a[i] += b[i];
-  return a;
-}
-
-LongComplex value_at(const Coefficients& c, const LongComplex& p) {
-  LongComplex sum(0);
-  for (std::size_t k = c.size(); k-- > 0;) sum = sum * p + LongComplex(c[k]);
-  return sum;
-}
-
-/// The product of root_i - root_j over all other roots.
-LongComplex apart(const std::vector<LongComplex>& roots, std::size_t i) {
-  LongComplex product(1);
-  for (std::size_t j = 0; j < roots.size(); ++j) {
-    if (j != i) product *= roots[i] - roots[j];
-  }
-  return product;
-}
-
-std::vector<LongComplex> roots_of(const Coefficients& c) {
-  const std::size_t n = c.size() - 1;
-  Long size = 0;
-  for (std::size_t k = 0; k < n; ++k)
-    size = std::max<Long>(size, pow(Long(abs(c[k] / c.back())), 1 / Long(n - k)));
-  std::vector<LongComplex> roots;
-  LongComplex start(Long("0.4") * size, Long("0.9") * size), next(1);
-  for (std::size_t k = 0; k < n; ++k) roots.push_back(next *= start);
-  for (std::size_t k = 0; k < n; ++k) roots[k] /= pow(size, Long(k));
-  Long change = 1;
-  for (int round = 0; change > Long("1e-680") && round < 4000; ++round) {
-    change = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const LongComplex step = value_at(c, roots[i]) / (c.back() * apart(roots, i));
-      roots[i] -= step;
-      if (roots[i] != LongComplex(0)) change = std::max<Long>(change, abs(step) / abs(roots[i]));
-    }
-  }
-  return roots;
-}
-
-SolidFunction fraction(const Coefficients& above, Coefficients below) {
+SolidFunction fraction(const Coefficients& above, const Coefficients& below) {
+  const Long last = below.data().back();
   const bool at_once = above.size() == below.size();
-  SolidFunction function{at_once ? Long(above.back() / below.back()) : Long(0), {}};
+  SolidFunction function{at_once ? Long(above.data().back() / last) : Long(0), {}};
   // The root 0 of a fluid is split off exactly.
-  const bool flows = below.size() > 1 && below.front() == 0;
-  Coefficients rest = below;
-  if (flows) rest.erase(rest.begin());
-  std::vector<LongComplex> roots = roots_of(rest);
+  const bool flows = below.size() > 1 && below[0] == 0;
+  std::vector<LongComplex> roots = roots_of<700>(flows ? below >> 1 : below);
   if (flows) roots.emplace_back(0);
   for (std::size_t i = 0; i < roots.size(); ++i)
-    function.terms.push_back({value_at(above, roots[i]) / (below.back() * apart(roots, i)), -roots[i]});
+    function.terms.push_back({value_at(above, roots[i]) / (last * apart(roots, i)), -roots[i]});
   return function;
 }
 
@@ -96,16 +38,18 @@ SolidTerms solid_terms(Arguments x) {
   const int model = static_cast<int>(x["material"]);
   if (model == prony) return {series(x.from("theta1_instantaneous")), series(x.from("theta2_instantaneous"))};
   if (model == operators) {
-    const auto of = [&](const char* first) { return polynomial(x.from(first).first(3)); };
+    const auto of = [&](const char* first) {
+      const std::span<const double> c = x.from(first).first(3);
+      Coefficients polynomial(c.begin(), c.end());
+      polynomial.normalize();
+      return polynomial;
+    };
     const Coefficients p = of("P_0"), q = of("Q_0"), p_bulk = of("P_dilatation_0"),
-                       q_bulk = of("Q_dilatation_0"), one{Long(1)};
-    const SolidFunction theta1 = fraction(p, multiplied(2, q, one));
+                       q_bulk = of("Q_dilatation_0");
+    const SolidFunction theta1 = fraction(p, Long(2) * q);
     // A common factor of p and p_bulk would be a double root of their product.
-    if (p == p_bulk)
-      return {theta1,
-              fraction(multiplied(3, p, one), added(multiplied(6, q_bulk, one), multiplied(2, q, one)))};
-    return {theta1,
-            fraction(multiplied(3, p, p_bulk), added(multiplied(6, q_bulk, p), multiplied(2, q, p_bulk)))};
+    if (p == p_bulk) return {theta1, fraction(Long(3) * p, Long(6) * q_bulk + Long(2) * q)};
+    return {theta1, fraction(Long(3) * p * p_bulk, Long(6) * q_bulk * p + Long(2) * q * p_bulk)};
   }
   const Long bulk = x["bulk"], rate = 1 / Long(x["relaxation_time"]);
   const Long shear = model == two_moduli ? Long(x["shear"]) : Long(3 * bulk / 8);

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include <nipref/verify/golden/confirm/number.hpp>
+#include <nipref/verify/golden/confirm/rational.hpp>
 
 /// The surface response of anisotropic half-spaces by Stroh's formalism: eigenvectors from the roots of the sextic
 /// polynomial. It is for solids whose roots are distinct and has no proven error.
@@ -39,28 +39,27 @@ class Stroh {
       return sum;
     };
     Square<Float> r, t;
-    Square<Polynomial> p;
+    Square<Quadratic> p;
     for (std::size_t i = 0; i < 3; ++i) {
       for (std::size_t k = 0; k < 3; ++k) {
         r[i][k] = c(i, 0, k, 2);
         t[i][k] = c(i, 2, k, 2);
         const Float inertia = i == k ? Float(density * phase_speed * phase_speed) : Float(0);
-        p[i][k] = {c(i, 0, k, 0) - inertia, r[i][k] + c(i, 2, k, 0), t[i][k]};
+        p[i][k] = {Float(c(i, 0, k, 0) - inertia), Float(r[i][k] + c(i, 2, k, 0)), t[i][k]};
       }
     }
-    Polynomial sextic;
+    Quadratic sextic;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-      add(sextic, times(p[0][k], times(p[1][l], p[2][m])), 1);
-      add(sextic, times(p[0][k], times(p[1][m], p[2][l])), -1);
+      sextic += p[0][k] * (p[1][l] * p[2][m] - p[1][m] * p[2][l]);
     }
     std::array<Column, 3> a, b;  // one vector for each root
     std::size_t count = 0;
-    for (const Complex& s : roots_of(sextic)) {
+    for (const Complex& s : roots_of<digits>(sextic)) {
       if (s.imag() < 0 || count == 3) continue;
       std::array<Column, 3> rows;
       for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) rows[i][k] = p[i][k][0] + s * (p[i][k][1] + s * p[i][k][2]);
+        for (std::size_t k = 0; k < 3; ++k) rows[i][k] = value_at(p[i][k], s);
       }
       a[count] = cross(rows[0], rows[1]);
       for (const auto& other : {cross(rows[1], rows[2]), cross(rows[2], rows[0])}) {
@@ -87,46 +86,8 @@ class Stroh {
   }
 
  private:
-  using Polynomial = std::vector<Float>;
+  using Quadratic = Polynomial<Float>;
   using Column = std::array<Complex, 3>;
-
-  static Polynomial times(const Polynomial& x, const Polynomial& y) {
-    Polynomial result(x.size() + y.size() - 1, Float(0));
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      for (std::size_t k = 0; k < y.size(); ++k) result[i + k] += x[i] * y[k];
-    }
-    return result;
-  }
-
-  static void add(Polynomial& sum, const Polynomial& x, int sign) {
-    sum.resize(std::max(sum.size(), x.size()), Float(0));
-    for (std::size_t i = 0; i < x.size(); ++i) sum[i] += sign * x[i];
-  }
-
-  /// All roots by the Durand-Kerner method.
-  static std::vector<Complex> roots_of(const Polynomial& p) {
-    const Float settled = pow(Float(10), -static_cast<int>(digits) + 8);
-    const std::size_t degree = p.size() - 1;
-    std::vector<Complex> roots;
-    for (std::size_t k = 0; k < degree; ++k)
-      roots.push_back(pow(Complex(Float("0.4"), Float("0.9")), int(k)));
-    for (int step = 0; step < 500; ++step) {
-      Float largest = 0;
-      for (std::size_t i = 0; i < degree; ++i) {
-        Complex value = p[degree];
-        for (std::size_t k = degree; k-- > 0;) value = value * roots[i] + p[k];
-        Complex product = p[degree];
-        for (std::size_t k = 0; k < degree; ++k) {
-          if (k != i) product *= roots[i] - roots[k];
-        }
-        const Complex change = value / product;
-        roots[i] -= change;
-        largest = std::max<Float>(largest, abs(change) / (1 + abs(roots[i])));
-      }
-      if (largest < settled) break;
-    }
-    return roots;
-  }
 
   static Column cross(const Column& x, const Column& y) {
     return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
@@ -135,15 +96,30 @@ class Stroh {
   static Float size(const Column& x) { return abs(x[0]) + abs(x[1]) + abs(x[2]); }
 };
 
+/// A half-space by its stiffness in Voigt's notation and its density.
+template <unsigned digits>
+struct StrohSolid {
+  using Float = Number<digits>;
+
+  typename Stroh<digits>::Voigt voigt;
+  Float density;
+
+  /// Y for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
+  [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
+    const Float psi = psi_degrees * pi<Float>() / 180;
+    return Stroh<digits>::admittance(voigt, density, phase, cos(psi), sin(psi));
+  }
+};
+
 template <unsigned digits>
 Number<digits> cosine_between(const Number<digits>& psi_degrees, const Number<digits>& theta_degrees) {
   return sin((90 - abs(Number<digits>(psi_degrees - theta_degrees))) * pi<Number<digits>>() / 180);
 }
 
 /// The speed at which 1/K vanishes along psi, by the secant rule from a double near it.
-template <unsigned digits, class Solid>
-Number<digits> surface_wave(const Solid& solid, const Number<digits>& psi, const Number<digits>& theta,
-                            double near) {
+template <unsigned digits>
+Number<digits> surface_wave(const StrohSolid<digits>& solid, const Number<digits>& psi,
+                            const Number<digits>& theta, double near) {
   using Float = Number<digits>;
   const Float cosine = abs(cosine_between<digits>(psi, theta));
   const auto inverse = [&](const Float& speed) -> Float {
@@ -169,8 +145,8 @@ inline Confirmation by_secant(const Speed& value) {
 
 /// The minimum of this speed over all lines, by Newton's iteration for a zero of its slope, from a nearby line and
 /// speed.
-template <class Solid>
-Confirmation lowest_surface_wave(const Solid& solid, double near_psi, double theta, double near_speed) {
+inline Confirmation lowest_surface_wave(const StrohSolid<130>& solid, double near_psi, double theta,
+                                        double near_speed) {
   Speed psi = near_psi, value = 0;
   const Speed step("1e-22");
   for (int k = 0; k < 5; ++k) {

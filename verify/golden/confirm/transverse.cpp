@@ -15,42 +15,28 @@ namespace {
 
 /// The solid in the units of the seed's steel, whose constants are decimal numbers.
 template <unsigned digits>
-class Solid {
- public:
+StrohSolid<digits> transverse_solid(Arguments x) {
   using Float = Number<digits>;
-
-  explicit Solid(Arguments x) : normal_(x["axis"] < 0.5) {
-    const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
-                               c44 = x["c44"] / shear;
-    // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
-    const Float c66 = normal_ ? c11 : Float(x["c66"] / shear);
-    density_ = Float(x["density"]) / 7860;
-    const std::size_t along = normal_ ? 2 : 1;
-    for (auto& row : voigt_) row.fill(Float(0));
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const bool with_axis = i == along || k == along;
-        voigt_[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : Float(c11 - 2 * c66));
-      }
-      voigt_[i + 3][i + 3] = i == along ? c66 : c44;
+  const bool is_normal = x["axis"] < 0.5;
+  const Float shear("77.2"), c11 = x["c11"] / shear, c33 = x["c33"] / shear, c13 = x["c13"] / shear,
+                             c44 = x["c44"] / shear;
+  // With a normal axis c66 affects only the waves polarised across the lines, which are decoupled from the others.
+  const Float c66 = is_normal ? c11 : Float(x["c66"] / shear);
+  StrohSolid<digits> solid{{}, Float(x["density"]) / 7860};
+  const std::size_t along = is_normal ? 2 : 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool with_axis = i == along || k == along;
+      solid.voigt[i][k] = i == k ? (with_axis ? c33 : c11) : (with_axis ? c13 : Float(c11 - 2 * c66));
     }
+    solid.voigt[i + 3][i + 3] = i == along ? c66 : c44;
   }
-
-  /// Y for lines at psi with the phase speed `phase`, in the axes (n, across, 3).
-  [[nodiscard]] auto admittance(const Float& psi_degrees, const Float& phase) const {
-    const Float psi = psi_degrees * pi<Float>() / 180;
-    return Stroh<digits>::admittance(voigt_, density_, phase, cos(psi), sin(psi));
-  }
-
- private:
-  bool normal_;
-  typename Stroh<digits>::Voigt voigt_;
-  Float density_;
-};
+  return solid;
+}
 
 template <unsigned digits>
-LineAnswerByFormula answer(const Solid<digits>& solid, const Number<digits>& psi, const Number<digits>& theta,
-                           const Number<digits>& speed) {
+LineAnswerByFormula answer(const StrohSolid<digits>& solid, const Number<digits>& psi,
+                           const Number<digits>& theta, const Number<digits>& speed) {
   const auto y = solid.admittance(psi, speed * cosine_between<digits>(psi, theta));
   return {Wave(y[2][2].real()), Wave(-y[2][0].imag()), Wave(-y[2][1].imag()), Wave(0)};
 }
@@ -60,7 +46,7 @@ Confirmation by_stroh(const Wave& value, const Wave& scale) {
 }
 
 LineAnswerByFormula line_at(Arguments x) {
-  return answer<150>(Solid<150>(x), x["psi_deg"], x["theta_deg"], x["speed"]);
+  return answer<150>(transverse_solid<150>(x), x["psi_deg"], x["theta_deg"], x["speed"]);
 }
 
 Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
@@ -72,7 +58,7 @@ Confirmation of_line(Arguments x, Wave LineAnswerByFormula::*member) {
 Confirmation condition(Arguments x) {
   constexpr unsigned digits = 240;
   using Float = Number<digits>;
-  const Solid<digits> solid(x);
+  const StrohSolid<digits> solid = transverse_solid<digits>(x);
   const Float cosine = cosine_between<digits>(x["psi_deg"], x["theta_deg"]), step("1e-50");
   const auto ln_K = [&](const Float& factor) -> Float {
     return log(solid.admittance(x["psi_deg"], factor * x["speed"] * cosine)[2][2].real());
@@ -83,7 +69,7 @@ Confirmation condition(Arguments x) {
 
 Confirmation rayleigh(Arguments x) {
   const double near = find_quantity("ti.rayleigh").by_fast(x.from("theta_deg"), {});
-  return by_secant(surface_wave<130>(Solid<130>(x), x["psi_deg"], x["theta_deg"], near));
+  return by_secant(surface_wave<130>(transverse_solid<130>(x), x["psi_deg"], x["theta_deg"], near));
 }
 
 /// The line with the smallest critical speed, in degrees to about 1e-7, and this speed.
@@ -102,7 +88,7 @@ CriticalLine critical_line(Arguments x) {
 /// The minimum over the lines by Newton's iteration for its slope.
 Confirmation critical(Arguments x) {
   const CriticalLine near = critical_line(x);
-  return lowest_surface_wave(Solid<130>(x), near.psi, x["theta_deg"], near.speed);
+  return lowest_surface_wave(transverse_solid<130>(x), near.psi, x["theta_deg"], near.speed);
 }
 
 /// Eigenvalues of Christoffel's matrix.
@@ -122,7 +108,7 @@ Confirmation branch(Arguments x) {
 }
 
 template <unsigned digits>
-LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const Wave& from_motion) {
+LineAnswerByFormula sphere_line(const StrohSolid<digits>& solid, Arguments x, const Wave& from_motion) {
   using Float = Number<digits>;
   LineAnswerByFormula line =
       answer<digits>(solid, Float(Float(from_motion) + x["theta_deg"]), x["theta_deg"], x["speed"]);
@@ -134,7 +120,7 @@ LineAnswerByFormula sphere_line(const Solid<digits>& solid, Arguments x, const W
 }
 
 Confirmation span_ratio(Arguments x) {
-  const Solid<150> solid(x);
+  const StrohSolid<150> solid = transverse_solid<150>(x);
   const auto shape = [&](double degrees) {
     return SlidingShape(sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees));
   };
@@ -206,63 +192,56 @@ class CrowdedLines {
   Wave stretch_, centre_;
 };
 
-/// The number of nodes is doubled until the ratio no longer changes.
+/// Adds the nodes of the rule, whose number is doubled until the value no longer changes. `value`: with so many nodes.
+template <class Add, class Value>
+Confirmation by_trapezoidal_rule(const Add& add, const Value& value) {
+  for (int k = 0; k < CrowdedLines::first; ++k) add(k, CrowdedLines::first);
+  Wave last = value(CrowdedLines::first), change = 1;
+  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Wave("1e-34") * last;
+       count *= 2) {
+    for (int k = 1; k < count; k += 2) add(k, count);
+    const Wave finer = value(count);
+    change = abs(finer - last);
+    last = finer;
+  }
+  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", last,
+                            change + last * Wave("1e-60"));
+}
+
 Confirmation sphere_axis_ratio(Arguments x) {
-  constexpr unsigned digits = 80;
-  constexpr int first = CrowdedLines::first, most = CrowdedLines::most;
-  const Solid<digits> solid(x);
+  const StrohSolid<80> solid = transverse_solid<80>(x);
   const CrowdedLines crowded(x);
-  const auto line_at = [&](int k, int count) -> Line {
+  std::vector<Line> lines;
+  const auto add = [&](int k, int count) {
     const auto [degrees, weight] = crowded.at(k, count);
     const Wave psi = radians(degrees);
-    return {cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance};
+    lines.push_back({cos(2 * psi), sin(2 * psi), weight, sphere_line(solid, x, degrees).compliance});
   };
-  std::vector<Line> lines;
-  for (int k = 0; k < first; ++k) lines.push_back(line_at(k, first));
-  Wave ratio = exp(-slenderness(lines)), change = 1;
-  for (int count = 2 * first; count <= most && change > Wave("1e-34") * ratio; count *= 2) {
-    for (int k = 1; k < count; k += 2) lines.push_back(line_at(k, count));
-    const Wave finer = exp(-slenderness(lines));
-    change = abs(finer - ratio);
-    ratio = finer;
-  }
-  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", ratio,
-                            change + ratio * Wave("1e-60"));
+  return by_trapezoidal_rule(add, [&](int) { return Wave(exp(-slenderness(lines))); });
 }
 
 Confirmation sphere_exponent(Arguments x) {
-  const SlidingShape line(sphere_line(Solid<150>(x), x, x["phi_deg"]), x["friction"], cosine_of(x["phi_deg"]),
-                          sine_of(x["phi_deg"]));
+  const SlidingShape line(sphere_line(transverse_solid<150>(x), x, x["phi_deg"]), x["friction"],
+                          cosine_of(x["phi_deg"]), sine_of(x["phi_deg"]));
   return by_stroh(-line.ahead, 1);
 }
 
-/// By the same rule as the axis ratio.
 Confirmation sphere_force(Arguments x) {
-  const Solid<80> solid(x);
+  const StrohSolid<80> solid = transverse_solid<80>(x);
   const auto shape = [&](const Wave& degrees) {
     return SlidingShape(sphere_line(solid, x, degrees), x["friction"], cosine_of(degrees), sine_of(degrees));
   };
   const SlidingShape along = shape(0);
   const Wave steepness = along.Q / along.h;
   const CrowdedLines lines(x);
-  const auto term = [&](int k, int count) -> Wave {
+  Wave sum = 0;
+  const auto add = [&](int k, int count) {
     const auto [degrees, weight] = lines.at(k, count);
     const SlidingShape line = shape(degrees);
     const Wave span = steepness * line.h / line.Q;
-    return weight * span * span * span / line.h * line.moment();
+    sum += weight * span * span * span / line.h * line.moment();
   };
-  Wave sum = 0;
-  for (int k = 0; k < CrowdedLines::first; ++k) sum += term(k, CrowdedLines::first);
-  Wave force = sum * pi<Wave>() / CrowdedLines::first, change = 1;
-  for (int count = 2 * CrowdedLines::first; count <= CrowdedLines::most && change > Wave("1e-34") * force;
-       count *= 2) {
-    for (int k = 1; k < count; k += 2) sum += term(k, count);
-    const Wave finer = sum * pi<Wave>() / count;
-    change = abs(finer - force);
-    force = finer;
-  }
-  return confirmation<Wave>("trapezoidal rule over Stroh's eigenproblems", force,
-                            change + force * Wave("1e-60"));
+  return by_trapezoidal_rule(add, [&](int count) { return Wave(sum * pi<Wave>() / count); });
 }
 
 }  // namespace

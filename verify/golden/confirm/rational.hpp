@@ -1,0 +1,73 @@
+#pragma once
+#include <algorithm>
+#include <boost/math/tools/polynomial.hpp>
+#include <cstddef>
+#include <vector>
+
+#include <nipref/verify/golden/confirm/number.hpp>
+
+/// Rational functions of the Laplace variable, and their roots.
+namespace nipref::verify::confirm {
+
+/// The coefficient of the power 0 comes first.
+template <class Float>
+using Polynomial = boost::math::tools::polynomial<Float>;
+
+template <class Float>
+struct Ratio {
+  Polynomial<Float> above, below;
+
+  friend Ratio operator+(const Ratio& a, const Ratio& b) {
+    return {a.above * b.below + b.above * a.below, a.below * b.below};
+  }
+  friend Ratio operator*(const Float& a, const Ratio& b) { return {a * b.above, b.below}; }
+};
+
+template <class Float>
+Ratio<Float> inverse(const Ratio<Float>& a) {
+  return {a.below, a.above};
+}
+
+template <class Float, class Complex>
+Complex value_at(const Polynomial<Float>& polynomial, const Complex& z) {
+  Complex sum(0);
+  for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * z + Complex(polynomial[k]);
+  return sum;
+}
+
+/// The product of root_i - root_j over all other roots.
+template <class Complex>
+Complex apart(const std::vector<Complex>& roots, std::size_t i) {
+  Complex product(1);
+  for (std::size_t j = 0; j < roots.size(); ++j) {
+    if (j != i) product *= roots[i] - roots[j];
+  }
+  return product;
+}
+
+/// All roots by the method of Durand and Kerner.
+template <unsigned digits>
+std::vector<ComplexNumber<digits>> roots_of(const Polynomial<Number<digits>>& polynomial) {
+  using Float = Number<digits>;
+  using Complex = ComplexNumber<digits>;
+  const std::size_t n = polynomial.size() - 1;
+  const Float last = polynomial[n], settled = pow(Float(10), 20 - static_cast<int>(digits));
+  Float size = 0;
+  for (std::size_t k = 0; k < n; ++k)
+    size = std::max<Float>(size, pow(Float(abs(polynomial[k] / last)), 1 / Float(n - k)));
+  std::vector<Complex> roots;
+  Complex next(size);
+  for (std::size_t k = 0; k < n; ++k) roots.push_back(next *= Complex(Float("0.4"), Float("0.9")));
+  Float change = 1;
+  for (int round = 0; change > settled && round < 4000; ++round) {
+    change = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Complex step = value_at(polynomial, roots[i]) / (last * apart(roots, i));
+      roots[i] -= step;
+      if (roots[i] != Complex(0)) change = std::max<Float>(change, abs(step) / abs(roots[i]));
+    }
+  }
+  return roots;
+}
+
+}  // namespace nipref::verify::confirm
