@@ -22,25 +22,13 @@ namespace {
 constexpr std::size_t longest_scene = std::size_t{1} << 20;  ///< bytes
 
 ElasticNip read_nip(const TomlTable& file) {
-  const TomlTable roller = file.table("roller");
-  const TomlTable sheet = file.table("sheet");
+  const TomlTable roller = file.table("roller", SceneKind::nip);
+  const TomlTable sheet = file.table("sheet", SceneKind::nip);
   const TomlTable material = file.table("material");
-  roller.allow(SceneKind::nip);
-  sheet.allow(SceneKind::nip);
   material.allow(SceneKind::nip, KeyOwner::elastic_solid);
   return {roller.number("radius"),
           sheet.number("thickness"),
           {material.number("young"), material.number("poisson")}};
-}
-
-GivenLoad read_load(const TomlTable& load) {
-  load.allow(SceneKind::nip);
-  return {load.number("per_length")};
-}
-
-GivenLength read_contact(const TomlTable& contact) {
-  contact.allow(SceneKind::nip);
-  return {contact.number("length")};
 }
 
 Given read_given(const TomlTable& file, const SceneOrigin& origin) {
@@ -48,23 +36,24 @@ Given read_given(const TomlTable& file, const SceneOrigin& origin) {
     const TomlTable contact = file.table("contact");
     if (file.has("load"))
       origin.refuse("contact", "(beside load)", "must be left out, or load: one of the two");
-    return read_contact(contact);
+    contact.allow(SceneKind::nip);
+    return GivenLength{contact.number("length")};
   }
   if (!file.has("load")) {
     origin.refuse("load", "(missing)", "must be given, or contact in its place: one of the two");
   }
-  return read_load(file.table("load"));
+  return GivenLoad{file.table("load", SceneKind::nip).number("per_length")};
 }
 
 void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
   friction.allow(SceneKind::nip, KeyOwner::elastic_nip);
-  problem.friction = friction.choice("model", {"none", "full"}) == "full" ? Friction::full : Friction::none;
+  problem.friction = friction.choice("model", SceneKind::nip) == "full" ? Friction::full : Friction::none;
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
 }
 
 /// It has nothing to say but its name.
 bool is_converged(const TomlTable& method) {
-  if (method.choice("kind", {"converged", "line-loads"}) != "converged") return false;
+  if (method.choice("kind", SceneKind::nip) != "converged") return false;
   method.allow(SceneKind::nip);
   return true;
 }
@@ -85,7 +74,7 @@ ElasticNipProblem read_elastic_nip(const TomlTable& file, const SceneOrigin& ori
   read_friction(file.table("friction"), problem);
   problem.method = read_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
-  if (file.has("field")) problem.field = read_field(file.table("field"));
+  if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
   return problem;
 }
 
@@ -101,19 +90,15 @@ std::variant<ConvergedMethod, ViscoelasticLineLoads> read_viscoelastic_method(co
 }
 
 ViscoelasticNip read_viscoelastic_nip(const TomlTable& file, const SceneOrigin& origin) {
-  const TomlTable roller = file.table("roller");
-  const TomlTable sheet = file.table("sheet");
-  const TomlTable rolling = file.table("rolling");
-  roller.allow(SceneKind::nip);
-  sheet.allow(SceneKind::nip);
-  rolling.allow(SceneKind::nip);
+  const TomlTable roller = file.table("roller", SceneKind::nip);
+  const TomlTable sheet = file.table("sheet", SceneKind::nip);
+  const TomlTable rolling = file.table("rolling", SceneKind::nip);
   return {roller.number("radius"), sheet.number("thickness"),
           read_viscoelastic_material(file.table("material"), origin), rolling.number("speed")};
 }
 
 void read_no_friction(const TomlTable& friction, const SceneOrigin& origin) {
-  friction.allow(SceneKind::nip);
-  const std::string model = friction.choice("model", {"none", "full"});
+  const std::string model = friction.choice("model", SceneKind::nip);
   if (model != "none")
     origin.refuse("friction.model", model, "must be none: the rolling nip is solved without friction only");
 }
@@ -123,10 +108,10 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
                                  .given = read_given(file, origin),
                                  .method = {},
                                  .profile = {}};
-  read_no_friction(file.table("friction"), origin);
+  read_no_friction(file.table("friction", SceneKind::nip), origin);
   problem.method = read_viscoelastic_method(file.table("method"));
   if (file.has("profile")) problem.profile = read_profile(file.table("profile"), origin, SceneKind::nip);
-  if (file.has("field")) problem.field = read_field(file.table("field"));
+  if (file.has("field")) problem.field = read_field(file.table("field", SceneKind::nip));
   return problem;
 }
 

@@ -1,16 +1,116 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <stdexcept>
 #include <utility>
 
+#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/keys.hpp>
 
 namespace nipref::data {
 namespace {
 
-constexpr Dimension of_length{1, 0, 0}, of_stress{0, 1, 0}, of_time{0, 0, 1}, of_rate{0, 0, -1};
-constexpr Dimension of_speed{1, 0, -1}, of_density{-2, 1, 2}, of_viscosity{0, 1, 1};
-constexpr Dimension of_compliance{0, -1, 0}, of_compliance_rate{0, -1, -1};
-constexpr auto nip_scene = SceneKind::nip, half_space_scene = SceneKind::half_space;
-using enum KeyOwner;
+constexpr std::string_view table_of_keys =
+#include <nipref_scene_keys.inc>
+    ;
+
+// In the order of KeyType and KeyOwner.
+constexpr std::array<std::string_view, 6> types{"text", "texts", "choice", "number", "numbers", "whole"};
+constexpr std::array<std::string_view, 6> allowed_types{
+    "must be a text in quotes", "must be a list of texts in quotes", "must be a text in quotes",
+    "must be a number",         "must be a list of numbers",         "must be a whole number"};
+constexpr std::array<std::string_view, 13> owners{"nip",
+                                                  "elastic-nip",
+                                                  "elastic-solid",
+                                                  "one-relaxation-time",
+                                                  "six-constants",
+                                                  "prony",
+                                                  "operators",
+                                                  "elastic-line-loads",
+                                                  "rolling-line-loads",
+                                                  "half-space",
+                                                  "isotropic",
+                                                  "transversely-isotropic",
+                                                  "anisotropic"};
+
+/// The parts of a text between separators, without empty ones if `skips_empty`.
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (const auto& range : std::views::split(text, separator)) {
+    std::string_view part(range.begin(), range.end());
+    part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+    part.remove_suffix(part.size() - (part.find_last_not_of(' ') + 1));
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<std::string_view> words_in(std::string_view text) {
+  std::vector<std::string_view> words = split(text, ' ');
+  std::erase(words, std::string_view());
+  return words;
+}
+
+template <class Enum>
+Enum named(const auto& names, std::string_view name) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) throw std::logic_error("keys.table: " + std::string(name));
+  return static_cast<Enum>(found - names.begin());
+}
+
+void set_unit(SceneKey& key, std::string_view unit) {
+  for (const std::string_view factor : words_in(unit)) {
+    const std::vector<std::string_view> parts = split(factor, '^');
+    if (parts.back() == "k") {
+      key.time_grows_along_list = true;
+      continue;
+    }
+    const int exponent = parts.size() > 1 ? std::stoi(std::string(parts[1])) : 1;
+    if (parts[0] == "length") key.dimension.length = exponent;
+    if (parts[0] == "stress") key.dimension.stress = exponent;
+    if (parts[0] == "time") key.dimension.time = exponent;
+  }
+}
+
+/// "LEAST..MOST UNIT", where an empty MOST is the largest double.
+void set_range(SceneKey& key, std::string_view range, std::string_view unit) {
+  const std::size_t dots = range.find("..");
+  const std::string least(range.substr(0, dots)), most(range.substr(dots + 2));
+  key.least = std::stod(least);
+  key.most = most.empty() ? std::numeric_limits<double>::max() : std::stod(most);
+  key.allowed =
+      fmt::format("must be {}from {} to {}{}{}", key.type == KeyType::whole ? "a whole number " : "", least,
+                  most, unit.empty() ? "" : " ", unit);
+  if (most.empty()) key.allowed = "must be finite and >= " + least;
+}
+
+void set_domain(SceneKey& key, std::string_view domain) {
+  if (key.type == KeyType::choice) {
+    const std::vector<std::string_view> of_kinds = split(domain, ';');
+    key.choices[0] = words_in(of_kinds.front());
+    key.choices[1] = words_in(of_kinds.back());
+  } else if (domain == "magnitude") {
+    key.least = least_magnitude;
+    key.most = greatest_magnitude;
+  } else if (!domain.empty()) {
+    const std::vector<std::string_view> words = words_in(domain);
+    set_range(key, words.front(), words.size() > 1 ? words.back() : "");
+  }
+}
+
+SceneKey key_of(std::string_view row) {
+  const std::vector<std::string_view> fields = split(row, '|');
+  SceneKey key{.name = fields.at(0), .meaning = fields.at(5)};
+  key.type = named<KeyType>(types, fields[1]);
+  set_unit(key, fields[2]);
+  set_domain(key, fields[3]);
+  for (const std::string_view owner : words_in(fields[4]))
+    key.owners.push_back(named<KeyOwner>(owners, owner));
+  return key;
+}
 
 }  // namespace
 
@@ -31,164 +131,52 @@ std::string_view SceneKey::table() const {
 
 std::string_view SceneKey::last() const { return name.substr(name.find('.') + 1); }
 
+bool SceneKey::is_of(SceneKind kind) const {
+  const bool is_half_space = kind == SceneKind::half_space;
+  return owners.empty() || (owners.front() >= KeyOwner::half_space) == is_half_space;
+}
+
+const std::vector<std::string_view>& SceneKey::choices_of(SceneKind kind) const {
+  return choices[kind == SceneKind::half_space ? 1 : 0];
+}
+
+std::string_view SceneKey::allowed_type() const { return allowed_types[static_cast<std::size_t>(type)]; }
+
+std::string_view SceneKey::refusal_of(double value) const {
+  if (least <= value && value <= most) return {};
+  if (allowed.empty()) return allowed_magnitude(value);
+  if (least == -greatest_magnitude && !std::isfinite(value)) return "must be finite";
+  return allowed;
+}
+
 const std::vector<SceneKey>& scene_keys() {
-  static const std::vector<SceneKey> keys{
-      {"title", "a line that names the scene"},
-      {"wanted", "names of the results"},
-      {"accuracy", "relative error that is asked for"},
-      {"roller.radius", "radius of each of the two equal rollers", of_length, nip_scene},
-      {"sheet.thickness", "full thickness of the sheet", of_length, nip_scene},
-      {"material.model", "the material of the sheet", {}, nip_scene},
-      {"material.young", "Young's modulus", of_stress, nip_scene, {elastic_solid}},
-      {"material.poisson", "Poisson's ratio", {}, nip_scene, {elastic_solid}},
-      {"material.bulk", "bulk modulus", of_stress, nip_scene, {one_relaxation_time}},
-      {"material.shear",
-       "shear modulus of the standard linear solid",
-       of_stress,
-       nip_scene,
-       {one_relaxation_time}},
-      {"material.relaxation_time",
-       "relaxation time of the solid",
-       of_time,
-       nip_scene,
-       {one_relaxation_time, six_constants}},
-      {"material.shear_1", "first shear modulus of the six constants", of_stress, nip_scene, {six_constants}},
-      {"material.shear_2", "second shear modulus", of_stress, nip_scene, {six_constants}},
-      {"material.bulk_1", "first bulk modulus", of_stress, nip_scene, {six_constants}},
-      {"material.bulk_2", "second bulk modulus", of_stress, nip_scene, {six_constants}},
-      {"material.shear_viscosity", "viscosity in shear", of_viscosity, nip_scene, {six_constants}},
-      {"material.bulk_viscosity", "viscosity in dilatation", of_viscosity, nip_scene, {six_constants}},
-      {"material.theta1_instantaneous", "instantaneous part of theta1", of_compliance, nip_scene, {prony}},
-      {"material.theta1_amplitudes",
-       "amplitudes of its exponentials",
-       of_compliance_rate,
-       nip_scene,
-       {prony}},
-      {"material.theta1_rates", "their rates", of_rate, nip_scene, {prony}},
-      {"material.theta2_instantaneous", "instantaneous part of theta2", of_compliance, nip_scene, {prony}},
-      {"material.theta2_amplitudes",
-       "amplitudes of its exponentials",
-       of_compliance_rate,
-       nip_scene,
-       {prony}},
-      {"material.theta2_rates", "their rates", of_rate, nip_scene, {prony}},
-      {"material.P",
-       "coefficients of the deviatoric stress operator, the derivative's order ascending",
-       {},
-       nip_scene,
-       {operators},
-       true},
-      {"material.Q",
-       "coefficients of the deviatoric strain operator",
-       of_stress,
-       nip_scene,
-       {operators},
-       true},
-      {"material.P_dilatation",
-       "coefficients of the dilatational stress operator",
-       {},
-       nip_scene,
-       {operators},
-       true},
-      {"material.Q_dilatation",
-       "coefficients of the dilatational strain operator",
-       of_stress,
-       nip_scene,
-       {operators},
-       true},
-      {"half_space.model", "the material of the half-space", {}, half_space_scene},
-      {"half_space.shear", "shear modulus", of_stress, half_space_scene, {isotropic}},
-      {"half_space.poisson", "Poisson's ratio", {}, half_space_scene, {isotropic}},
-      {"half_space.stiffness",
-       "the 21 constants of the upper triangle, row after row",
-       of_stress,
-       half_space_scene,
-       {anisotropic}},
-      {"half_space.axis", "the solid's axis of symmetry", {}, half_space_scene, {transversely_isotropic}},
-      {"half_space.c11", "stiffness across the axis", of_stress, half_space_scene, {transversely_isotropic}},
-      {"half_space.c33", "stiffness along the axis", of_stress, half_space_scene, {transversely_isotropic}},
-      {"half_space.c13", "stiffness between both", of_stress, half_space_scene, {transversely_isotropic}},
-      {"half_space.c44",
-       "shear modulus along the axis",
-       of_stress,
-       half_space_scene,
-       {transversely_isotropic}},
-      {"half_space.c66",
-       "shear modulus across the axis",
-       of_stress,
-       half_space_scene,
-       {transversely_isotropic}},
-      {"half_space.density", "density", of_density, half_space_scene},
-      {"die.radius_along", "the die's radius of curvature along its first axis", of_length, half_space_scene},
-      {"die.radius_across", "the same across it", of_length, half_space_scene},
-      {"rolling_sphere.radius", "radius of the rigid rolling sphere", of_length, half_space_scene},
-      {"sphere.radius", "radius of the elastic sphere", of_length, half_space_scene},
-      {"sphere.shear", "shear modulus of the sphere", of_stress, half_space_scene},
-      {"sphere.poisson", "Poisson's ratio of the sphere", {}, half_space_scene},
-      {"sphere.density", "density of the sphere", of_density, half_space_scene},
-      {"sphere.patch", "whether the contact patch moves in the sphere's own material", {}, half_space_scene},
-      {"sliding.speed", "speed of sliding", of_speed, half_space_scene},
-      {"sliding.direction", "direction of sliding from x1, degrees", {}, half_space_scene},
-      {"sliding.friction", "coefficient of friction", {}, half_space_scene},
-      {"rolling.speed", "speed of rolling", of_speed},
-      {"load.per_length", "load per unit width of the nip", {1, 1, 0}, nip_scene},
-      {"load.normal_force", "force that presses the body down", {2, 1, 0}, half_space_scene},
-      {"contact.length", "full length of the contact", of_length, nip_scene},
-      {"contact.span_along", "extent of the contact along the motion", of_length, half_space_scene},
-      {"friction.model", "friction between rollers and sheet", {}, nip_scene},
-      {"friction.creep_ratio",
-       "creep ratio of line loads with full friction, in place of the chosen one",
-       {},
-       nip_scene,
-       {elastic_nip}},
-      {"method.kind", "how the contact is computed"},
-      {"method.leading_elements",
-       "elements ahead of the point of first touch",
-       {},
-       nip_scene,
-       {elastic_line_loads, rolling_line_loads}},
-      {"method.trailing_elements",
-       "elements behind it",
-       {},
-       nip_scene,
-       {elastic_line_loads, rolling_line_loads}},
-      {"method.residue_terms",
-       "terms of the residue series",
-       {},
-       nip_scene,
-       {elastic_line_loads, rolling_line_loads}},
-      {"method.approach_lengths",
-       "half-thicknesses before the nip at which the motion starts",
-       {},
-       nip_scene,
-       {rolling_line_loads}},
-      {"profile.points", "number of evenly spaced positions"},
-      {"profile.positions",
-       "positions along the sheet or along the line; on a half-space without a line, directions in degrees",
-       of_length},  // on a half-space without a line they are degrees
-      {"profile.direction", "direction of the line on the half-space, degrees", {}, half_space_scene},
-      {"field.positions", "positions along the sheet", of_length, nip_scene},
-      {"field.depths", "depths over half the thickness, 0 is the middle plane", {}, nip_scene},
-      {"sweep.points", "values of each range of the sweep"},
-  };
+  static const std::vector<SceneKey> keys = [] {
+    std::vector<SceneKey> all;
+    for (const std::string_view row : split(table_of_keys, '\n')) {
+      if (!row.empty() && row.front() != '#') all.push_back(key_of(row));
+    }
+    return all;
+  }();
   return keys;
 }
 
 const SceneKey* find_scene_key(std::string_view name) {
-  const auto found = std::ranges::find(scene_keys(), name, &SceneKey::name);
+  const auto found = std::ranges::find(scene_keys(), name.substr(0, name.find('[')), &SceneKey::name);
   return found == scene_keys().end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> names_in_table(std::string_view table, SceneKind kind,
                                              std::optional<KeyOwner> owner) {
+  const auto has = [&](KeyOwner one) {
+    return one == KeyOwner::nip || one == KeyOwner::half_space || one == owner;
+  };
   std::vector<std::string_view> names;
   for (const SceneKey& key : scene_keys()) {
-    if (key.kind.value_or(kind) != kind) continue;
+    if (!key.is_of(kind)) continue;
     if (table.empty()) {
       const std::string_view name = key.table().empty() ? key.name : key.table();
       if (names.empty() || names.back() != name) names.push_back(name);
-    } else if (key.table() == table &&
-               (key.owners.empty() || (owner && std::ranges::count(key.owners, *owner) > 0))) {
+    } else if (key.table() == table && (key.owners.empty() || std::ranges::any_of(key.owners, has))) {
       names.push_back(key.last());
     }
   }

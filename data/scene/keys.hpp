@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +16,12 @@ struct Dimension {
   [[nodiscard]] std::string text() const;  ///< "length^2 stress"; "1" if all exponents are 0
 };
 
-/// The models and methods that have keys of their own.
+/// The type of a key's value.
+enum class KeyType { text, texts, choice, number, numbers, whole };
+
+/// Who has a key: a kind of scene, or a model or method of it.
 enum class KeyOwner {
+  nip,
   elastic_nip,
   elastic_solid,
   one_relaxation_time,
@@ -25,29 +30,39 @@ enum class KeyOwner {
   operators,
   elastic_line_loads,
   rolling_line_loads,
+  half_space,
   isotropic,
   transversely_isotropic,
   anisotropic,
 };
 
-/// A key of a scene's TOML file.
+/// A key of a scene's TOML file, from keys.table.
 struct SceneKey {
   std::string_view name;  ///< "TABLE.KEY", or "KEY" above all tables
   std::string_view meaning;
+  KeyType type = KeyType::text;
   Dimension dimension = {};
-  std::optional<SceneKind> kind = {};  ///< the scenes that have it; none: all
-  std::vector<KeyOwner> owners = {};   ///< none: the key does not depend on models and methods
   bool time_grows_along_list =
-      false;  ///< each number of the list has one power of time more than the number before
+      false;  ///< each number of the list has one power of time more than that before
+  double least = -std::numeric_limits<double>::infinity(),
+         most = -least;                           ///< ends of the domain of its numbers
+  std::string allowed = {};                       ///< what a number must be; empty for a magnitude
+  std::vector<std::string_view> choices[2] = {};  ///< of a nip, and of a half-space
+  std::vector<KeyOwner> owners = {};              ///< none: every scene
 
   [[nodiscard]] std::string_view table() const;  ///< empty above all tables
   [[nodiscard]] std::string_view last() const;   ///< the name without its table
+  [[nodiscard]] bool is_of(SceneKind kind) const;
+  [[nodiscard]] const std::vector<std::string_view>& choices_of(SceneKind kind) const;
+  /// What a value of another type is told, and a number that is not in the domain; the latter is empty for others.
+  [[nodiscard]] std::string_view allowed_type() const;
+  [[nodiscard]] std::string_view refusal_of(double value) const;
 };
 
 /// All keys, in the order in which refusals list them. The reader of scenes accepts these and no others.
 [[nodiscard]] const std::vector<SceneKey>& scene_keys();
 
-/// Null if no key has this name.
+/// Null if no key has this name. An element of a list, "wanted[1]", is found by its list.
 [[nodiscard]] const SceneKey* find_scene_key(std::string_view name);
 
 /// The names that a table may hold in such a scene; above all tables (`table` empty) these include the tables.

@@ -4,8 +4,6 @@
 namespace nipref::data {
 namespace {
 
-constexpr int most_sweep_points = 10'000'000;
-
 /// `above`: what stands before its keys, "load." or nothing.
 void read_keys(const TomlTable& table, const std::string& above, SceneSweep& sweep) {
   for (const std::string& key : table.keys()) {
@@ -24,7 +22,7 @@ void read_keys(const TomlTable& table, const std::string& above, SceneSweep& swe
 SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin) {
   SceneSweep sweep;
   if (file.has("sweep")) read_keys(file.table("sweep"), "", sweep);
-  if (sweep.points) require_whole(*sweep.points, 1, most_sweep_points, origin, "sweep.points");
+  if (sweep.points) check_domain(*sweep.points, origin, "sweep.points");
   return sweep;
 }
 

@@ -1,15 +1,11 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/internal/field.hpp>
 #include <nipref/data/scene/internal/require.hpp>
 
 namespace nipref::data {
 
 FieldPlaces read_field(const TomlTable& field) {
-  field.allow(SceneKind::nip);
   return {field.numbers("positions"), field.numbers("depths")};
 }
 
@@ -20,12 +16,10 @@ void check_field(const FieldPlaces& field, const SceneOrigin& origin) {
   require(field.size() <= most_places, origin, "field.depths", static_cast<double>(field.size()),
           "places with all positions: must be at most 100000");
   for (std::size_t i = 0; i < field.positions.size(); ++i) {
-    require(std::fabs(field.positions[i]) <= greatest_magnitude, origin,
-            fmt::format("field.positions[{}]", i), field.positions[i], "must be from -1e60 to 1e60");
+    check_domain(field.positions[i], origin, fmt::format("field.positions[{}]", i));
   }
   for (std::size_t i = 0; i < field.depths.size(); ++i) {
-    require(std::fabs(field.depths[i]) <= 1, origin, fmt::format("field.depths[{}]", i), field.depths[i],
-            "must be from -1 to 1");
+    check_domain(field.depths[i], origin, fmt::format("field.depths[{}]", i));
   }
 }
 

@@ -30,14 +30,14 @@ Stiffness read_stiffness(const TomlTable& table, const SceneOrigin& origin) {
 }
 
 HalfSpace read_half_space(const TomlTable& table, const SceneOrigin& origin) {
-  const std::string model = table.choice("model", {"isotropic", "transversely-isotropic", "anisotropic"});
+  const std::string model = table.choice("model", SceneKind::half_space);
   if (model == "isotropic") {
     table.allow(SceneKind::half_space, KeyOwner::isotropic);
     return read_isotropic(table);
   }
   if (model == "anisotropic") return read_stiffness(table, origin);
   table.allow(SceneKind::half_space, KeyOwner::transversely_isotropic);
-  const bool is_normal = table.choice("axis", {"normal", "in-plane"}) == "normal";
+  const bool is_normal = table.choice("axis", SceneKind::half_space) == "normal";
   return TransverselyIsotropicBody{{table.number("c11"), table.number("c33"), table.number("c13"),
                                     table.number("c44"), table.number("c66"), table.number("density")},
                                    is_normal ? SymmetryAxis::normal : SymmetryAxis::in_plane};
@@ -50,30 +50,23 @@ Body read_body(const TomlTable& file, const SceneOrigin& origin) {
                   "there must be one of die, rolling_sphere and sphere");
   }
   if (file.has("die")) {
-    const TomlTable die = file.table("die");
-    die.allow(SceneKind::half_space);
+    const TomlTable die = file.table("die", SceneKind::half_space);
     return RigidDie{die.number("radius_along"), die.number("radius_across")};
   }
   if (file.has("rolling_sphere")) {
-    const TomlTable sphere = file.table("rolling_sphere");
-    sphere.allow(SceneKind::half_space);
-    return RigidRollingSphere{sphere.number("radius")};
+    return RigidRollingSphere{file.table("rolling_sphere", SceneKind::half_space).number("radius")};
   }
-  const TomlTable sphere = file.table("sphere");
-  sphere.allow(SceneKind::half_space);
-  const bool moving = sphere.has("patch") && sphere.choice("patch", {"fixed", "moving"}) == "moving";
+  const TomlTable sphere = file.table("sphere", SceneKind::half_space);
+  const bool moving = sphere.has("patch") && sphere.choice("patch", SceneKind::half_space) == "moving";
   return ElasticSphere{sphere.number("radius"), read_isotropic(sphere), moving};
 }
 
 void read_motion(const TomlTable& file, HalfSpaceProblem& problem) {
   if (std::holds_alternative<RigidRollingSphere>(problem.body)) {
-    const TomlTable rolling = file.table("rolling");
-    rolling.allow(SceneKind::half_space);
-    problem.speed = rolling.number("speed");
+    problem.speed = file.table("rolling", SceneKind::half_space).number("speed");
     return;
   }
-  const TomlTable sliding = file.table("sliding");
-  sliding.allow(SceneKind::half_space);
+  const TomlTable sliding = file.table("sliding", SceneKind::half_space);
   problem.speed = sliding.number("speed");
   if (sliding.has("direction")) problem.direction = sliding.number("direction");
   if (sliding.has("friction")) problem.friction = sliding.number("friction");
@@ -85,19 +78,14 @@ void read_given(const TomlTable& file, const SceneOrigin& origin, HalfSpaceProbl
                   "there must be either [load] normal_force or [contact] span_along");
   }
   if (file.has("load")) {
-    const TomlTable load = file.table("load");
-    load.allow(SceneKind::half_space);
-    problem.given = GivenNormalForce{load.number("normal_force")};
-    return;
+    problem.given = GivenNormalForce{file.table("load", SceneKind::half_space).number("normal_force")};
+  } else {
+    problem.given = GivenSpan{file.table("contact", SceneKind::half_space).number("span_along")};
   }
-  const TomlTable contact = file.table("contact");
-  contact.allow(SceneKind::half_space);
-  problem.given = GivenSpan{contact.number("span_along")};
 }
 
 ContourRule read_rule(const TomlTable& method) {
-  method.allow(SceneKind::half_space);
-  const std::string kind = method.choice("kind", {"exact", "stationary-force", "similar-contour"});
+  const std::string kind = method.choice("kind", SceneKind::half_space);
   if (kind == "exact") return ContourRule::exact;
   return kind == "similar-contour" ? ContourRule::similar_contour : ContourRule::stationary_force;
 }
@@ -112,7 +100,7 @@ HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigi
                            .profile = {}};
   read_motion(file, problem);
   read_given(file, origin, problem);
-  problem.rule = read_rule(file.table("method"));
+  problem.rule = read_rule(file.table("method", SceneKind::half_space));
   if (file.has("profile")) {
     const TomlTable profile = file.table("profile");
     problem.profile = read_profile(profile, origin, SceneKind::half_space);

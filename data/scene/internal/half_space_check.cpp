@@ -26,16 +26,16 @@ struct BodyCheck {
   const SceneOrigin& origin;
 
   double operator()(const RigidDie& die) const {
-    require_magnitude(die.radius_along, origin, "die.radius_along");
-    require_magnitude(die.radius_across, origin, "die.radius_across");
+    check_domain(die.radius_along, origin, "die.radius_along");
+    check_domain(die.radius_across, origin, "die.radius_across");
     return std::min(die.radius_along, die.radius_across);
   }
   double operator()(const RigidRollingSphere& sphere) const {
-    require_magnitude(sphere.radius, origin, "rolling_sphere.radius");
+    check_domain(sphere.radius, origin, "rolling_sphere.radius");
     return sphere.radius;
   }
   double operator()(const ElasticSphere& sphere) const {
-    require_magnitude(sphere.radius, origin, "sphere.radius");
+    check_domain(sphere.radius, origin, "sphere.radius");
     check_solid(sphere.solid, origin, "sphere");
     return sphere.radius;
   }
@@ -56,10 +56,10 @@ struct GivenCheck {
   double smallest_radius;
 
   void operator()(const GivenNormalForce& load) const {
-    require_magnitude(load.force, origin, "load.normal_force");
+    check_domain(load.force, origin, "load.normal_force");
   }
   void operator()(const GivenSpan& span) const {
-    require_magnitude(span.along, origin, "contact.span_along");
+    check_domain(span.along, origin, "contact.span_along");
     require(
         span.along <= smallest_radius, origin, "contact.span_along", span.along,
         "must be at most the body's smallest radius: beyond it a paraboloid no longer stands for the body");
@@ -116,20 +116,14 @@ void check_half_space_problem(const HalfSpaceProblem& problem, const SceneOrigin
   const double smallest_radius = std::visit(BodyCheck{origin}, problem.body);
   std::visit(HalfSpaceCheck{origin}, problem.half_space);
   const bool rolls = std::holds_alternative<RigidRollingSphere>(problem.body);
-  require(std::isfinite(problem.speed) && problem.speed >= 0, origin,
-          rolls ? "rolling.speed" : "sliding.speed", problem.speed, "must be finite and >= 0");
-  require(std::fabs(problem.direction) <= 90, origin, "sliding.direction", problem.direction,
-          "must be from -90 to 90 degrees");
-  require(std::isfinite(problem.friction) && problem.friction >= 0, origin, "sliding.friction",
-          problem.friction, "must be finite and >= 0");
+  check_domain(problem.speed, origin, rolls ? "rolling.speed" : "sliding.speed");
+  check_domain(problem.direction, origin, "sliding.direction");
+  check_domain(problem.friction, origin, "sliding.friction");
   std::visit(GivenCheck{origin, smallest_radius}, problem.given);
   check_rolling(problem, origin);
   check_rule(problem, origin);
   if (problem.profile) check_profile(*problem.profile, origin);
-  if (problem.line) {
-    require(std::fabs(*problem.line) <= 90, origin, "profile.direction", *problem.line,
-            "must be from -90 to 90 degrees");
-  }
+  if (problem.line) check_domain(*problem.line, origin, "profile.direction");
 }
 
 }  // namespace nipref::data

@@ -71,10 +71,7 @@ Build read_model(const TomlTable& material) {
 
 }  // namespace
 
-std::string material_model(const TomlTable& material) {
-  return material.choice("model",
-                         {"elastic", "standard-linear-solid", "prony", "operators", "thesis-misprint"});
-}
+std::string material_model(const TomlTable& material) { return material.choice("model", SceneKind::nip); }
 
 ViscoelasticMaterial read_viscoelastic_material(const TomlTable& material, const SceneOrigin& origin) {
   const Build build = read_model(material);

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include <nipref/data/magnitude.hpp>
 #include <nipref/data/scene/internal/require.hpp>
+#include <nipref/data/scene/keys.hpp>
 
 namespace nipref::data {
 
@@ -10,8 +10,9 @@ void require(bool holds, const SceneOrigin& origin, std::string_view key, double
   if (!holds) origin.refuse(key, value, allowed);
 }
 
-void require_magnitude(double value, const SceneOrigin& origin, std::string_view key) {
-  require(is_magnitude(value), origin, key, value, allowed_magnitude(value));
+void check_domain(double value, const SceneOrigin& origin, std::string_view key) {
+  const std::string_view allowed = find_scene_key(key)->refusal_of(value);
+  require(allowed.empty(), origin, key, value, allowed);
 }
 
 void require_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key) {

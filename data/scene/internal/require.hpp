@@ -10,8 +10,8 @@ namespace nipref::data {
 void require(bool holds, const SceneOrigin& origin, std::string_view key, double value,
              std::string_view allowed);
 
-/// See magnitude.hpp.
-void require_magnitude(double value, const SceneOrigin& origin, std::string_view key);
+/// Refuses a number that is not in the domain that scene_keys() has for the key, "field.depths[1]" for a list's.
+void check_domain(double value, const SceneOrigin& origin, std::string_view key);
 
 void require_whole(int value, int least, int most, const SceneOrigin& origin, std::string_view key);
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include <nipref/data/closest_name.hpp>
@@ -207,14 +208,28 @@ TomlTable TomlTable::table(std::string_view key) const {
   return {std::make_shared<const Contents>(Contents{contents_->file, inner}), found.name, *origin_};
 }
 
-std::string TomlTable::text(std::string_view key) const {
-  return item(key, "must be a text in quotes").as<std::string>();
+TomlTable TomlTable::table(std::string_view key, SceneKind kind) const {
+  TomlTable inner = table(key);
+  inner.allow(kind);
+  return inner;
 }
 
-double TomlTable::number(std::string_view key) const { return item(key, "must be a number").as<double>(); }
+std::string_view TomlTable::allowed_type(std::string_view key, KeyType type) const {
+  const SceneKey* const known = find_scene_key(full_name(key));
+  if (known == nullptr || known->type != type) throw std::logic_error("another type in the table of keys");
+  return known->allowed_type();
+}
+
+std::string TomlTable::text(std::string_view key) const {
+  return item(key, allowed_type(key, KeyType::text)).as<std::string>();
+}
+
+double TomlTable::number(std::string_view key) const {
+  return item(key, allowed_type(key, KeyType::number)).as<double>();
+}
 
 int TomlTable::whole(std::string_view key) const {
-  const Item found = item(key, "must be a whole number");
+  const Item found = item(key, allowed_type(key, KeyType::whole));
   if (!found.node->is_integer()) found.refuse();
   const std::optional<int> value = found.node->value<int>();  // none if too large for it
   if (!value) found.refuse();
@@ -223,14 +238,15 @@ int TomlTable::whole(std::string_view key) const {
 
 std::vector<std::string> TomlTable::texts(std::string_view key) const {
   std::vector<std::string> values;
-  for (const Item& element : items(key, "must be a list of texts in quotes"))
+  for (const Item& element : items(key, allowed_type(key, KeyType::texts)))
     values.push_back(element.as<std::string>());
   return values;
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key) const {
   std::vector<double> values;
-  for (const Item& element : items(key, "must be a list of numbers")) values.push_back(element.as<double>());
+  for (const Item& element : items(key, allowed_type(key, KeyType::numbers)))
+    values.push_back(element.as<double>());
   return values;
 }
 
@@ -250,11 +266,11 @@ std::string TomlTable::text_or_list(std::string_view key) const {
   return all;
 }
 
-std::string TomlTable::choice(std::string_view key, std::initializer_list<std::string_view> choices) const {
-  const std::string chosen = text(key);
-  if (std::ranges::find(choices, chosen) == choices.end()) {
+std::string TomlTable::choice(std::string_view key, SceneKind kind) const {
+  const std::string chosen = item(key, allowed_type(key, KeyType::choice)).as<std::string>();
+  const std::vector<std::string_view>& choices = find_scene_key(full_name(key))->choices_of(kind);
+  if (std::ranges::find(choices, chosen) == choices.end())
     origin_->refuse(full_name(key), chosen, fmt::format("must be {}", fmt::join(choices, " or ")));
-  }
   return chosen;
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,14 +20,16 @@ class TomlTable {
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
-  /// Refuses all keys but those that names_in_table has.
+  /// Refuses all keys but those that scene_keys() has for such scenes, in a table of models those of the owner.
   void allow(SceneKind kind, std::optional<KeyOwner> owner = {}) const;
 
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] bool has_table(std::string_view key) const;
   /// In the order of the alphabet.
   [[nodiscard]] std::vector<std::string> keys() const;
-  // What the key holds. Refused if it is not there, or of another type.
+  // What the key holds. Refused if it is not there, or of another type than scene_keys() says.
+  /// The table whose keys are those of such scenes.
+  [[nodiscard]] TomlTable table(std::string_view key, SceneKind kind) const;
   [[nodiscard]] TomlTable table(std::string_view key) const;
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] double number(std::string_view key) const;
@@ -37,9 +38,8 @@ class TomlTable {
   [[nodiscard]] std::vector<double> numbers(std::string_view key) const;
   /// A text as it is, or a list of numbers and texts with commas between them.
   [[nodiscard]] std::string text_or_list(std::string_view key) const;
-  /// A text that is one of `choices`.
-  [[nodiscard]] std::string choice(std::string_view key,
-                                   std::initializer_list<std::string_view> choices) const;
+  /// A text that is one of the key's choices.
+  [[nodiscard]] std::string choice(std::string_view key, SceneKind kind) const;
 
   /// "TABLE.KEY", as the origin knows it.
   [[nodiscard]] std::string full_name(std::string_view key) const;
@@ -49,6 +49,7 @@ class TomlTable {
   struct Item;
   TomlTable(std::shared_ptr<const Contents> contents, std::string name, SceneOrigin& origin);
   [[nodiscard]] Item item(std::string_view key, std::string_view allowed) const;
+  [[nodiscard]] std::string_view allowed_type(std::string_view key, KeyType type) const;
   [[nodiscard]] std::vector<Item> items(std::string_view key, std::string_view allowed) const;
 
   std::shared_ptr<const Contents> contents_;
