@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <fstream>
 #include <numeric>
 #include <set>
@@ -101,6 +102,17 @@ std::string gap_text(const std::string& work, std::size_t first, std::size_t las
 }
 
 }  // namespace
+
+Shard parse_shard(const std::string& text) {
+  constexpr std::size_t most_shards = 1'000'000;
+  std::size_t index = 0, of = 0;
+  const char* const end = text.data() + text.size();
+  const char* const slash = std::from_chars(text.data(), end, index).ptr;
+  const bool is_shard = slash != end && *slash == '/' && std::from_chars(slash + 1, end, of).ptr == end;
+  if (!is_shard || index < 1 || index > of || of > most_shards)
+    throw BadInput("shard", text, fmt::format("must be i/N with 1 <= i <= N <= {}", most_shards));
+  return {index - 1, of};
+}
 
 BlocksThere::BlocksThere(const std::vector<BlockWork*>& works) : works_(works) {
   for (const BlockWork* work : works) hashes_.emplace_back(work->blocks());

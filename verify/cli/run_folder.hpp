@@ -2,8 +2,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,19 +20,8 @@ struct Shard {
   bool operator==(const Shard&) const = default;
 };
 
-/// A function that returns an environment variable's text, or nothing.
-using Environment = std::function<std::optional<std::string>(const std::string& name)>;
-
-/// The variable of this process.
-std::optional<std::string> environment(const std::string& name);
-
-/// "3/8", the third of eight, or "env", which reads the launcher's environment variables. Ranks are those of Open MPI
-/// (OMPI_COMM_WORLD_RANK and _SIZE) or of MPICH and its relatives (PMI_RANK and PMI_SIZE), otherwise the tasks of Slurm
-/// (SLURM_PROCID and SLURM_NTASKS), since MPI's launchers themselves are tasks of Slurm. Each member of an array job of
-/// Slurm (SLURM_ARRAY_TASK_ID, _MIN, _STEP and _COUNT) or of an indexed job of Kubernetes (JOB_COMPLETION_INDEX, and
-/// JOB_COMPLETIONS, which the pod's description has to set) has all the ranks. BadInput that names "shard" where no
-/// variable is set, two of them contradict each other, or one is no whole number.
-Shard parse_shard(const std::string& text, const Environment& variable = environment);
+/// "3/8", the third of eight. BadInput that names "shard" for another text.
+Shard parse_shard(const std::string& text);
 
 // A run in a folder, which any number of processes may continue, one after the other or at the same time. run.json
 // holds the run's fingerprint. Each process appends a line for each finished block to its own file,
