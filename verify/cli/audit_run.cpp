@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/sheet/instruction_set.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
@@ -75,29 +78,64 @@ std::size_t AuditRun::finished() const {
   return work;
 }
 
-void AuditRun::write_shard(std::ostream& out) const {
+int AuditRun::answer(std::ostream& out) const {
+  if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
   const std::string folder = line_.option("out").value();
-  if (line_.json) {
-    out << answer_text("audit",
-                       {{"run", folder},
-                        {"shard", fmt::format("{}/{}", shard_.index + 1, shard_.of)},
-                        {"blocks_done", done_},
-                        {"blocks_there", there_->count()},
-                        {"blocks", there_->of()}},
-                       line_.no_times);
-  } else {
-    out << fmt::format("{}: {} of {} blocks were there at the start; shard {}/{} did {} more\n", folder,
-                       there_->count(), there_->of(), shard_.index + 1, shard_.of, done_)
-        << (interrupted()
-                ? "interrupted: the same command goes on\n"
+  const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
+  const auto members = [&] {
+    return Json{{"run", folder},
+                {"shard", shard},
+                {"blocks_done", done_},
+                {"blocks_there", there_->count()},
+                {"blocks", there_->of()}};
+  };
+  const auto text = [&] {
+    return fmt::format("{}: {} of {} blocks were there at the start; shard {} did {} more\n", folder,
+                       there_->count(), there_->of(), shard, done_) +
+           (interrupted()
+                ? "the same command goes on\n"
                 : fmt::format("nipref merge {} tells what was found when all shards are done\n", folder));
+  };
+  return write_answer(line_, out, "audit", true, members, text);
+}
+
+int audit_verb(const CommandLine& line, std::ostream& out) {
+  stop_gently_on_interrupt();
+  Progress progress(standard_error(line.has("quiet")));
+  AuditRun run(line);
+  run.do_blocks(progress);
+  return run.answer(out);
+}
+
+namespace {
+
+CommandLine command_of(const std::filesystem::path& folder, const std::string& fingerprint) {
+  try {
+    return command_of_fingerprint(fingerprint);
+  } catch (const JsonMisfit& misfit) {
+    throw data::BadInput("run", folder.string(),
+                         std::string("must have a run.json as --out makes it: ") + misfit.what());
   }
 }
 
-int AuditRun::answer(std::ostream& out) const {
-  if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
-  write_shard(out);
-  return 0;
+}  // namespace
+
+int merge_verb(const CommandLine& line, std::ostream& out) {
+  if (line.words.empty())
+    throw data::BadInput("run", "(missing)", "must be the folder of a run, or several of one run");
+  const std::vector<std::filesystem::path> folders(line.words.begin(), line.words.end());
+  const std::string fingerprint = fingerprint_of(folders);
+  const CommandLine command = command_of(folders.front(), fingerprint);
+  if (const auto isa = command.option("isa")) fast::use_instruction_set(*isa);
+  const AuditWorks works(command, false);
+  refuse_other_fingerprint(folders.front(), fingerprint, works.fingerprint());
+  const std::vector<BlockWork*> all = works.all();
+  BlocksThere there(all);
+  for (const auto& folder : folders) read_blocks(folder, all, there);
+  const std::string gaps = there.gaps();
+  if (!gaps.empty())
+    throw data::BadInput("run", folders.front().string(), "must have all its blocks: without " + gaps);
+  return works.answer(line, out, all.size());
 }
 
 }  // namespace nipref::verify

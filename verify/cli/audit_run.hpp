@@ -84,7 +84,6 @@ class AuditRun {
 
  private:
   [[nodiscard]] std::size_t finished() const;  ///< works, the first ones
-  void write_shard(std::ostream& out) const;
 
   CommandLine line_;
   Shard shard_;

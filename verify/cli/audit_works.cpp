@@ -6,10 +6,10 @@
 #include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/house.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/support/sha256.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -27,7 +27,7 @@ double density_option(const CommandLine& line) {
   return parse_real("density", line.option_or_usual("density"));
 }
 
-AuditOptions audit_options(const CommandLine& line) {
+void refuse_two_numbers_of_points(const CommandLine& line) {
   std::string first;
   for (const char* const name : {"points", "density", "quick", "thorough"}) {
     if (!line.option(name) && !line.has(name)) continue;
@@ -35,9 +35,6 @@ AuditOptions audit_options(const CommandLine& line) {
       throw data::BadInput(name, line.option(name).value_or("(given)"), "must be left out beside " + first);
     first = name;
   }
-  AuditOptions options{points_option(line), accuracy_option(line), {}, density_option(line)};
-  options.seed = seed_option(line);
-  return options;
 }
 
 /// Options are for quantities; an absolute number of points for those that are named: what is quick for one
@@ -103,12 +100,11 @@ std::vector<std::string> recorded_words(const CommandLine& line) {
 
 AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(recorded_words(line)) {
   const Selection selected = selected_by(line);
-  AuditOptions options = audit_options(line);
-  accuracy_ = options.accuracy;
+  refuse_two_numbers_of_points(line);
+  accuracy_ = accuracy_option(line);
   for (const Quantity* quantity : selected.quantities) {
-    options.ranges = line.assignments.empty() ? Ranges{} : parse_ranges(*quantity, line.assignments);
-    options.more_points =
-        golden_points(*quantity, options.ranges, options.points_of(*quantity) / golden_share);
+    AuditOptions options = sampling_options(line, *quantity, density_option(line));
+    options.accuracy = accuracy_;
     quantities_.push_back(std::make_unique<QuantityWork>(*quantity, options, keeps_points));
   }
   const std::size_t scenes = scenes_option(line);  // refused if it is wrong, without contacts too
@@ -151,17 +147,15 @@ Audited AuditWorks::found(std::size_t finished) const {
 int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
   const Audited audited = found(finished);
   const auto& [quantities, of_contacts] = audited;
-  if (line.json) {
-    out << answer_text("audit", audits_json(audited, accuracy_), line.no_times);
-  } else {
-    if (!quantities.empty()) out << folded(audit_text(quantities, accuracy_));
+  const auto text = [&] {
+    std::string all = quantities.empty() ? "" : audit_text(quantities, accuracy_);
     if (hard_cases_)
-      out << "\n"
-          << folded(contact_audit_text(of_contacts.hard_cases) + "\n" + scene_tally_text(of_contacts.scenes));
-    if (quantities.empty() && !hard_cases_) out << "nothing that was changed has a part in a quantity\n";
-    out << interruption_text();
-  }
-  return all_kept(quantities) && of_contacts.kept() ? 0 : 1;
+      all += "\n" + contact_audit_text(of_contacts.hard_cases) + "\n" + scene_tally_text(of_contacts.scenes);
+    return all.empty() ? "nothing that was changed has a part in a quantity\n" : folded(all);
+  };
+  return write_answer(
+      line, out, "audit", all_kept(quantities) && of_contacts.kept(),
+      [&] { return audits_json(audited, accuracy_); }, text);
 }
 
 Json audits_json(const Audited& audited, fast::Accuracy accuracy) {

@@ -1,17 +1,24 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/programs.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -50,17 +57,116 @@ class OtherKernels {
   std::vector<OtherKernel> all_;
 };
 
+using Key = std::tuple<std::string, std::string, std::string>;  ///< quantity, range, method
+
+constexpr int rounds = 3;
+
+struct Measured {
+  std::vector<double> nanoseconds;  ///< a round each
+  std::optional<double> ulp;
+};
+
+using Program = std::map<Key, Measured>;
+
+/// One round of a program. False if it does not answer as `bench` does.
+bool add_round(const std::string& program, const std::vector<std::string>& words, Program& rows) {
+  std::vector<std::string> call{program, "bench", "--json", "--quiet"};
+  call.insert(call.end(), words.begin(), words.end());
+  const nlohmann::json answer = nlohmann::json::parse(output_of(call).text, nullptr, false);
+  if (!answer.is_object() || !answer.contains("rows")) return false;
+  for (const auto& row : answer["rows"]) {
+    Measured& measured = rows[{row.at("quantity"), row.at("range"), row.at("method")}];
+    measured.nanoseconds.push_back(row.at("times").at("nanoseconds"));
+    const auto& ulp = row.at("max_error_ulp");
+    if (ulp.is_number()) measured.ulp = ulp.get<double>();
+  }
+  return true;
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return values[values.size() / 2];
+}
+
+AgainstRow row_of(const Key& key, const Measured& before, const Measured& now) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < std::min(before.nanoseconds.size(), now.nanoseconds.size()); ++i)
+    ratios.push_back(now.nanoseconds[i] / before.nanoseconds[i]);
+  return {std::get<0>(key),
+          std::get<1>(key),
+          std::get<2>(key),
+          median(before.nanoseconds),
+          median(now.nanoseconds),
+          median(ratios),
+          std::ranges::min(ratios),
+          std::ranges::max(ratios),
+          before.ulp,
+          now.ulp};
+}
+
+/// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have. BadInput naming
+/// "against" if the older one does not answer as nipref does.
+std::vector<AgainstRow> bench_against(const std::string& old_program, const std::vector<std::string>& words,
+                                      Progress& progress) {
+  const std::string own = std::filesystem::read_symlink("/proc/self/exe").string();
+  Program before, now;
+  progress.begin("bench against", 2 * rounds);
+  for (int round = 0; round < rounds; ++round) {
+    // In turns, so that a change of the machine's speed meets both alike.
+    for (const bool is_old : {round % 2 == 0, round % 2 != 0}) {
+      progress.next(is_old ? "the older program" : "this program");
+      if (!add_round(is_old ? old_program : own, words, is_old ? before : now))
+        throw data::BadInput("against", is_old ? old_program : own,
+                             "must be a nipref whose bench takes the same words and answers with --json");
+    }
+  }
+  std::vector<AgainstRow> rows;
+  for (const auto& [key, measured] : now) {
+    if (const auto old = before.find(key); old != before.end())
+      rows.push_back(row_of(key, old->second, measured));
+  }
+  return rows;
+}
+
+std::string against_text(const std::vector<AgainstRow>& rows) {
+  TextTable table({"method", ">old ns", ">new ns", ">ratio", ">of rounds", ">old ulp", ">new ulp"});
+  for (const AgainstRow& row : rows) {
+    table.add({row.method, fmt::format("{:.4g}", row.old_nanoseconds),
+               fmt::format("{:.4g}", row.new_nanoseconds), fmt::format("{:.3g}", row.ratio),
+               fmt::format("{:.2f}..{:.2f}", row.least_ratio, row.largest_ratio), or_dash(row.old_ulp, 3),
+               or_dash(row.new_ulp, 3)});
+    table.add_below(row.quantity + " " + row.range);
+  }
+  return table.text();
+}
+
+Json against_json(const std::vector<AgainstRow>& rows) {
+  return json_list(rows, [](const AgainstRow& row) {
+    return Json{{"quantity", row.quantity},
+                {"range", row.range},
+                {"method", row.method},
+                {"old_max_error_ulp", row.old_ulp},
+                {"max_error_ulp", row.new_ulp},
+                {"times",
+                 {{"old_nanoseconds", row.old_nanoseconds},
+                  {"nanoseconds", row.new_nanoseconds},
+                  {"ratio", row.ratio},
+                  {"least_ratio", row.least_ratio},
+                  {"largest_ratio", row.largest_ratio}}}};
+  });
+}
+
 int against_verb(const CommandLine& line, std::ostream& out) {
   const auto most = max_slowdown_option(line);
   Progress progress(standard_error(line.has("quiet")));
   const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of(line), progress);
-  if (line.json) {
-    out << answer_text("bench_against", {{"rows", against_json(rows)}}, line.no_times);
-  } else {
-    out << against_text(rows);
-  }
-  const auto too_slow = [&](const AgainstRow& row) { return row.slower_by(*most); };
-  return most && std::ranges::any_of(rows, too_slow) ? 1 : 0;
+  const auto too_slow = [&](const AgainstRow& row) { return most && row.slower_by(*most); };
+  return write_answer(
+      line, out, "bench_against", std::ranges::none_of(rows, too_slow),
+      [&] {
+        return Json{{"rows", against_json(rows)}};
+      },
+      [&] { return against_text(rows); });
 }
 
 }  // namespace
@@ -73,13 +179,11 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   const BenchReport report = bench_all(selected, progress, others.all());
-  if (line.json) {
-    out << answer_text("bench", bench_json(report), line.no_times);
-  } else {
-    out << folded(ratios_text(report.ratios) + bench_text(report.rows) + notes + machine_text() + "\n" +
-                  interruption_text());
-  }
-  return all_met(report, line.has("strict")) ? 0 : 1;
+  return write_answer(
+      line, out, "bench", all_met(report, line.has("strict")), [&] { return bench_json(report); },
+      [&] {
+        return folded(ratios_text(report.ratios) + bench_text(report.rows) + notes + machine_text() + "\n");
+      });
 }
 
 std::vector<std::string_view> bench_groups() {
@@ -95,19 +199,18 @@ Selection bench_everything() {
 }
 
 BenchReport bench_all(const Selection& selected, Progress& progress, const std::vector<OtherKernel>& others) {
-  progress.begin("bench", selected.quantities.size() + selected.groups.size());
   const BenchProgress show = [&](const std::string& what) { progress.at(0, what); };
-  BenchReport report;
-  for (const Quantity* quantity : selected.quantities) {
-    if (interrupted()) break;
-    progress.next(quantity->name);
-    std::ranges::move(bench(*quantity, show, others), std::back_inserter(report.rows));
-  }
+  std::vector<BenchPart> parts;
+  for (const Quantity* quantity : selected.quantities)
+    parts.push_back({quantity->name, [=, &others] { return bench(*quantity, show, others); }});
   for (const BenchGroup& group : bench_group_table) {
-    if (!selected.has(group.name) || interrupted()) continue;
-    progress.next(std::string(group.name));
-    std::ranges::move(bench_group(group, show), std::back_inserter(report.rows));
+    if (selected.has(group.name))
+      parts.push_back({std::string(group.name), [=] { return bench_group(group, show); }});
   }
+  BenchReport report;
+  progress.each("bench", parts, &BenchPart::name, [&](const BenchPart& part) {
+    std::ranges::move(part.rows(), std::back_inserter(report.rows));
+  });
   report.ratios = promised_ratios(report.rows);
   mark_pareto_optimal(report.rows);
   return report;

@@ -4,37 +4,179 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/axes.hpp>
+#include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/internal/met.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/evaluation.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
-#include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
-
 namespace {
 
 using data::BadInput;
 
-/// What errors are measured against at the arguments, and its unit in the last place; none where doubles end.
-struct Scale {
-  std::optional<double> size, ulp;
+/// The result of one path, as it is printed.
+struct EvalAnswer {
+  std::string path;  ///< or the name of the seed's form
+  std::string value;
+  double seconds;
+  int digits;                             ///< for ref those requested, for fast those promised
+  std::optional<std::string> error = {};  ///< nothing for the seed's forms
+  bool proven = false;                    ///< whether the error is a proven bound
+  long double accuracy = 0;               ///< requested: 10^-digits, or rtol
+  std::optional<bool> met = {};  ///< nothing where no accuracy is requested; see catalogue/internal/met.hpp
 };
 
-/// With the first answer: their values differ by less than what the scale is for.
-Scale scale_of(const EvalRequest& request, const ParsedArguments& arguments, const EvalAnswer& answer) try {
-  const double size = std::max(std::fabs(std::strtod(answer.value.c_str(), nullptr)),
-                               request.quantity->envelope(arguments.nearest(*request.quantity)));
-  return {size, ulp_of(size)};
+/// The request of a call of eval, checked as far as possible without evaluating anything.
+struct EvalRequest {
+  const Quantity* quantity;
+  const SeedForm* form;  ///< null for the corrected form
+  bool by_ref;
+  bool by_fast;
+  int digits;
+  fast::Accuracy accuracy;
+  bool rtol_is_asked;
+};
+
+constexpr auto right_form = "corrected";
+
+const Quantity& quantity_of(const CommandLine& line) {
+  if (line.words.size() > 1) {
+    throw BadInput("argument", line.words[1], "unexpected: eval takes one quantity and name=value pairs");
+  }
+  return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
+}
+
+/// Null for the right one.
+const SeedForm* form_of(const CommandLine& line, const Quantity& quantity) {
+  const std::string form = line.option("form").value_or(right_form);
+  if (form == right_form) return nullptr;
+  std::vector<std::string> known{right_form};
+  for (const SeedForm& candidate : quantity.seed_forms) {
+    if (candidate.name == form && line.option("path"))
+      throw BadInput("path", line.option_or_usual("path"),
+                     "must be left out with form=" + form + ": that is no path's");
+    if (candidate.name == form) return &candidate;
+    known.push_back(candidate.name);
+  }
+  throw BadInput("form", form, fmt::format("must be {} of {}", fmt::join(known, " or "), quantity.name));
+}
+
+void refuse_options_without_effect(const CommandLine& line, const std::string& path, const SeedForm* form) {
+  const std::string chosen = form != nullptr ? "form=" + form->name : "path=" + path;
+  const std::string why = "has no effect with " + chosen + ": must be left out";
+  if (form != nullptr || path == "ref") refuse_option(line, "rtol", why);
+  if (form != nullptr || path == "fast") refuse_option(line, "digits", why);
+}
+
+int digits_for(const Quantity& quantity, const CommandLine& line) {
+  const int digits = digits_option(line).value();
+  if (!line.option("digits")) return std::min(digits, quantity.most_digits);
+  if (digits > quantity.most_digits) {
+    throw BadInput(
+        "digits", std::to_string(digits),
+        fmt::format("must be a whole number from 16 to {} for {}", quantity.most_digits, quantity.name));
+  }
+  return digits;
+}
+
+EvalAnswer answer_of_ref(const EvalRequest& request, const ParsedArguments& arguments) {
+  std::optional<ref::Estimate> found;
+  const double seconds =
+      seconds_of([&] { found = request.quantity->by_ref(arguments.exact, request.digits); });
+  return {"ref",
+          found->value_text(),
+          seconds,
+          request.digits,
+          found->error_text(),
+          found->proven,
+          std::pow(10.0L, -request.digits),
+          is_met(*request.quantity, arguments, *found, request.digits)};
+}
+
+EvalAnswer answer_of_fast(const EvalRequest& request, const ParsedArguments& arguments) {
+  const Quantity& quantity = *request.quantity;
+  const Point point = arguments.nearest(quantity);
+  double value = 0;
+  const double seconds = seconds_of([&] { value = quantity.by_fast(point, request.accuracy); });
+  const double scale = std::max(std::fabs(value), quantity.envelope(point));
+  const double rtol = request.accuracy.rtol();
+  const double tolerated = rtol > fast::Accuracy::best_rtol ? rtol * scale : 0;
+  const double promised = quantity.fast_error ? quantity.fast_error(point, request.accuracy)
+                                              : std::max(quantity.promise * ulp_of(scale), tolerated);
+  return {"fast",
+          fmt::format("{}", value),
+          seconds,
+          static_cast<int>(-std::log10(rtol)),
+          upward_text(promised),
+          false,
+          rtol,
+          request.rtol_is_asked ? std::optional(is_met(promised, scale, rtol)) : std::nullopt};
+}
+
+EvalAnswer answer_of_seed(const EvalRequest& request, const ParsedArguments& arguments) {
+  const Point point = arguments.nearest(*request.quantity);
+  static_cast<void>(
+      request.quantity->by_fast(point, request.accuracy));  // refuses what it cannot be asked for
+  double value = 0;
+  const double seconds = seconds_of([&] { value = request.form->value(point); });
+  if (!std::isfinite(value))
+    throw BadInput("form", request.form->name, "must be corrected here: the seed's form gives no number");
+  return {request.form->name, fmt::format("{}", value), seconds, std::numeric_limits<double>::digits10};
+}
+
+EvalRequest request_of(const CommandLine& line) {
+  const Quantity& quantity = quantity_of(line);
+  const std::string path = line.option_or_usual("path");
+  const SeedForm* form = form_of(line, quantity);
+  refuse_options_without_effect(line, path, form);
+  return {&quantity,
+          form,
+          form == nullptr && path != "fast",
+          form == nullptr && path != "ref",
+          digits_for(quantity, line),
+          accuracy_option(line),
+          line.option("rtol").has_value()};
+}
+
+std::string_view caveat_of(const EvalRequest& request) {
+  if (request.quantity->ref_takes_doubles && request.form == nullptr)
+    return "each argument is taken rounded to the nearest double; errors are for that argument.";
+  return request.by_fast
+             ? "fast takes each argument rounded to the nearest double; its error is for that argument."
+             : "";
+}
+
+std::vector<EvalAnswer> answers_to(const EvalRequest& request, const ParsedArguments& arguments) {
+  std::vector<EvalAnswer> answers;
+  if (request.form != nullptr) answers.push_back(answer_of_seed(request, arguments));
+  if (request.by_ref) answers.push_back(answer_of_ref(request, arguments));
+  if (request.by_fast) answers.push_back(answer_of_fast(request, arguments));
+  return answers;
+}
+
+/// ref's numbers are JSON text, as they may not fit a double.
+Json number_json(const std::string& path, const std::string& text) {
+  return path == "ref" ? Json(text) : Json::number(text);
+}
+
+/// What errors are measured against at the arguments; nothing where doubles end. The first answer decides: the values
+/// differ by less than what the scale is for.
+std::optional<double> scale_of(const EvalRequest& request, const ParsedArguments& arguments,
+                               const EvalAnswer& answer) try {
+  return std::max(std::fabs(std::strtod(answer.value.c_str(), nullptr)),
+                  request.quantity->envelope(arguments.nearest(*request.quantity)));
 } catch (const BadInput&) {
   return {};
 }
@@ -52,14 +194,14 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
              const std::vector<EvalAnswer>& answers) {
   Json given = Json::object();
   for (const auto& [name, text] : written_arguments(*request.quantity, arguments.text)) given.set(name, text);
-  const Scale scale = scale_of(request, arguments, answers.front());
+  const auto scale = scale_of(request, arguments, answers.front());
   Json results = Json::object();
   for (const EvalAnswer& answer : answers) results.set(answer.path, answer_json(answer));
   return {{"quantity", request.quantity->name},
           {"arguments", given},
-          {"scale", scale.size},
-          {"ulp_of_scale", scale.ulp},
-          {"caveat", caveat_json(request)},
+          {"scale", scale},
+          {"ulp_of_scale", scale ? Json(ulp_of(*scale)) : Json()},
+          {"caveat", Json::unless_empty(caveat_of(request))},
           {"results", results}};
 }
 
@@ -75,34 +217,13 @@ std::string answers_text(const EvalRequest& request, const ParsedArguments& argu
       text += fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
     if (answer.met) text += fmt::format("  {}\n", met_text(answer.accuracy, *answer.met, " of the scale"));
   }
-  const Scale scale = scale_of(request, arguments, answers.front());
-  if (scale.size)
-    text += fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale.size,
-                        request.quantity->scale, *scale.ulp);
+  if (const auto scale = scale_of(request, arguments, answers.front()))
+    text += fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale, request.quantity->scale,
+                        ulp_of(*scale));
   if (request.form != nullptr) text += fmt::format("not the quantity itself: {}\n", request.form->differs);
-  if (const char* caveat = caveat_of(request)) text += std::string(caveat) + "\n";
+  if (const auto caveat = caveat_of(request); !caveat.empty()) text += fmt::format("{}\n", caveat);
   return folded(text);
 }
-
-}  // namespace
-
-int eval_verb(const CommandLine& line, std::ostream& out) {
-  const EvalRequest request = request_of(line);
-  const Assignments given = with_material_numbers(*request.quantity, line.assignments);
-  if (std::ranges::any_of(given, [](const auto& pair) { return is_swept(pair.second); }))
-    return eval_sweep(request, line, out);
-  refuse_option(line, "points", "has no effect without a range: must be left out");
-  const ParsedArguments arguments = parse_arguments(*request.quantity, given);
-  const std::vector<EvalAnswer> answers = answers_to(request, arguments);
-  if (line.json) {
-    out << answer_text("eval", to_json(request, arguments, answers), line.no_times);
-  } else {
-    out << answers_text(request, arguments, answers);
-  }
-  return std::ranges::any_of(answers, [](const EvalAnswer& answer) { return answer.met == false; }) ? 1 : 0;
-}
-
-namespace {
 
 std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
   std::vector<Axis> axes;
@@ -110,21 +231,12 @@ std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
   return axes;
 }
 
-std::vector<std::string> paths_of(const EvalRequest& request) {
-  if (request.form != nullptr) return {request.form->name};
-  std::vector<std::string> paths;
-  if (request.by_ref) paths.emplace_back("ref");
-  if (request.by_fast) paths.emplace_back("fast");
-  return paths;
-}
-
 std::vector<SweepColumn> columns_of(const EvalRequest& request) {
+  if (request.form != nullptr) return {{request.form->name, false}};
   std::vector<SweepColumn> columns;
-  for (const std::string& path : paths_of(request)) {
-    columns.push_back({path, path == "ref"});
-    if (request.form == nullptr) columns.push_back({path + "_error", path == "ref"});
-  }
-  if (request.form == nullptr) columns.push_back({"missed", true});
+  if (request.by_ref) columns = {{"ref", true}, {"ref_error", true}};
+  if (request.by_fast) columns.insert(columns.end(), {{"fast", false}, {"fast_error", false}});
+  columns.push_back({"missed", true});
   return columns;
 }
 
@@ -141,8 +253,7 @@ SweepRow row_of(const EvalRequest& request, const ParsedArguments& arguments) {
   return row;
 }
 
-}  // namespace
-
+/// A row for each combination, in their order whatever the threads, with the paths that missed the accuracy.
 int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream& out) {
   const Quantity& quantity = *request.quantity;
   const Assignments all = with_material_numbers(quantity, line.assignments);
@@ -151,12 +262,28 @@ int eval_sweep(const EvalRequest& request, const CommandLine& line, std::ostream
   const Sweep sweep{"eval_sweep",
                     points,
                     columns_of(request),
-                    {{"quantity", quantity.name}, {"caveat", caveat_json(request)}},
+                    {{"quantity", quantity.name}, {"caveat", Json::unless_empty(caveat_of(request))}},
                     [&](std::size_t i) {
                       const Assignments given = points.assignments(i, &AxisValue::exact);
                       return row_of(request, parse_arguments(quantity, given));
                     }};
   return write_sweep(sweep, line, out);
+}
+
+}  // namespace
+
+int eval_verb(const CommandLine& line, std::ostream& out) {
+  const EvalRequest request = request_of(line);
+  const Assignments given = with_material_numbers(*request.quantity, line.assignments);
+  if (std::ranges::any_of(given, [](const auto& pair) { return is_swept(pair.second); }))
+    return eval_sweep(request, line, out);
+  refuse_option(line, "points", "has no effect without a range: must be left out");
+  const ParsedArguments arguments = parse_arguments(*request.quantity, given);
+  const std::vector<EvalAnswer> answers = answers_to(request, arguments);
+  const bool met = std::ranges::none_of(answers, [](const EvalAnswer& one) { return one.met == false; });
+  return write_answer(
+      line, out, "eval", met, [&] { return to_json(request, arguments, answers); },
+      [&] { return answers_text(request, arguments, answers); });
 }
 
 }  // namespace nipref::verify

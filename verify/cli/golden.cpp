@@ -95,12 +95,8 @@ class Destination {
 };
 
 int answer(const CommandLine& line, std::ostream& out, const std::string& text, const Json& json, bool kept) {
-  if (line.json) {
-    out << answer_text("golden", json, line.no_times);
-  } else {
-    out << folded(text) << interruption_text();
-  }
-  return kept ? 0 : 1;
+  return write_answer(
+      line, out, "golden", kept, [&] { return json; }, [&] { return folded(text); });
 }
 
 /// What is not asked for is the quantity's own.
@@ -119,22 +115,16 @@ int make(const CommandLine& line, std::ostream& out) {
     destination.check(*quantity, options_for(*quantity, line).points);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  progress.begin("golden make", quantities.size());
   std::vector<MadeFile> files;
   bool kept = true;
-  for (const Quantity* quantity : quantities) {
-    progress.next(quantity->name);
+  progress.each("golden make", quantities, &Quantity::name, [&](const Quantity* quantity) {
     GoldenOptions options = options_for(*quantity, line);
     options.progress = [&](double part) { progress.at(part); };
-    try {
-      MadeGolden made = make_golden(*quantity, options, provenance());
-      kept = kept && made.refused.empty();
-      destination.write(*quantity, made.file);
-      files.push_back({quantity->name, destination.file_of(*quantity).string(), std::move(made)});
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
+    MadeGolden made = make_golden(*quantity, options, provenance());
+    kept = kept && made.refused.empty();
+    destination.write(*quantity, made.file);
+    files.push_back({quantity->name, destination.file_of(*quantity).string(), std::move(made)});
+  });
   return answer(line, out, made_text(files), made_json(files), kept);
 }
 
@@ -168,17 +158,11 @@ int check(const CommandLine& line, std::ostream& out) {
   options.every = every_option(line);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  progress.begin("golden check", paths.size());
   options.progress = [&](double part) { progress.at(part); };
   std::vector<CheckedGolden> files;
-  for (const fs::path& path : paths) {
-    progress.next(path.stem().string());
-    try {
-      files.push_back(check_golden(path, options));
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
+  const auto name = [](const fs::path& path) { return path.stem().string(); };
+  progress.each("golden check", paths, name,
+                [&](const fs::path& path) { files.push_back(check_golden(path, options)); });
   const bool kept = folder.empty() && std::ranges::all_of(files, &CheckedGolden::kept);
   return answer(line, out, checked_text(folder, files), checked_json(folder, files), kept);
 }
@@ -194,23 +178,17 @@ int update(const CommandLine& line, std::ostream& out) {
   const Destination destination(line, quantities.size());
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  progress.begin("golden update", quantities.size());
   std::vector<UpdatedFile> files;
-  for (const Quantity* quantity : quantities) {
-    progress.next(quantity->name);
+  progress.each("golden update", quantities, &Quantity::name, [&](const Quantity* quantity) {
     const fs::path path = golden_path(*quantity);
-    if (!fs::exists(path) && line.words.size() == 1) continue;
-    try {
-      const GoldenFile before = read_golden(path);
-      destination.check(*quantity, before.rows.size());
-      files.push_back({quantity->name, destination.file_of(*quantity).string(),
-                       update_golden(*quantity, before, line.has("all"), made_with,
-                                     [&](double part) { progress.at(part); })});
-    } catch (const Interrupted&) {
-      files.clear();
-      break;
-    }
-  }
+    if (!fs::exists(path) && line.words.size() == 1) return;
+    const GoldenFile before = read_golden(path);
+    destination.check(*quantity, before.rows.size());
+    files.push_back({quantity->name, destination.file_of(*quantity).string(),
+                     update_golden(*quantity, before, line.has("all"), made_with,
+                                   [&](double part) { progress.at(part); })});
+  });
+  if (interrupted()) files.clear();
   // What is told comes before what is written.
   const bool kept =
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });

@@ -135,14 +135,18 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
     for (const Graded& graded : all) cases.push_back(junit_case(graded));
     write_output_file(*junit, junit_text("nipref grade", cases));
   }
-  if (line.json) {
-    out << answer_text("grade", {{"rows", json_list(all, graded_json)}}, line.no_times);
-  } else {
+  const auto text = [&] {
+    std::string of_all;
     for (const Graded& graded : all)
-      out << folded(graded_text(graded)) << (line.has("ctest") ? measurements(graded) : "");
-    out << interruption_text();
-  }
-  return kept ? 0 : 1;
+      of_all += folded(graded_text(graded)) + (line.has("ctest") ? measurements(graded) : "");
+    return of_all;
+  };
+  return write_answer(
+      line, out, "grade", kept,
+      [&] {
+        return Json{{"rows", json_list(all, graded_json)}};
+      },
+      text);
 }
 
 }  // namespace nipref::verify

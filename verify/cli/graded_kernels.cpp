@@ -10,10 +10,9 @@
 #include <nipref/data/closest_name.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/graded.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/grade/plugin.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
@@ -103,11 +102,8 @@ std::string where_text(const CommandLine& line) {
 }
 
 AuditOptions options_of(const CommandLine& line, const Quantity& quantity, Progress& progress) {
-  AuditOptions options{points_option(line), {}, {}};
+  AuditOptions options = sampling_options(line, quantity);
   options.promise = promise_option(line);
-  options.seed = seed_option(line);
-  if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
-  options.more_points = golden_points(quantity, options.ranges, options.points_of(quantity) / golden_share);
   options.progress = [&progress](double part) { progress.at(part); };
   return options;
 }
@@ -171,17 +167,9 @@ std::vector<Graded> graded_kernels(const CommandLine& line) {
   const std::vector<Chosen> kernels = chosen_kernels(line, plugin);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  progress.begin("grade", kernels.size());
   std::vector<Graded> all;
-  for (const Chosen& chosen : kernels) {
-    if (interrupted()) break;
-    progress.next(chosen.kernel);
-    try {
-      all.push_back(graded_kernel(line, plugin, chosen, progress));
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
+  progress.each("grade", kernels, &Chosen::kernel,
+                [&](const Chosen& chosen) { all.push_back(graded_kernel(line, plugin, chosen, progress)); });
   return all;
 }
 

@@ -8,7 +8,6 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/manual.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/replay.hpp>
 

@@ -94,6 +94,12 @@ std::string answer_text(std::string_view verb, const Json& members, bool no_time
   return (no_times ? answer.without("times") : answer).text();
 }
 
+int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
+                 const std::function<Json()>& members, const std::function<std::string()>& text) {
+  out << (line.json ? answer_text(verb, members(), line.no_times) : text() + interruption_text());
+  return all_well ? 0 : 1;
+}
+
 std::string version_answer_text() { return answer_head().text(); }
 
 std::string error_answer_text(std::string_view message, const Json& argument, const Json& value,

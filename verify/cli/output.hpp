@@ -1,8 +1,11 @@
 #pragma once
+#include <functional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
 #include <nipref/verify/support/json.hpp>
 
@@ -45,6 +48,11 @@ inline const char* interruption_text() {
 /// The answer of a verb. With `no_times` the members "times" are left out at any depth. If the process was interrupted,
 /// the answer has "interrupted": true and only what was finished by then.
 std::string answer_text(std::string_view verb, const Json& members, bool no_times = false);
+
+/// Writes the answer of a verb, as JSON or as text for people, and calls only the one function that it needs. Returns the exit
+/// status: 0 if all is well, otherwise 1.
+int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
+                 const std::function<Json()>& members, const std::function<std::string()>& text);
 
 /// The answer to --version.
 std::string version_answer_text();

@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/catalogue/ranges.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/golden_points.hpp>
 #include <nipref/verify/cli/output.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 
@@ -33,26 +31,21 @@ std::string command_text(const CommandLine& line) {
 
 int points_verb(const CommandLine& line, std::ostream& out) {
   const Quantity& quantity = only_quantity(line);
-  AuditOptions options;
-  options.points = points_option(line);
+  AuditOptions options = sampling_options(line, quantity);
   options.search = false;
-  if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
-  const std::size_t wanted = options.points_of(quantity);
-  options.more_points = golden_points(quantity, options.ranges, wanted / golden_share);
-  options.points = wanted - options.more_points.size();
-  options.seed = seed_option(line);
+  options.points = options.points_of(quantity) - options.more_points.size();
   std::vector<Point> points = audit_points(quantity, options);
   std::erase_if(points, [&](const Point& point) { return std::isnan(fast_value(quantity, point, {})); });
   if (points.empty()) static_cast<void>(quantity.by_fast(audit_points(quantity, options).front(), {}));
   const std::string csv =
       points_csv(quantity, points,
                  {"quantity: " + quantity.name, command_text(line), "arguments: exact in hexadecimal"});
-  if (line.json) {
-    out << answer_text("points", {{"quantity", quantity.name}, {"csv", csv}});
-  } else {
-    out << csv;
-  }
-  return 0;
+  return write_answer(
+      line, out, "points", true,
+      [&] {
+        return Json{{"quantity", quantity.name}, {"csv", csv}};
+      },
+      [&] { return csv; });
 }
 
 }  // namespace nipref::verify

@@ -9,13 +9,11 @@
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
-#include <nipref/verify/cli/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/programs.hpp>
-#include <nipref/verify/cli/report.hpp>
-#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/golden/render.hpp>
@@ -53,52 +51,6 @@ GoldenSample sample_golden(const Quantity& quantity) {
   return {std::move(file), std::move(checked)};
 }
 
-std::vector<GoldenSample> sample_all_golden(Progress& progress) {
-  std::vector<GoldenSample> samples;
-  progress.begin("golden", catalogue().size());
-  for (const Quantity& quantity : catalogue()) {
-    if (interrupted()) break;
-    progress.next(quantity.name);
-    try {
-      samples.push_back(sample_golden(quantity));
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
-  return samples;
-}
-
-/// What the seeds say besides tables.
-void check_statements(Report& report, Progress& progress) {
-  progress.begin("statements", 3);
-  if (interrupted()) return;
-  try {
-    progress.next("claims");
-    report.claims = check_all(claims());
-    progress.next("limits");
-    report.limits = limits();
-    progress.next("errata");
-    report.errata = settle_all(formula_errata());
-  } catch (const Interrupted&) {
-  }
-}
-
-std::vector<Figure> all_figures(Progress& progress) {
-  std::vector<Figure> computed;
-  const std::vector<FigurePlan> plans = figures();
-  progress.begin("figures", plans.size());
-  for (const FigurePlan& plan : plans) {
-    if (interrupted()) break;
-    progress.next(plan.id);
-    try {
-      computed.push_back(compute(plan));
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
-  return computed;
-}
-
 Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) {
   Report report;
   report.command = command_of(line);
@@ -113,8 +65,15 @@ Report collected(const CommandLine& line, AuditRun& audits, Progress& progress) 
   report.witness = outside_witness();
   report.tables = replay_and_correct(replayable_tables(), progress);
   report.tables_fall_short = fall_short(report.tables);
-  check_statements(report, progress);
-  report.golden = sample_all_golden(progress);
+  const std::vector<std::pair<const char*, std::function<void()>>> statements{
+      {"claims", [&] { report.claims = check_all(claims()); }},
+      {"limits", [&] { report.limits = limits(); }},
+      {"errata", [&] { report.errata = settle_all(formula_errata()); }}};
+  progress.each(
+      "statements", statements, [](const auto& one) { return one.first; },
+      [](const auto& one) { one.second(); });
+  progress.each("golden", catalogue(), &Quantity::name,
+                [&](const Quantity& quantity) { report.golden.push_back(sample_golden(quantity)); });
   return report;
 }
 
@@ -188,21 +147,21 @@ int report_verb(const CommandLine& line, std::ostream& out) {
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   Report report = collected(line, audits, progress);
-  if (folder) report.figures = all_figures(progress);
+  if (folder)
+    progress.each("figures", figures(), &FigurePlan::id,
+                  [&](const FigurePlan& plan) { report.figures.push_back(compute(plan)); });
   if (older)
     report.comparison = compare_reports(*older, answer_text("report", report_json(report), line.no_times));
   const Json found = report_json(report);
   const std::string answer = answer_text("report", found, line.no_times);
   const std::string page =
       folder ? write_page(*folder, answer) : "nipref report -o DIR writes all of it as DIR/index.html";
-  if (line.json) {
-    out << answer;
-  } else {
-    out << report_text(answer_text("report", found), page);
-    if (report.comparison) out << "\n" << comparison_text(*report.comparison, 10);
-    out << interruption_text();
-  }
-  return report.kept(line.has("strict")) ? 0 : 1;
+  const auto text = [&] {
+    return report_text(answer_text("report", found), page) +
+           (report.comparison ? "\n" + comparison_text(*report.comparison, 10) : "");
+  };
+  return write_answer(
+      line, out, "report", report.kept(line.has("strict")), [&] { return found; }, text);
 }
 
 }  // namespace nipref::verify

@@ -10,8 +10,11 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sweep_rows.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/render.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 
@@ -20,9 +23,9 @@ namespace {
 /// 1 if something is not as accurate as was asked.
 template <class Number>
 int print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
-  out << (line.json ? answer_text("solve", solution_json(solution), line.no_times)
-                    : solution_text(solution, line.has("full")));
-  return solution.missed().empty() ? 0 : 1;
+  return write_answer(
+      line, out, "solve", solution.missed().empty(), [&] { return solution_json(solution); },
+      [&] { return solution_text(solution, line.has("full")); });
 }
 
 }  // namespace
@@ -126,6 +129,46 @@ int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::opt
                       return digits ? row_of(solve_by_ref(scene, *digits)) : row_of(solve(scene));
                     }};
   return write_sweep(sweep, line, out);
+}
+
+namespace {
+
+std::string balance_text(const EnergyBalance& balance) {
+  return folded(fmt::format(
+      "{}\n{}\n{}  work W mu_R  {:.16g}\n  loss         {:.16g}\n  difference {:.1e}, errors {}; force per unit "
+      "width\n{:.2g} s\n",
+      balance.title,
+      verdict(balance.meets(), balance.meets() ? "they meet" : "they differ by more than their errors"),
+      warnings_text(balance.warnings), balance.work.value, balance.loss.value, balance.difference(),
+      upward_text(balance.allowed()), balance.seconds));
+}
+
+Json estimate_json(const fast::Estimate& number) {
+  return {{"value", number.value}, {"error", number.error}, {"proven", false}};
+}
+
+Json balance_json(const EnergyBalance& balance, const std::string& path) {
+  return {{"title", balance.title},
+          {"path", path},
+          {"work", estimate_json(balance.work)},
+          {"loss", estimate_json(balance.loss)},
+          {"warnings", warnings_json(balance.warnings)},
+          {"difference", balance.difference()},
+          {"allowed", balance.allowed()},
+          {"met", balance.meets()},
+          {"times", {{"seconds", balance.seconds}}}};
+}
+
+}  // namespace
+
+int balance_verb(const CommandLine& line, std::ostream& out) {
+  const SceneRequest request = scene_request(line);
+  const EnergyBalance balance =
+      energy_balance(data::load_scene(request.scene, line.assignments), request.digits);
+  return write_answer(
+      line, out, "balance", balance.meets(),
+      [&] { return balance_json(balance, request.digits ? "ref" : "fast"); },
+      [&] { return balance_text(balance); });
 }
 
 }  // namespace nipref::verify

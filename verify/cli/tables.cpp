@@ -3,11 +3,11 @@
 
 #include <nipref/data/directory.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/tables.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
-#include <nipref/verify/replay/replay.hpp>
 #include <nipref/verify/replay/render.hpp>
+#include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -22,12 +22,13 @@ std::vector<std::string> ids_of(const CommandLine& line) {
   return ids;
 }
 
-int list_tables(const std::vector<std::string>& ids, bool json, std::ostream& out) {
+int list_tables(const std::vector<std::string>& ids, const CommandLine& line, std::ostream& out) {
   std::vector<data::TableSummary> summaries;
   if (ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  out << (json ? answer_text("tables", table_list_json(summaries)) : table_list_text(summaries));
-  return 0;
+  return write_answer(
+      line, out, "tables", true, [&] { return table_list_json(summaries); },
+      [&] { return table_list_text(summaries); });
 }
 
 bool has_doubtful_length(const Replay& replay, std::size_t row) {
@@ -45,19 +46,12 @@ bool falls_short(const std::vector<data::KnownMiss>& known, const Replay& replay
 }  // namespace
 
 std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress) {
-  progress.begin("tables", ids.size());
   std::vector<Replay> replays;
-  for (const std::string& id : ids) {
-    if (interrupted()) break;
-    progress.next(id);
-    try {
-      Replay replay = replay_table(id);
-      correct(replay);
-      replays.push_back(std::move(replay));
-    } catch (const Interrupted&) {
-      break;
-    }
-  }
+  progress.each("tables", ids, std::identity(), [&](const std::string& id) {
+    Replay replay = replay_table(id);
+    correct(replay);
+    replays.push_back(std::move(replay));
+  });
   return replays;
 }
 
@@ -71,16 +65,13 @@ bool fall_short(const std::vector<Replay>& replays) {
 
 int tables_verb(const CommandLine& line, std::ostream& out) {
   const std::vector<std::string> ids = ids_of(line);
-  if (line.has("list")) return list_tables(ids, line.json, out);
+  if (line.has("list")) return list_tables(ids, line, out);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
-  if (line.json) {
-    out << answer_text("tables", tables_json(replays));
-  } else {
-    out << tables_text(replays, line.has("full")) << interruption_text();
-  }
-  return fall_short(replays) ? 1 : 0;
+  return write_answer(
+      line, out, "tables", !fall_short(replays), [&] { return tables_json(replays); },
+      [&] { return tables_text(replays, line.has("full")); });
 }
 
 }  // namespace nipref::verify

@@ -43,12 +43,8 @@ OptionText option_of(const std::string& key, const toml::table& table) {
   const std::vector<std::string> limits = list_of(table, "range");
   std::optional<NumberRange> range;
   if (!limits.empty()) range = {limits.at(0), limits.at(1), table["whole"].value_or(true)};
-  return {table["name"].value_or(key),
-          text_of(table, "meaning"),
-          text_of(table, "letter"),
-          text_of(table, "default"),
-          std::move(range),
-          table["positive"].value_or(false),
+  return {table["name"].value_or(key), text_of(table, "meaning"), text_of(table, "letter"),
+          text_of(table, "default"),   std::move(range),          table["positive"].value_or(false),
           list_of(table, "choices")};
 }
 

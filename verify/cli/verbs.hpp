@@ -83,4 +83,10 @@ const OptionText* find_option(const VerbText& verb, std::string_view name);
 /// BadInput, with the nearest name, for a "--name" that the verb does not take.
 void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value);
 
+/// What help says of all verbs, as a page for man.
+std::string manual_page();
+
+/// What bash needs to complete verbs, their options, and the names of quantities, tables and example scenes.
+std::string bash_completion();
+
 }  // namespace nipref::verify

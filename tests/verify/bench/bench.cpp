@@ -13,7 +13,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
-#include <nipref/verify/cli/bench.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
 #include "support/paths.hpp"

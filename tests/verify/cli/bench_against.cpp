@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <nipref/verify/cli/bench.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 
 #include "support/run_nipref.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/cli/golden_points.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/golden.hpp>

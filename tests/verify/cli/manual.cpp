@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include <nipref/verify/cli/manual.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 

@@ -10,7 +10,7 @@
 #include <nipref/data/scene/file.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
-#include <nipref/verify/cli/report.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 
 #include "support/json_schema.hpp"

@@ -18,7 +18,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/programs.hpp>
-#include <nipref/verify/cli/report.hpp>
+#include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/report/report.hpp>

@@ -1,7 +1,7 @@
 #include <fstream>
 #include <iostream>
 
-#include <nipref/verify/cli/manual.hpp>
+#include <nipref/verify/cli/verbs.hpp>
 
 /// Writes the manual's page and bash's completion into the files that are named; run by the build alone.
 int main(int argc, char** argv) {

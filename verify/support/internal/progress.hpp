@@ -1,7 +1,10 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <ranges>
 #include <string>
+
+#include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
 
@@ -32,6 +35,18 @@ class Progress {
   void begin(std::string stage, std::size_t items);
   /// The next item.
   void next(std::string item);
+  /// A new part of the run: work(item) for each of the items, whose name is shown, until the process is interrupted.
+  template <class Items, class Name, class Work>
+  void each(std::string stage, const Items& items, Name name, Work work) try {
+    begin(std::move(stage), std::ranges::size(items));
+    for (const auto& item : items) {
+      stop_if_interrupted();
+      next(std::string(std::invoke(name, item)));
+      work(item);
+    }
+  } catch (const Interrupted&) {
+  }
+
   /// The share of the item that is done, 0 to 1, and which detail of it is being worked on.
   void at(double part, std::string detail = "");
 

@@ -1,7 +1,7 @@
 #include <filesystem>
 
 #include <nipref/verify/audit/internal/sampling.hpp>
-#include <nipref/verify/cli/golden_points.hpp>
+#include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
 namespace nipref::verify {
@@ -14,6 +14,14 @@ std::vector<Point> golden_points(const Quantity& quantity, const Ranges& ranges,
     if (contains(ranges, row.arguments)) points.push_back(row.arguments);
   }
   return thinned(std::move(points), most);
+}
+
+AuditOptions sampling_options(const CommandLine& line, const Quantity& quantity, double density) {
+  AuditOptions options{points_option(line), {}, {}, density};
+  options.seed = seed_option(line);
+  if (!line.assignments.empty()) options.ranges = parse_ranges(quantity, line.assignments);
+  options.more_points = golden_points(quantity, options.ranges, options.points_of(quantity) / golden_share);
+  return options;
 }
 
 }  // namespace nipref::verify

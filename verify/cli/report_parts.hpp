@@ -6,8 +6,12 @@
 
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/cli/command_line.hpp>
+#include <nipref/verify/replay/replay.hpp>
+#include <nipref/verify/report/report.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
 #include <nipref/verify/support/json.hpp>
+
+// What the verbs bench, tables and report have in common.
 
 namespace nipref::verify {
 
@@ -33,12 +37,14 @@ struct AgainstRow {
   [[nodiscard]] bool slower_by(double part) const { return least_ratio > 1 + part; }
 };
 
-/// Runs `bench` of both programs in turns, a few rounds, with the same words. Rows that both have. BadInput naming
-/// "against" if the older one does not answer as nipref does.
-std::vector<AgainstRow> bench_against(const std::string& old_program, const std::vector<std::string>& words,
-                                      Progress& progress);
+/// The tables of these ids, replayed and corrected; those that are finished, if the process is interrupted.
+/// BadInput for unknown ids.
+std::vector<Replay> replay_and_correct(const std::vector<std::string>& ids, Progress& progress);
 
-std::string against_text(const std::vector<AgainstRow>& rows);
-Json against_json(const std::vector<AgainstRow>& rows);
+/// True if a cell is unexplained that neither its own row contradicts nor known_misses.csv lists.
+bool fall_short(const std::vector<Replay>& replays);
+
+/// What `report` answers: what its parts would.
+Json report_json(const Report& report);
 
 }  // namespace nipref::verify
