@@ -1,62 +1,121 @@
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/cli/house.hpp>
+#include <nipref/verify/cli/programs.hpp>
 
 namespace nipref::verify {
+namespace {
+
+using Subjects = std::set<std::string>;
+
+/// The text of house.toml, put here by the build.
+constexpr std::string_view house =
+#include <nipref_house.inc>
+    ;
+
+Arrows arrows_in(const toml::table& table) {
+  Arrows arrows;
+  for (const auto& [name, included] : table) {
+    std::set<std::string>& names = arrows[std::string(name.str())];
+    for (const toml::node& one : *included.as_array()) names.insert(one.value<std::string>().value());
+  }
+  return arrows;
+}
+
+const Subjects in_catalogue{"sheet", "memory", "half_space", "material", "elastic_nip", "viscoelastic_nip"};
+
+/// The subjects of the catalogue, and "contacts", that are computed from a subject of ref or fast.
+Subjects users_of(const std::string& room, const std::string& subject) {
+  Subjects users{subject};
+  for (std::size_t before = 0; before != users.size();) {
+    before = users.size();
+    for (const auto& [user, included] : subject_arrows().at(room)) {
+      if (std::ranges::any_of(included, [&](const auto& used) { return users.contains(used); }))
+        users.insert(user);
+    }
+  }
+  const bool in_contacts = std::ranges::any_of(std::array{"elastic_nip", "viscoelastic_nip", "half_space"},
+                                               [&](auto user) { return users.contains(user); });
+  std::erase_if(users, [](const std::string& user) { return !in_catalogue.contains(user); });
+  if (in_contacts) users.insert("contacts");
+  return users;
+}
+
+Subjects everything() { return users_of("ref", "number"); }
+
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream text(path);
+  for (std::string part; std::getline(text, part, '/');) parts.push_back(part);
+  return parts;
+}
+
+Subjects touched_by(const std::string& file) {
+  const std::vector<std::string> parts = parts_of(file);
+  const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i] : ""; };
+  const std::string& room = parts.front();
+  if (room == "verify") {
+    if (part(1) != "catalogue") return part(1) == "solve" ? Subjects{"contacts"} : Subjects{};
+    return in_catalogue.contains(part(2)) ? Subjects{part(2)} : everything();
+  }
+  if (room == "ref" || room == "fast") {
+    const bool is_subject = subject_arrows().at(room).contains(part(1));  // else how the room is compiled
+    return is_subject ? users_of(room, part(1)) : everything();
+  }
+  if (room == "data")
+    return part(1) == "material" || part(1) == "problem" || part(1) == "scene" ? Subjects{"contacts"}
+                                                                               : Subjects{};
+  return file == "CMakeLists.txt" ? everything() : Subjects{};
+}
+
+/// Lines that git prints.
+std::vector<std::string> lines_of_git(std::vector<std::string> words, const std::string& revision) {
+  words.insert(words.begin(), "git");
+  const ProgramOutput output = output_of(words);
+  if (output.status != 0)
+    throw data::BadInput("since", revision, "must be a revision that git knows in the current folder");
+  std::vector<std::string> lines;
+  std::istringstream stream(output.text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+}  // namespace
 
 const Arrows& room_arrows() {
-  static const Arrows arrows{
-      {"data", {}}, {"ref", {"data"}}, {"fast", {"data"}}, {"verify", {"data", "ref", "fast"}}};
+  static const Arrows arrows = arrows_in(*toml::parse(house)["rooms"].as_table());
   return arrows;
 }
 
 const std::map<std::string, Arrows>& subject_arrows() {
-  static const std::map<std::string, Arrows> arrows{
-      {"data",
-       {{"", {}},
-        {"number", {}},
-        {"material", {""}},
-        {"problem", {"", "material"}},
-        {"scene", {"", "material", "problem"}},
-        {"table", {""}}}},
-      {"ref",
-       {{"number", {}},
-        {"material", {"number"}},
-        {"sheet", {"number"}},
-        {"memory", {"number", "sheet", "material"}},
-        {"nip", {"number"}},
-        {"elastic_nip", {"number", "sheet", "nip"}},
-        {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
-        {"half_space", {"number"}}}},
-      {"fast",
-       {{"number", {}},
-        {"material", {"number"}},
-        {"sheet", {"number"}},
-        {"memory", {"number", "sheet", "material"}},
-        {"nip", {"number", "sheet"}},
-        {"elastic_nip", {"number", "sheet", "nip"}},
-        {"viscoelastic_nip", {"number", "sheet", "material", "memory", "nip"}},
-        {"half_space", {"number"}}}},
-      {"verify",
-       {{"support", {}},
-        {"catalogue", {"support"}},
-        {"audit", {"support", "catalogue", "solve"}},
-        {"solve", {"support", "catalogue"}},
-        {"replay", {"support", "catalogue"}},
-        {"bench", {"support", "catalogue", "replay", "audit", "grade"}},
-        {"grade", {"support", "catalogue", "audit"}},
-        {"witness", {"support", "solve"}},
-        {"seeds", {"support", "catalogue"}},
-        {"figures", {"support", "catalogue", "replay"}},
-        {"c_interface", {"support", "catalogue"}},
-        {"golden", {"support", "catalogue", "audit"}},
-        {"report",
-         {"support", "catalogue", "audit", "golden", "grade", "replay", "bench", "solve", "witness", "seeds",
-          "figures"}},
-        {"cli",
-         {"support", "catalogue", "audit", "golden", "grade", "solve", "replay", "bench", "witness", "seeds",
-          "figures", "report"}},
-        {"mpi", {"support", "audit", "cli"}}}},
-  };
+  static const std::map<std::string, Arrows> arrows = [] {
+    std::map<std::string, Arrows> of_rooms;
+    const toml::table defined = toml::parse(house);
+    for (const auto& [room, subjects] : *defined["subjects"].as_table())
+      of_rooms[std::string(room.str())] = arrows_in(*subjects.as_table());
+    return of_rooms;
+  }();
   return arrows;
+}
+
+std::vector<std::string> changed_files(const std::string& revision) {
+  std::vector<std::string> files =
+      lines_of_git({"diff", "--name-only", "--no-renames", "--end-of-options", revision}, revision);
+  std::ranges::copy(
+      lines_of_git({"ls-files", "--others", "--exclude-standard", "--full-name", "--", ":/"}, revision),
+      std::back_inserter(files));
+  return files;
+}
+
+std::set<std::string> touched_subjects(const std::vector<std::string>& files) {
+  Subjects touched;
+  for (const std::string& file : files) touched.merge(touched_by(file));
+  return touched;
 }
 
 }  // namespace nipref::verify

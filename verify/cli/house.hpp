@@ -12,8 +12,7 @@ using Arrows = std::map<std::string, std::set<std::string>>;
 /// Which room may include which.
 const Arrows& room_arrows();
 
-/// For each room, which of its subjects may include which; "" is the room's own folder. A test compares these arrows
-/// with every include and with the tables of the README.
+/// For each room, which of its subjects may include which; "" is the room's own folder. house.toml has them.
 const std::map<std::string, Arrows>& subject_arrows();
 
 /// Paths from the top of the tree of what differs from a revision of git's, new files too, in the tree that holds the

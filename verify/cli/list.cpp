@@ -14,6 +14,9 @@ namespace nipref::verify {
 namespace {
 
 constexpr std::string_view scene_group = "scene";
+constexpr auto symbols =
+    "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: "
+    "half thickness of the sheet\n";
 
 Json argument_json(const Argument& argument) {
   return {{"name", argument.name}, {"domain", domain(argument)}, {"default", argument.default_text}};
@@ -86,27 +89,22 @@ std::string scene_text() {
 int list_verb(const CommandLine& line, std::ostream& out) {
   const Selection selected = selection(line, {scene_group});
   const bool of_scenes = !line.words.empty() && selected.has(scene_group);
-  if (line.json) {
+  const auto members = [&] {
     Json answer{{"quantities",
                  json_list(selected.quantities, [](const Quantity* one) { return quantity_json(*one); })}};
     if (of_scenes) {
       answer.set("keys", json_list(data::scene_keys(), key_json));
       answer.set("results", json_list(data::scene_results(), result_json));
     }
-    out << answer_text("list", answer, line.no_times);
-    return 0;
-  }
-  const bool full = line.has("full") || !line.words.empty();
-  std::string text = of_scenes ? scene_text() : "";
-  for (const Quantity* quantity : selected.quantities)
-    text += full ? full_text(*quantity) : brief_text(*quantity);
-  if (!selected.quantities.empty()) {
-    text +=
-        "\nalpha = y/b: distance from the load; eta = l/b: distance from the load to the point held fixed; b: "
-        "half thickness of the sheet\n";
-  }
-  out << folded(text);
-  return 0;
+    return answer;
+  };
+  const auto text = [&] {
+    std::string all = of_scenes ? scene_text() : "";
+    for (const Quantity* quantity : selected.quantities)
+      all += line.has("full") || !line.words.empty() ? full_text(*quantity) : brief_text(*quantity);
+    return folded(selected.quantities.empty() ? all : all + symbols);
+  };
+  return write_answer(line, out, "list", true, members, text);
 }
 
 }  // namespace nipref::verify
