@@ -18,4 +18,9 @@ struct Positions {
 };
 using Profile = std::variant<EvenlySpaced, Positions>;
 
+inline int count_of(const Profile& profile) {
+  if (const auto* spacing = std::get_if<EvenlySpaced>(&profile)) return spacing->points;
+  return static_cast<int>(std::get<Positions>(profile).y.size());
+}
+
 }  // namespace nipref::data

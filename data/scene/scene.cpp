@@ -61,11 +61,6 @@ struct GivenCheck {
   }
 };
 
-int count_of(const Profile& profile) {
-  if (const auto* spacing = std::get_if<EvenlySpaced>(&profile)) return spacing->points;
-  return static_cast<int>(std::get<Positions>(profile).y.size());
-}
-
 struct MethodCheck {
   const Given& given;
   Friction friction;

@@ -39,11 +39,6 @@ fast::Work work_of(const ref::ConvergedViscoelasticNip& contact) {
   return counted(contact.unknowns(), contact.normal_kernel_values(), contact.tangential_kernel_values());
 }
 
-bool has_full_friction(const data::ElasticNipProblem& problem) {
-  return problem.friction == data::Friction::full;
-}
-bool has_full_friction(const data::ViscoelasticNipProblem&) { return false; }
-
 /// A contact and what its results inside the sheet have in common, which is computed once.
 template <class Path, class Contact>
 struct Nip {

@@ -6,15 +6,15 @@
 #include <variant>
 
 #include <nipref/fast/half_space/elliptic.hpp>
+#include <nipref/fast/half_space/joint_response.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
+#include <nipref/ref/half_space/joint_response.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
-#include <nipref/verify/solve/internal/counted_response.hpp>
 #include <nipref/verify/solve/internal/methods.hpp>
 #include <nipref/verify/solve/internal/paths.hpp>
-#include <nipref/verify/solve/internal/ref_surface.hpp>
 #include <nipref/verify/solve/solve.hpp>
 
 namespace nipref::verify {
@@ -51,7 +51,7 @@ auto for_given(const Problem& problem, const auto& for_force, const auto& for_sp
 /// fast's ellipse together with its load.
 class LoadedEllipse {
  public:
-  LoadedEllipse(const CountedResponse& response, const Problem& problem)
+  LoadedEllipse(const fast::JointResponse& response, const Problem& problem)
       : contact_(response, indenter(problem)),
         load_(for_given(
             problem, [&](double force) { return contact_.for_force(force); },
@@ -79,14 +79,14 @@ class LoadedEllipse {
   fast::EllipticLoad load_;
 };
 
-LoadedEllipse ellipse(const CountedResponse& response, const Problem& problem, int) {
+LoadedEllipse ellipse(const fast::JointResponse& response, const Problem& problem, int) {
   return {response, problem};
 }
-ref::EllipticContact ellipse(const RefSurface& surface, const Problem& problem, int digits) {
+ref::EllipticContact ellipse(const ref::JointResponse& surface, const Problem& problem, int digits) {
   return {surface.answer(), ref_indenter(problem), problem.given, digits};
 }
 
-fast::SlidingContact slide(const CountedResponse& response, const Problem& problem, int) {
+fast::SlidingContact slide(const fast::JointResponse& response, const Problem& problem, int) {
   const bool similar = problem.rule == data::ContourRule::similar_contour;
   const auto rule = similar ? fast::SpanRule::similar_contour : fast::SpanRule::stationary_force;
   return for_given(
@@ -98,7 +98,7 @@ fast::SlidingContact slide(const CountedResponse& response, const Problem& probl
         return fast::sliding_for_span(response, indenter(problem), problem.friction, along, span, rule);
       });
 }
-ref::SlidingContact slide(const RefSurface& surface, const Problem& problem, int digits) {
+ref::SlidingContact slide(const ref::JointResponse& surface, const Problem& problem, int digits) {
   const bool similar = problem.rule == data::ContourRule::similar_contour;
   return {surface.answer(),
           ref_indenter(problem),
@@ -108,7 +108,7 @@ ref::SlidingContact slide(const RefSurface& surface, const Problem& problem, int
           similar ? ref::SpanRule::similar_contour : ref::SpanRule::stationary_force};
 }
 
-fast::RollingSphere roll(const CountedResponse&, const Problem& problem, int) {
+fast::RollingSphere roll(const fast::JointResponse&, const Problem& problem, int) {
   const auto& solid = std::get<data::IsotropicSolid>(problem.half_space);
   const double radius = std::get<data::RigidRollingSphere>(problem.body).radius;
   return for_given(
@@ -116,7 +116,7 @@ fast::RollingSphere roll(const CountedResponse&, const Problem& problem, int) {
       [&](double force) { return fast::rolling_sphere_for_force(solid, radius, problem.speed, force); },
       [&](double span) { return fast::rolling_sphere_for_span(solid, radius, problem.speed, span); });
 }
-ref::RollingSphere roll(const RefSurface& surface, const Problem& problem, int digits) {
+ref::RollingSphere roll(const ref::JointResponse& surface, const Problem& problem, int digits) {
   return {surface.answer(), std::get<data::RigidRollingSphere>(problem.body).radius, problem.given, digits};
 }
 
@@ -247,11 +247,11 @@ auto solve_by(const Surface& surface, const Problem& problem, int digits) {
 
 }  // namespace
 
-SolvedInDouble solve_half_space(const data::Scene& scene, const Problem& problem) {
-  return solve_by<FastPath>(CountedResponse(problem, scene.origin), problem, 0);
+SolvedInDouble solve_half_space(const Problem& problem) {
+  return solve_by<FastPath>(fast::JointResponse(problem), problem, 0);
 }
 
-SolvedByRef solve_ref_half_space(const RefSurface& surface, const Problem& problem, int digits) {
+SolvedByRef solve_ref_half_space(const ref::JointResponse& surface, const Problem& problem, int digits) {
   return solve_by<RefPath>(surface, problem, digits);
 }
 

@@ -10,6 +10,7 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/gripped.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/solve/internal/nip_results.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 
 namespace nipref::verify {
@@ -29,7 +30,7 @@ double length_of(const data::ViscoelasticNipProblem& problem, const data::GivenL
 }
 
 double seconds_for_length(const data::ElasticNipProblem& problem, double length, int digits) {
-  if (problem.friction == data::Friction::full)
+  if (has_full_friction(problem))
     return 5.6 * std::pow(ref::gripped_unknowns(problem.nip, length, digits) / 532.0, 2.1);
   return 10 * std::pow(length / problem.nip.sheet_thickness * (digits + 20) / 1250, 2);
 }
@@ -39,38 +40,31 @@ double seconds_for_length(const data::ViscoelasticNipProblem& problem, double le
   return (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * thin) * (1 + (digits - 16) / 24.0);
 }
 
-struct CountPlaces {
-  double operator()(const data::EvenlySpaced& spaced) const { return spaced.points; }
-  double operator()(const data::Positions& positions) const {
-    return static_cast<double>(positions.y.size());
-  }
-};
-
-double grip_factor(const data::ElasticNipProblem& problem) {
-  return problem.friction == data::Friction::full ? 3 : 1;  // pressure and shear, both complex
-}
-double grip_factor(const data::ViscoelasticNipProblem&) { return 1; }
-
 /// The time for profiles that are integrals over the contact, and for stresses inside the sheet, which are computed
 /// together at each place. The search for the greatest shear evaluates about `searched` places.
 template <class Problem>
 double seconds_for_places(const data::Scene& scene, const Problem& problem, double length) {
   const double ratio = length / problem.nip.sheet_thickness;
   constexpr double searched = 65;
-  double seconds = 0, inside = 0;
-  bool has_field = false, has_greatest = false;
+  double integrals = 0, inside = 0;
+  const auto wants = [&](const auto& is_one) {
+    return std::ranges::any_of(scene.wanted,
+                               [&](data::ResultId id) { return is_one(data::scene_result(id)); });
+  };
   for (const data::ResultId id : scene.wanted) {
-    const data::SceneResult& result = data::scene_result(id);
-    has_field = has_field || result.shape == data::Shape::field;
-    has_greatest =
-        has_greatest || (result.needs == data::Needs::inside && result.shape == data::Shape::number);
-    if (result.shape == data::Shape::profile && result.id != data::ResultId::pressure &&
-        result.id != data::ResultId::shear)
-      seconds += 0.02 * (1 + ratio / 4) * std::visit(CountPlaces(), *problem.profile);
+    const bool is_traction = id == data::ResultId::pressure || id == data::ResultId::shear;
+    if (data::scene_result(id).shape == data::Shape::profile && !is_traction)
+      integrals += static_cast<double>(data::count_of(*problem.profile));
   }
-  if (has_field) inside += static_cast<double>(problem.field->size());
-  if (has_greatest) inside += searched;
-  return seconds + 0.05 * (1 + ratio) * grip_factor(problem) * inside;
+  if (wants([](const data::SceneResult& one) { return one.shape == data::Shape::field; }))
+    inside += static_cast<double>(problem.field->size());
+  if (wants([](const data::SceneResult& one) {
+        return one.needs == data::Needs::inside && one.shape == data::Shape::number;
+      }))
+    inside += searched;
+  // With full friction there are pressure and shear, both complex.
+  const double grip_factor = has_full_friction(problem) ? 3 : 1;
+  return 0.02 * (1 + ratio / 4) * integrals + 0.05 * (1 + ratio) * grip_factor * inside;
 }
 
 struct LikelySeconds {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
@@ -61,49 +60,37 @@ std::string work_text(const fast::Work& work) {
 }
 
 template <class Number>
-void append_number(const typename SceneSolution<Number>::Result& result, bool full, std::string& text) {
+std::string number_text(const typename SceneSolution<Number>::Result& result, bool full) {
   const Number& number = result.numbers.front();
-  fmt::format_to(std::back_inserter(text), "  {:<23} {:<22} {} {:<8} {}\n", result.what->name,
-                 value_text(number), error_word(number), error_text(number), result.what->unit);
-  if (full) text += fmt::format("    {}\n", result.what->meaning);
+  const std::string text = fmt::format("  {:<23} {:<22} {} {:<8} {}\n", result.what->name, value_text(number),
+                                       error_word(number), error_text(number), result.what->unit);
+  return full ? text + fmt::format("    {}\n", result.what->meaning) : text;
+}
+
+/// What stands before a number of a list, a profile or a field: its place.
+std::string place_text(const data::SceneResult& what, const std::vector<double>& positions,
+                       const data::FieldPlaces& field, std::size_t i) {
+  if (what.shape == data::Shape::list) return "    ";
+  if (what.shape == data::Shape::profile)
+    return fmt::format("    {} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y",
+                       positions[i]);
+  const std::size_t position = i % field.positions.size(), depth = i / field.positions.size();
+  return (position == 0 ? fmt::format("    depth = {}\n", field.depths[depth]) : "") +
+         fmt::format("      Y = {:<20} ", field.positions[position]);
 }
 
 template <class Number>
-void append_list(const typename SceneSolution<Number>::Result& result, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
-                 result.what->unit);
-  for (const Number& number : result.numbers) {
-    fmt::format_to(std::back_inserter(text), "    {:<22} {} {}\n", value_text(number), error_word(number),
-                   error_text(number));
-  }
-}
-
-template <class Number>
-void append_profile(const typename SceneSolution<Number>::Result& result,
-                    const std::vector<double>& positions, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
-                 result.what->unit);
-  const char* where = result.what->kind == data::SceneKind::half_space ? "psi" : "Y";
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "    {} = {:<22} {:<22} {} {}\n", where, positions[i],
-                   value_text(result.numbers[i]), error_word(result.numbers[i]),
-                   error_text(result.numbers[i]));
-  }
-}
-
-template <class Number>
-void append_field(const typename SceneSolution<Number>::Result& result, const data::FieldPlaces& field,
-                  std::string& text) {
-  fmt::format_to(std::back_inserter(text), "  {}: {}, unit {}\n", result.what->name, result.what->meaning,
-                 result.what->unit);
+std::string result_text(const typename SceneSolution<Number>::Result& result,
+                        const SceneSolution<Number>& solution, bool full) {
+  if (result.what->shape == data::Shape::number) return number_text<Number>(result, full);
+  std::string text =
+      fmt::format("  {}: {}, unit {}\n", result.what->name, result.what->meaning, result.what->unit);
   for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    const std::size_t position = i % field.positions.size();
-    if (position == 0)
-      fmt::format_to(std::back_inserter(text), "    depth = {}\n", field.depths[i / field.positions.size()]);
-    fmt::format_to(std::back_inserter(text), "      Y = {:<20} {:<22} {} {}\n", field.positions[position],
-                   value_text(result.numbers[i]), error_word(result.numbers[i]),
-                   error_text(result.numbers[i]));
+    const Number& number = result.numbers[i];
+    text += place_text(*result.what, solution.positions, solution.field, i) +
+            fmt::format("{:<22} {} {}\n", value_text(number), error_word(number), error_text(number));
   }
+  return text;
 }
 
 /// The contact to which the errors are the distance.
@@ -156,17 +143,7 @@ std::string solution_text(const SceneSolution<Number>& solution, bool full) {
   std::string text = solution.title + "\n";
   text += accuracy_text(solution);
   text += warnings_text(solution.warnings);
-  for (const auto& result : solution.results) {
-    if (result.what->shape == data::Shape::field) {
-      append_field<Number>(result, solution.field, text);
-    } else if (result.what->shape == data::Shape::profile) {
-      append_profile<Number>(result, solution.positions, text);
-    } else if (result.what->shape == data::Shape::list) {
-      append_list<Number>(result, text);
-    } else {
-      append_number<Number>(result, full, text);
-    }
-  }
+  for (const auto& result : solution.results) text += result_text<Number>(result, solution, full);
   text += fmt::format("work: {}\n", work_text(solution.work));
   if (!is_empty(solution.error_work))
     text += fmt::format("for the error estimates: {}\n", work_text(solution.error_work));

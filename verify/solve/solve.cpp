@@ -34,8 +34,19 @@ auto solve_nip(const data::Scene& scene, const Problem& problem, const auto& con
   }
 }
 
+/// Calls solve(), which finds out whether the speed is subcritical.
+auto refusing_speed(const data::Scene& scene, const data::HalfSpaceProblem& problem, const auto& solve) {
+  try {
+    return solve();
+  } catch (const data::BadInput& error) {
+    if (error.argument() != "speed") throw;
+    const bool rolls = std::holds_alternative<data::RigidRollingSphere>(problem.body);
+    scene.origin.refuse_as(rolls ? "rolling.speed" : "sliding.speed", error);
+  }
+}
+
 SolvedInDouble solved(const data::Scene& scene, const data::HalfSpaceProblem& problem) {
-  return solve_half_space(scene, problem);
+  return refusing_speed(scene, problem, [&] { return solve_half_space(problem); });
 }
 SolvedInDouble solved(const data::Scene& scene, const auto& nip) {
   return solve_nip(
@@ -57,9 +68,11 @@ void refuse_moments(const data::Scene& scene) {
 }
 
 SolvedByRef solved_by_ref(const data::Scene& scene, const data::HalfSpaceProblem& problem, int digits) {
-  const RefSurface surface(problem, digits);
-  surface.check_subcritical(scene.origin);
-  return solve_ref_half_space(surface, problem, digits);
+  return refusing_speed(scene, problem, [&] {
+    const ref::JointResponse surface(problem, digits);
+    surface.check_subcritical();
+    return solve_ref_half_space(surface, problem, digits);
+  });
 }
 SolvedByRef solved_by_ref(const data::Scene& scene, const auto& nip, int digits) {
   const bool is_rolling = std::holds_alternative<data::ViscoelasticNipProblem>(scene.system);

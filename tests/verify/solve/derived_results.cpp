@@ -233,6 +233,19 @@ TEST_CASE("the reference computes the strain of a place once, for itself and for
   CHECK(strains == 2);
 }
 
+TEST_CASE("a contact that is solved again with more terms computes its results again") {
+  verify::SolvedContact<fast::Estimate> contact;
+  double error = 1e-3;
+  contact.set(data::ResultId::surface_strain, [&](double) { return fast::Estimate{1, error}; });
+  contact.solve_again = [&] {
+    error = 1e-9;
+    return true;
+  };
+  CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-3);
+  CHECK(contact.refine());
+  CHECK(contact.at(data::ResultId::surface_strain, 0).error == 1e-9);
+}
+
 TEST_CASE("between line loads there is no strain to be told") {
   data::Scene scene = data::load_scene(data::example_scene("intermediate-full-friction-line-loads"));
   scene.wanted = {data::ResultId::slip};

@@ -42,6 +42,17 @@ std::vector<double> draw_positions(Random& random, double length) {
   return positions;
 }
 
+/// The results of converged nips that need no friction, but for the moments, which the eccentricity has.
+std::vector<ResultId> results_of_every_nip() {
+  std::vector<ResultId> wanted;
+  for (const data::SceneResult& result : data::scene_results()) {
+    const bool is_moment = result.id == ResultId::leading_moment || result.id == ResultId::trailing_moment;
+    const bool is_of_all = result.needs == data::Needs::nothing || result.needs == data::Needs::converged;
+    if (result.is_of(data::SceneKind::nip) && is_of_all && !is_moment) wanted.push_back(result.id);
+  }
+  return wanted;
+}
+
 DrawnScene of_size(Random& random, const Size& size) {
   DrawnScene drawn;
   drawn.set("roller.radius", size.radius);
@@ -49,27 +60,7 @@ DrawnScene of_size(Random& random, const Size& size) {
   drawn.set("contact.length", size.length);
   drawn.set("method.kind", "converged");
   drawn.set("profile.positions", draw_positions(random, size.length));
-  drawn.set_wanted({ResultId::contact_length,
-                    ResultId::leading_length,
-                    ResultId::trailing_length,
-                    ResultId::load,
-                    ResultId::indentation,
-                    ResultId::edge_displacement,
-                    ResultId::trailing_displacement,
-                    ResultId::rolling_resistance,
-                    ResultId::eccentricity,
-                    ResultId::resistance_force,
-                    ResultId::power_loss,
-                    ResultId::creep_ratio,
-                    ResultId::peak_pressure,
-                    ResultId::peak_pressure_position,
-                    ResultId::peak_shear,
-                    ResultId::pressure,
-                    ResultId::shear,
-                    ResultId::normal_displacement,
-                    ResultId::tangential_displacement,
-                    ResultId::surface_strain,
-                    ResultId::slip});
+  drawn.set_wanted(results_of_every_nip());
   return drawn;
 }
 

@@ -45,44 +45,38 @@ struct TomlText {
   }
 };
 
+template <data::Friction friction>
+DrawnScene nip(Random& random) {
+  return draw_elastic_nip(random, friction);
+}
+template <RollingMaterial material>
+DrawnScene nip(Random& random) {
+  return draw_rolling_nip(random, material);
+}
+template <Body body, data::ContourRule rule>
+DrawnScene half_space(Random& random) {
+  return draw_on_half_space(random, body, rule);
+}
+
 struct Kind {
   std::string_view name;
   DrawnScene (*draw)(Random& random);
 };
 
+using data::ContourRule;
 constexpr std::array kinds{
-    Kind{"elastic, no friction",
-         [](Random& random) { return draw_elastic_nip(random, data::Friction::none); }},
-    Kind{"elastic, full friction",
-         [](Random& random) { return draw_elastic_nip(random, data::Friction::full); }},
-    Kind{"rolling, elastic",
-         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::elastic); }},
-    Kind{"rolling, standard linear solid",
-         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::standard_linear); }},
-    Kind{"rolling, Prony series",
-         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::prony); }},
-    Kind{"rolling, operators",
-         [](Random& random) { return draw_rolling_nip(random, RollingMaterial::operators); }},
-    Kind{"die, exact",
-         [](Random& random) { return draw_on_half_space(random, Body::die, data::ContourRule::exact); }},
-    Kind{"die, papers' rule",
-         [](Random& random) {
-           return draw_on_half_space(random, Body::die, data::ContourRule::stationary_force);
-         }},
-    Kind{"rolling sphere",
-         [](Random& random) {
-           return draw_on_half_space(random, Body::rolling_sphere, data::ContourRule::stationary_force);
-         }},
-    Kind{"sphere, exact",
-         [](Random& random) { return draw_on_half_space(random, Body::sphere, data::ContourRule::exact); }},
-    Kind{"sphere, papers' rule",
-         [](Random& random) {
-           return draw_on_half_space(random, Body::sphere, data::ContourRule::stationary_force);
-         }},
-    Kind{"die, similar contour",
-         [](Random& random) {
-           return draw_on_half_space(random, Body::die, data::ContourRule::similar_contour);
-         }},
+    Kind{"elastic, no friction", nip<data::Friction::none>},
+    Kind{"elastic, full friction", nip<data::Friction::full>},
+    Kind{"rolling, elastic", nip<RollingMaterial::elastic>},
+    Kind{"rolling, standard linear solid", nip<RollingMaterial::standard_linear>},
+    Kind{"rolling, Prony series", nip<RollingMaterial::prony>},
+    Kind{"rolling, operators", nip<RollingMaterial::operators>},
+    Kind{"die, exact", half_space<Body::die, ContourRule::exact>},
+    Kind{"die, papers' rule", half_space<Body::die, ContourRule::stationary_force>},
+    Kind{"rolling sphere", half_space<Body::rolling_sphere, ContourRule::stationary_force>},
+    Kind{"sphere, exact", half_space<Body::sphere, ContourRule::exact>},
+    Kind{"sphere, papers' rule", half_space<Body::sphere, ContourRule::stationary_force>},
+    Kind{"die, similar contour", half_space<Body::die, ContourRule::similar_contour>},
 };
 
 }  // namespace

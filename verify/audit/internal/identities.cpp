@@ -118,8 +118,7 @@ std::optional<Variant> given_back(const DrawnScene& drawn, const SceneSolution<E
 
 std::optional<Variant> not_rolling(const DrawnScene& drawn) {
   if (!drawn.has("rolling.speed") || !drawn.has("material.young")) return {};
-  Variant variant{"elastic limit", drawn,
-                  [](const data::SceneResult&, const Estimate& number) { return number; }};
+  Variant variant{"elastic limit", drawn};
   variant.scene.remove("rolling.speed");
   return variant;
 }
@@ -180,8 +179,7 @@ std::optional<Variant> as_transversely_isotropic(const DrawnScene& drawn, Random
                         std::fma(shear, poisson, -(shear * poisson)) == 0 && stiff - lame == 2 * shear &&
                         stiff - 2 * shear == lame;
   if (!is_exact) return {};
-  Variant variant{"isotropic limit", drawn,
-                  [](const data::SceneResult&, const Estimate& number) { return number; }};
+  Variant variant{"isotropic limit", drawn};
   variant.scene.remove("half_space.shear");
   variant.scene.remove("half_space.poisson");
   variant.scene.set("half_space.model", "transversely-isotropic");

@@ -165,7 +165,7 @@ struct OtherOf {
 };
 
 /// The results that need integrals over all lines or scans of them.
-bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id) {
+bool is_dear(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id) {
   if (id == ResultId::compliance || id == ResultId::coupling) return false;
   if (id == ResultId::critical_speed) return !surface.all_lines_are_alike();
   if (problem.rule == data::ContourRule::exact || id == ResultId::normal_force ||
@@ -176,7 +176,7 @@ bool is_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, R
 
 /// The results for which the reference takes minutes: twofold integrals close to the critical speed, and integrals over
 /// lines that differ, close to that speed or with 21 constants.
-bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surface, ResultId id,
+bool is_too_dear(const data::HalfSpaceProblem& problem, const ref::JointResponse& surface, ResultId id,
                  double critical_speed) {
   if (std::holds_alternative<data::Stiffness>(problem.half_space)) return is_dear(problem, surface, id);
   if (problem.rule != data::ContourRule::exact &&
@@ -189,7 +189,7 @@ bool is_too_dear(const data::HalfSpaceProblem& problem, const RefSurface& surfac
 /// Whether a result is compared: those for which the reference takes seconds are compared for a share of the scenes.
 void compare_with_ref(Comparisons& comparisons, const data::HalfSpaceProblem& problem,
                       const std::vector<ResultId>& wanted, const Solution& solved, Random& random) {
-  const RefSurface surface(problem, ref_digits);
+  const ref::JointResponse surface(problem, ref_digits);
   const bool dear = random.chance(surface.all_lines_are_alike() ? dear_share : dearest_share);
   const auto contact = solve_ref_half_space(surface, problem, ref_digits);
   const double critical_speed = solved[ResultId::critical_speed].value;

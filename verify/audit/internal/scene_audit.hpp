@@ -47,7 +47,8 @@ struct Variant {
   std::string name;
   DrawnScene scene;
   /// The number of the original scene that follows from the same number of this scene.
-  std::function<fast::Estimate(const data::SceneResult& what, const fast::Estimate& number)> back;
+  std::function<fast::Estimate(const data::SceneResult& what, const fast::Estimate& number)> back =
+      [](const data::SceneResult&, const fast::Estimate& number) { return number; };
 };
 
 /// The variants that the scene allows; `solved` is its solution. - Units: lengths, moduli and times multiplied by

@@ -6,6 +6,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/critical_speed.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/verify/catalogue/half_space/internal/arguments.hpp>

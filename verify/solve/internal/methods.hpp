@@ -4,8 +4,8 @@
 
 #include <nipref/data/scene/scene.hpp>
 #include <nipref/fast/number/estimate.hpp>
+#include <nipref/ref/half_space/joint_response.hpp>
 #include <nipref/ref/number/estimate.hpp>
-#include <nipref/verify/solve/internal/ref_surface.hpp>
 #include <nipref/verify/solve/internal/solved_contact.hpp>
 
 namespace nipref::verify {
@@ -36,9 +36,8 @@ SolvedInDouble solve_line_loads(const data::ElasticNipProblem& problem, const da
 SolvedInDouble solve_line_loads(const data::ViscoelasticNipProblem& problem,
                                 const data::ViscoelasticLineLoads& loads, double accuracy);
 
-/// A body on a half-space in double. BadInput that names the scene's key for a speed that is not subcritical on every line
-/// and for results that the method does not have.
-SolvedInDouble solve_half_space(const data::Scene& scene, const data::HalfSpaceProblem& problem);
+/// A body on a half-space in double. BadInput "speed" unless the speed is subcritical on every line.
+SolvedInDouble solve_half_space(const data::HalfSpaceProblem& problem);
 
 /// The continuous contact by the reference. The errors are proven bounds for an elastic nip without friction, otherwise
 /// estimates.
@@ -54,7 +53,7 @@ SolvedByRef solve_ref_line_loads(const data::ViscoelasticNipProblem& problem,
 /// A body on a half-space by the reference: the errors of the response of a line and, where all lines are alike, of the
 /// critical speed are proven bounds, those of the contact are estimates. BadInput "digits" if the digits cannot be
 /// reached, "span" if the span of a rolling sphere is too large.
-SolvedByRef solve_ref_half_space(const RefSurface& surface, const data::HalfSpaceProblem& problem,
+SolvedByRef solve_ref_half_space(const ref::JointResponse& surface, const data::HalfSpaceProblem& problem,
                                  int digits);
 
 }  // namespace nipref::verify

@@ -61,6 +61,11 @@ void set_nip_results(const auto& set, const auto& zero) {
   if constexpr (requires(Solution & nip) { nip.slip(0.0); }) set(ResultId::slip, &Solution::slip);
 }
 
+inline bool has_full_friction(const data::ElasticNipProblem& problem) {
+  return problem.friction == data::Friction::full;
+}
+inline bool has_full_friction(const data::ViscoelasticNipProblem&) { return false; }
+
 inline double speed_of(const data::ElasticNipProblem&) { return 1; }
 inline double speed_of(const data::ViscoelasticNipProblem& problem) { return problem.nip.speed; }
 

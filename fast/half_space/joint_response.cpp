@@ -11,32 +11,28 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
+#include <nipref/fast/half_space/joint_response.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>
-#include <nipref/verify/catalogue/half_space/internal/arguments.hpp>
-#include <nipref/verify/solve/internal/counted_response.hpp>
 
-namespace nipref::verify {
+namespace nipref::fast {
 namespace {
-
-using fast::Direction;
-using fast::SurfaceResponse;
 
 Direction motion_of(const data::HalfSpaceProblem& problem) {
   return Direction::of_degrees(problem.direction);
 }
 
-fast::Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
+Estimate to_rounding(double value) { return {value, 0x1.8p-51 * std::fabs(value)}; }
 
 struct CriticalSpeedOf {
   Direction motion;
 
   double operator()(const data::IsotropicSolid& solid) const {
-    return std::sqrt(solid.shear / solid.density) * fast::isotropic_rayleigh_speed(solid.poisson);
+    return std::sqrt(solid.shear / solid.density) * isotropic_rayleigh_speed(solid.poisson);
   }
   double operator()(const data::TransverselyIsotropicBody& body) const {
-    return fast::critical_speed(body.solid, body.axis, motion).speed;
+    return critical_speed(body.solid, body.axis, motion).speed;
   }
-  double operator()(const data::Stiffness& solid) const { return fast::critical_speed(solid, motion).speed; }
+  double operator()(const data::Stiffness& solid) const { return critical_speed(solid, motion).speed; }
 };
 
 struct ResponseOf {
@@ -44,24 +40,24 @@ struct ResponseOf {
 
   SurfaceResponse operator()(const data::IsotropicSolid& solid) const {
     return [solid, speed = problem.speed](Direction from_motion) {
-      return fast::isotropic_response(solid, speed, from_motion);
+      return isotropic_response(solid, speed, from_motion);
     };
   }
   SurfaceResponse operator()(const data::TransverselyIsotropicBody& body) const {
     const Direction motion = motion_of(problem);
-    const auto surface = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(body.solid, body.axis,
-                                                                                      motion, problem.speed);
+    const auto surface =
+        std::make_shared<const TransverselyIsotropicHalfSpace>(body.solid, body.axis, motion, problem.speed);
     return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
   }
   SurfaceResponse operator()(const data::Stiffness& solid) const {
     const Direction motion = motion_of(problem);
     // No line tells by itself that another is critical.
-    if (const auto critical = fast::critical_speed(solid, motion); problem.speed >= critical.speed) {
+    if (const auto critical = critical_speed(solid, motion); problem.speed >= critical.speed) {
       throw data::BadInput("speed", problem.speed,
                            fmt::format("must be below {}, which is critical on the line psi = {:.6g} degrees",
                                        critical.speed, critical.psi * 180 / std::numbers::pi));
     }
-    const auto surface = std::make_shared<const fast::AnisotropicHalfSpace>(solid, motion, problem.speed);
+    const auto surface = std::make_shared<const AnisotropicHalfSpace>(solid, motion, problem.speed);
     return [surface, motion](Direction from_motion) { return surface->along(from_motion.turned(motion)); };
   }
 };
@@ -72,7 +68,7 @@ struct BodyResponse {
   SurfaceResponse operator()(const data::ElasticSphere& sphere) const {
     const double of_patch = sphere.moving_patch ? speed : 0;
     return [solid = sphere.solid, of_patch](Direction from_motion) {
-      return fast::isotropic_response(solid, of_patch, from_motion);
+      return isotropic_response(solid, of_patch, from_motion);
     };
   }
   /// Rigid.
@@ -82,49 +78,43 @@ struct BodyResponse {
   }
 };
 
-void refuse_supercritical(const data::HalfSpaceProblem& problem, double limit, std::string_view of,
-                          const data::SceneOrigin& origin) {
-  if (problem.speed < limit) return;
-  const bool rolls = std::holds_alternative<data::RigidRollingSphere>(problem.body);
-  origin.refuse(rolls ? "rolling.speed" : "sliding.speed", problem.speed,
-                fmt::format("must be below {:.6g}, where the line along the motion is critical: the Rayleigh "
-                            "speed of the {}",
-                            limit, of));
+void refuse_supercritical(double speed, double limit, std::string_view of) {
+  if (speed < limit) return;
+  throw data::BadInput("speed", speed,
+                       fmt::format("must be below {:.6g}, where the line along the motion is critical: the "
+                                   "Rayleigh speed of the {}",
+                                   limit, of));
 }
 
 }  // namespace
 
-CountedResponse::CountedResponse(const data::HalfSpaceProblem& problem, const data::SceneOrigin& origin)
-    : problem_(&problem) {
+JointResponse::JointResponse(const data::HalfSpaceProblem& problem) : problem_(&problem) {
+  const CriticalSpeedOf critical{motion_of(problem)};
   if (const auto* solid = std::get_if<data::IsotropicSolid>(&problem.half_space))
-    refuse_supercritical(problem, CriticalSpeedOf{motion_of(problem)}(*solid), "half-space", origin);
+    refuse_supercritical(problem.speed, critical(*solid), "half-space");
   if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body); sphere && sphere->moving_patch)
-    refuse_supercritical(problem, CriticalSpeedOf{motion_of(problem)}(sphere->solid), "sphere", origin);
-  try {
-    half_space_ = std::visit(ResponseOf{problem}, problem.half_space);
-    body_ = std::visit(BodyResponse{problem.speed}, problem.body);
-  } catch (const data::BadInput& error) {
-    origin.refuse_as("sliding.speed", error);
-  }
+    refuse_supercritical(problem.speed, critical(sphere->solid), "sphere");
+  half_space_ = std::visit(ResponseOf{problem}, problem.half_space);
+  body_ = std::visit(BodyResponse{problem.speed}, problem.body);
 }
 
-fast::LineResponse CountedResponse::operator()(Direction from_motion) const {
+LineResponse JointResponse::operator()(Direction from_motion) const {
   ++*evaluations_;
-  const fast::LineResponse half_space = half_space_(from_motion);
-  return body_ ? fast::in_contact(half_space, body_(from_motion)) : half_space;
+  const LineResponse half_space = half_space_(from_motion);
+  return body_ ? in_contact(half_space, body_(from_motion)) : half_space;
 }
 
-fast::Estimate CountedResponse::compliance(double degrees) const {
+Estimate JointResponse::compliance(double degrees) const {
   return to_rounding((*this)(Direction::of_degrees(degrees)).compliance);
 }
 
-fast::Estimate CountedResponse::coupling(double degrees) const {
-  const fast::LineResponse line = (*this)(Direction::of_degrees(degrees));
+Estimate JointResponse::coupling(double degrees) const {
+  const LineResponse line = (*this)(Direction::of_degrees(degrees));
   // The couplings of two bodies subtract, and their difference may be far smaller than they are.
   return {line.coupling, std::max(to_rounding(line.compliance).error, to_rounding(line.coupling).error)};
 }
 
-fast::Estimate CountedResponse::critical_speed() const {
+Estimate JointResponse::critical_speed() const {
   const CriticalSpeedOf critical{motion_of(*problem_)};
   const auto* sphere = std::get_if<data::ElasticSphere>(&problem_->body);
   const double of_body =
@@ -132,4 +122,4 @@ fast::Estimate CountedResponse::critical_speed() const {
   return to_rounding(std::min(std::visit(critical, problem_->half_space), of_body));
 }
 
-}  // namespace nipref::verify
+}  // namespace nipref::fast

@@ -1,0 +1,118 @@
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/ref/half_space/critical_speed.hpp>
+#include <nipref/ref/half_space/joint_response.hpp>
+#include <nipref/ref/half_space/response.hpp>
+
+namespace nipref::ref {
+namespace {
+
+Real joined(const Real& a, const Real& b, int sign) {
+  Real total = a;
+  if (sign > 0) {
+    mpfr_add(total.get(), a.get(), b.get(), MPFR_RNDN);
+  } else {
+    mpfr_sub(total.get(), a.get(), b.get(), MPFR_RNDN);
+  }
+  return total;
+}
+
+}  // namespace
+
+struct JointResponse::SurfaceOf {
+  double speed;
+
+  Surface operator()(const data::IsotropicSolid& solid) const {
+    return {sagittal_stiffness(ExactTransverse(solid)), speed, true};
+  }
+  Surface operator()(const data::TransverselyIsotropicBody& body) const {
+    const ExactTransverse solid(body.solid);
+    if (body.axis == data::SymmetryAxis::normal) return {sagittal_stiffness(solid), speed, true};
+    return {exact_stiffness(solid, body.axis), speed, false};
+  }
+  Surface operator()(const data::Stiffness& solid) const { return {exact_stiffness(solid), speed, false}; }
+};
+
+JointResponse::JointResponse(const data::HalfSpaceProblem& problem, int digits)
+    : digits_(digits),
+      direction_(problem.direction),
+      half_space_(std::visit(SurfaceOf{problem.speed}, problem.half_space)) {
+  if (const auto* sphere = std::get_if<data::ElasticSphere>(&problem.body)) {
+    body_ = SurfaceOf{sphere->moving_patch ? problem.speed : 0}(sphere->solid);
+    body_->moves = sphere->moving_patch;
+  }
+}
+
+void JointResponse::check_subcritical() const {
+  const SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(direction_));
+  const auto check = [&](const Surface& surface) {
+    if (surface.is_alike) {
+      ref::check_subcritical(surface.solid, Exact(surface.speed), motion, motion);
+    } else {
+      ref::check_subcritical(surface.solid, Exact(surface.speed), motion);
+    }
+  };
+  check(half_space_);
+  if (body_) check(*body_);
+}
+
+LineResponse JointResponse::along(const Surface& surface, const Exact& from_motion, int digits) const {
+  ++*evaluations_;
+  const Exact psi(mpq_class(from_motion.value() + Exact(direction_).value()));
+  return line_response(surface.solid, Exact(surface.speed), SurfaceDirection::of_degrees(Exact(direction_)),
+                       SurfaceDirection::of_degrees(psi), digits);
+}
+
+SurfaceAnswer JointResponse::answer() const {
+  return [surface = *this](const Exact& degrees, int digits) -> LineAnswer {
+    const LineResponse below = surface.along(surface.half_space_, degrees, digits);
+    if (!surface.body_)
+      return {below.compliance.value, below.coupling.value,         below.coupling_across.value,
+              below.in_line.value,    below.shear_compliance.value, below.shear_compliance_across.value};
+    const LineResponse above = surface.along(*surface.body_, degrees, digits);
+    return {joined(below.compliance.value, above.compliance.value, 1),
+            joined(below.coupling.value, above.coupling.value, -1),
+            joined(below.coupling_across.value, above.coupling_across.value, -1),
+            below.in_line.value,
+            joined(below.shear_compliance.value, above.shear_compliance.value, -1),
+            joined(below.shear_compliance_across.value, above.shear_compliance_across.value, -1)};
+  };
+}
+
+Enclosure JointResponse::compliance(double degrees) const {
+  const Enclosure below = along(half_space_, Exact(degrees), digits_).compliance;
+  if (!body_) return below;
+  const Enclosure above = along(*body_, Exact(degrees), digits_).compliance;
+  return enclosure_of(interval_of(below) + interval_of(above), digits_);
+}
+
+Enclosure JointResponse::coupling(double degrees) const {
+  const Enclosure below = along(half_space_, Exact(degrees), digits_).coupling;
+  if (!body_) return below;
+  const Enclosure above = along(*body_, Exact(degrees), digits_).coupling;
+  return enclosure_of(interval_of(below) - interval_of(above), digits_);
+}
+
+Estimate JointResponse::critical(const Surface& surface) const {
+  const SurfaceDirection motion = SurfaceDirection::of_degrees(Exact(direction_));
+  if (!surface.is_alike) return ref::critical_speed(surface.solid, motion, digits_).speed;
+  const auto of_wave = surface_wave_speed(surface.solid, motion, motion, digits_);
+  return of_wave ? *of_wave : limiting_speed(surface.solid, motion, motion, digits_);
+}
+
+Estimate JointResponse::critical_speed() const {
+  Estimate slowest = critical(half_space_);
+  // A patch that does not move in the body is never critical there.
+  if (body_ && body_->moves) {
+    Estimate of_body = critical(*body_);
+    const bool proven = slowest.proven && of_body.proven;
+    if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
+    slowest.proven = proven;
+  }
+  return slowest;
+}
+
+}  // namespace nipref::ref
