@@ -7,10 +7,9 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/problem/seed_nips.hpp>
-#include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
 #include <nipref/verify/replay/internal/viscoelastic_nip.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 
@@ -35,16 +34,24 @@ inline std::size_t row_of_memory(const data::Table& table, double memory) {
   return row;
 }
 
-/// Applies `use` to the continuous contact, a fast::ConvergedElasticNip or a fast::ConvergedViscoelasticNip.
-template <class Use>
-auto with_contact(const NipAt& nip, double accuracy, const Use& use) {
+/// The continuous contact.
+inline SolvedInDouble contact_of(const NipAt& nip, double accuracy) {
   const data::ElasticMaterial& at_once = data::seed::sheet_of_the_tables;
   if (nip.memory == 0)
-    return use(fast::converged_for_load({data::seed::roller_radius, nip.thickness, at_once}, nip.friction,
-                                        nip.load, accuracy));
+    return solve_converged(data::ElasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, at_once},
+                                                   .given = data::GivenLoad{nip.load},
+                                                   .friction = nip.friction,
+                                                   .creep_ratio = {},
+                                                   .method = {},
+                                                   .profile = {}},
+                           accuracy);
   const auto solid = data::single_relaxation_time_solid({at_once.theta1(), at_once.theta2()}, nip.memory);
-  return use(
-      fast::converged_for_load({data::seed::roller_radius, nip.thickness, solid, 1}, nip.load, accuracy));
+  return solve_converged(
+      data::ViscoelasticNipProblem{.nip = {data::seed::roller_radius, nip.thickness, solid, 1},
+                                   .given = data::GivenLoad{nip.load},
+                                   .method = {},
+                                   .profile = {}},
+      accuracy);
 }
 
 inline std::string load_label(double load) { return fmt::format("W = {:g} lbf/in", load); }

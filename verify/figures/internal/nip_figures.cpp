@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/figures/internal/drawings.hpp>
 #include <nipref/verify/figures/internal/nip_at.hpp>
@@ -19,18 +20,16 @@ constexpr double curve_accuracy = 1e-6;
 
 /// The values of the tables' columns.
 std::map<std::string, double> values_of(const NipAt& nip) {
-  return with_contact(nip, curve_accuracy, [&](const auto& contact) {
-    const double length = contact.contact_length().value, d0 = contact.indentation().value;
-    std::map<std::string, double> values{{"p_max", contact.peak_pressure().value},
-                                         {"creep", contact.creep_ratio().value},
-                                         {"L", length},
-                                         {"L/B", length / nip.thickness},
-                                         {"d0", d0},
-                                         {"d0/B", d0 / nip.thickness}};
-    if constexpr (requires { contact.rolling_resistance(); })
-      values["muR"] = contact.rolling_resistance().value;
-    return values;
-  });
+  const SolvedInDouble contact = contact_of(nip, curve_accuracy);
+  const auto value = [&](ResultId id) { return contact->number(id).value; };
+  const double length = value(ResultId::contact_length), d0 = value(ResultId::indentation);
+  return {{"p_max", value(ResultId::peak_pressure)},
+          {"creep", value(ResultId::creep_ratio)},
+          {"muR", value(ResultId::rolling_resistance)},
+          {"L", length},
+          {"L/B", length / nip.thickness},
+          {"d0", d0},
+          {"d0/B", d0 / nip.thickness}};
 }
 
 double value_at(const NipAt& nip, const std::string& column) {

@@ -17,8 +17,6 @@
 namespace nipref::verify {
 namespace {
 
-using data::ResultId;
-
 ResultId result_named(const std::string& word) { return data::find_scene_result(word)->id; }
 
 bool is_displacement(ResultId quantity) {
@@ -69,26 +67,17 @@ ThesisProfile rolling_profile(const Replay& replay, std::size_t row, ResultId qu
           }};
 }
 
-double profile_at(const auto& contact, ResultId quantity, double y) {
-  if (quantity == ResultId::pressure) return contact.pressure(y).value;
-  if constexpr (requires { contact.shear(y); }) {
-    if (quantity == ResultId::shear) return contact.shear(y).value;
-  }
-  return (quantity == ResultId::normal_displacement ? contact.normal_displacement(y)
-                                                    : contact.tangential_displacement(y))
-      .value;
-}
+using Contact = SolvedContact<fast::Estimate>;
 
-void append(Panel& panel, const std::string& label, const std::vector<double>& places, const auto& contact,
+void append(Panel& panel, const std::string& label, const std::vector<double>& places, const Contact& contact,
             ResultId quantity, const ThesisProfile& thesis) {
   panel.series.push_back(sampled(label, of_continuum, Mark::line, places,
-                                 [&](double y) { return profile_at(contact, quantity, y); }));
-  if constexpr (requires { contact.peak_shear(); }) {
-    if (quantity == ResultId::shear) {
-      const Series& curve = panel.series.back();
-      const auto peak = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
-      panel.series.push_back({label, at_largest, Mark::star, {curve.x[peak]}, {contact.peak_shear().value}});
-    }
+                                 [&](double y) { return contact.at(quantity, y).value; }));
+  if (quantity == ResultId::shear) {
+    const Series& curve = panel.series.back();
+    const auto peak = static_cast<std::size_t>(std::ranges::max_element(curve.y) - curve.y.begin());
+    const double largest = contact.number(ResultId::peak_shear).value;
+    panel.series.push_back({label, at_largest, Mark::star, {curve.x[peak]}, {largest}});
   }
   panel.series.push_back(sampled(label, by_thesis, Mark::points, thesis.places, thesis.curve));
 }
@@ -103,14 +92,13 @@ void append_elastic(Panel& panel, const FigureSubject& subject, ResultId quantit
       std::size_t row = 0;
       while (key_of_row(replay.table, row) != load) ++row;
       const NipAt nip = nip_of_table(replay.table, load);
-      with_contact(nip, accuracy, [&](const auto& contact) {
-        const double half = contact.contact_length().value / 2;
-        std::vector<double> places = subject.numbers("places");
-        for (double& place : places) place = half * std::sin(std::numbers::pi / 2 * place);
-        if (is_displacement(quantity)) places = evenly(-2 * half, 2 * half, static_cast<int>(places.size()));
-        append(panel, loads.size() > 1 ? load_label(load) : friction_label(nip.friction), places, contact,
-               quantity, elastic_profile(replay, row, quantity));
-      });
+      const SolvedInDouble contact = contact_of(nip, accuracy);
+      const double half = contact->number(ResultId::contact_length).value / 2;
+      std::vector<double> places = subject.numbers("places");
+      for (double& place : places) place = half * std::sin(std::numbers::pi / 2 * place);
+      if (is_displacement(quantity)) places = evenly(-2 * half, 2 * half, static_cast<int>(places.size()));
+      append(panel, loads.size() > 1 ? load_label(load) : friction_label(nip.friction), places, *contact,
+             quantity, elastic_profile(replay, row, quantity));
     }
   }
 }
@@ -133,54 +121,52 @@ std::vector<Panel> along_rolling_nips(const FigureSubject& subject) {
   for (const double memory : subject.numbers("memory")) {
     NipAt nip = nip_of_table(replay.table, replay.table.parameter("W").value);
     nip.memory = memory;
-    with_contact(nip, accuracy, [&](const auto& contact) {
-      std::vector<double> places = subject.numbers("places");
-      if constexpr (requires { contact.leading_length(); }) {
-        if (quantity == ResultId::pressure)
-          places = evenly(-contact.trailing_length().value, contact.leading_length().value, 201);
-      }
-      append(panel, memory_label(memory), places, contact, quantity,
-             rolling_profile(replay, row_of_memory(replay.table, memory), quantity));
-    });
+    const SolvedInDouble contact = contact_of(nip, accuracy);
+    const ContactEnds ends = contact->ends();
+    append(panel, memory_label(memory),
+           quantity == ResultId::pressure ? evenly(ends.first, ends.last, 201) : subject.numbers("places"),
+           *contact, quantity, rolling_profile(replay, row_of_memory(replay.table, memory), quantity));
   }
   return {panel};
 }
 
 struct StressPart {
   const char* name;
-  double (*of)(const fast::InnerStresses& stresses);
+  ResultId id;
   double step;  ///< between neighbouring contours
 };
 
-constexpr StressPart stress_parts[] = {
-    {"sigma_x", [](const fast::InnerStresses& s) { return s.across.value; }, 0.1},
-    {"sigma_y", [](const fast::InnerStresses& s) { return s.along.value; }, 0.1},
-    {"tau_xy", [](const fast::InnerStresses& s) { return s.shear.value; }, 0.05},
-    {"maximum shear", [](const fast::InnerStresses& s) { return s.maximum_shear().value; }, 0.05}};
+constexpr StressPart stress_parts[] = {{"sigma_x", ResultId::stress_across, 0.1},
+                                       {"sigma_y", ResultId::stress_along, 0.1},
+                                       {"tau_xy", ResultId::stress_shear, 0.05},
+                                       {"maximum shear", ResultId::maximum_shear, 0.05}};
 
 /// Stresses are divided by the largest pressure, places along the sheet by half the contact length.
-std::vector<Panel> stress_panels(const auto& contact, double thickness) {
-  const double half = contact.contact_length().value / 2, peak = contact.peak_pressure().value;
+std::vector<Panel> stress_panels(const Contact& contact, double thickness) {
+  const auto value = [&](ResultId id) { return contact.number(id).value; };
+  const double half = value(ResultId::contact_length) / 2, peak = value(ResultId::peak_pressure);
   const double reach = std::max(1.6, thickness / 2 / half);
   const std::vector<double> along = evenly(-reach, reach, 161), depths = evenly(-1, 1, 61);
-  std::vector<fast::InnerPoint> points;
+  Places places;
   for (const double depth : depths) {
-    for (const double place : along) points.push_back({place * half, depth});
+    for (const double place : along) places.push_back({place * half, depth});
   }
-  const std::vector<fast::InnerStresses> stresses = contact.inner_stresses(points);
   std::vector<Panel> panels;
   for (const StressPart& part : stress_parts) {
     Contours contours{std::string(part.name) + " over the largest pressure", along, depths, {}, part.step};
-    for (const fast::InnerStresses& here : stresses) contours.values.push_back(part.of(here) / peak);
+    for (const fast::Estimate& here : contact.get(part.id, places))
+      contours.values.push_back(here.value / peak);
     panels.push_back({{"distance from the middle over half the contact length"},
                       {"x/b, from face to face"},
                       {},
                       false,
                       std::move(contours)});
   }
-  const fast::GreatestShear greatest = contact.greatest_shear();
-  panels.back().series.push_back(
-      {"maximum shear", at_largest, Mark::star, {greatest.y.value / half}, {greatest.depth.value}});
+  panels.back().series.push_back({"maximum shear",
+                                  at_largest,
+                                  Mark::star,
+                                  {value(ResultId::greatest_shear_position) / half},
+                                  {value(ResultId::greatest_shear_depth)}});
   return panels;
 }
 
@@ -188,8 +174,7 @@ std::vector<Panel> inner_stresses(const FigureSubject& subject) {
   constexpr double accuracy = 1e-6;
   const NipAt nip{subject.number("thickness"), subject.number("load"), subject.number("memory"),
                   subject.number("memory") == 0 ? data::Friction::full : data::Friction::none};
-  return with_contact(nip, accuracy,
-                      [&](const auto& contact) { return stress_panels(contact, nip.thickness); });
+  return stress_panels(*contact_of(nip, accuracy), nip.thickness);
 }
 
 }  // namespace

@@ -10,12 +10,11 @@
 #include <nipref/data/material/seed_solids.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/data/table/index.hpp>
-#include <nipref/fast/elastic_nip/converged.hpp>
-#include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/seeds/internal/solved.hpp>
+#include <nipref/verify/solve/internal/methods.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -87,57 +86,27 @@ Propagated of_quantity(const Request& request) {
   return {value, promised + std::fabs(change.value()) + change.error()};
 }
 
-template <class Contact>
-using Results = std::map<std::string, std::function<Propagated(const Contact&, double at)>>;
-
-template <class Contact>
-auto result(fast::Estimate (Contact::*get)() const) {
-  return [get](const Contact& contact, double) { return Propagated((contact.*get)()); };
-}
-template <class Contact>
-auto distribution(fast::Estimate (Contact::*get)(double) const) {
-  return [get](const Contact& contact, double at) { return Propagated((contact.*get)(at)); };
-}
-
 /// int p Y^2 dY of a symmetric contact by Gauss's rule for the square roots at its ends.
-Propagated second_moment(const fast::ConvergedElasticNip& contact) {
+Propagated second_moment(const SolvedContact<fast::Estimate>& contact) {
   constexpr int nodes = 200;
-  const Propagated half = Propagated::exact(contact.contact_length().value / 2),
+  const Propagated half = Propagated::exact(contact.number(ResultId::contact_length).value / 2),
                    step = Propagated::pi() / (nodes + 1);
   Propagated sum = 0;
   for (int i = 1; i <= nodes; ++i) {
     const Propagated angle = i * step, t = cos(angle);
-    sum = sum + contact.pressure((half * t).value()) * square(t) * sin(angle);
+    sum = sum + contact.at(ResultId::pressure, (half * t).value()) * square(t) * sin(angle);
   }
   return sum * half * square(half) * step;
 }
 
-const Results<fast::ConvergedElasticNip>& elastic_results() {
-  using Nip = fast::ConvergedElasticNip;
-  static const Results<Nip> all{
-      {"contact_length", result(&Nip::contact_length)},
-      {"load", result(&Nip::load)},
-      {"indentation", result(&Nip::indentation)},
-      {"edge_displacement", result(&Nip::edge_displacement)},
-      {"creep_ratio", result(&Nip::creep_ratio)},
-      {"peak_pressure", result(&Nip::peak_pressure)},
-      {"peak_shear", result(&Nip::peak_shear)},
-      {"peak_shear_position", result(&Nip::peak_shear_position)},
-      {"pressure", distribution(&Nip::pressure)},
-      {"shear", distribution(&Nip::shear)},
-      {"shear_zero", [](const Nip& nip, double) { return Propagated(nip.shear_zeros().at(1)); }},
-      {"second_moment", [](const Nip& nip, double) { return second_moment(nip); }}};
-  return all;
-}
-
-const Results<fast::ConvergedViscoelasticNip>& rolling_results() {
-  using Nip = fast::ConvergedViscoelasticNip;
-  static const Results<Nip> all{{"contact_length", result(&Nip::contact_length)},
-                                {"leading_length", result(&Nip::leading_length)},
-                                {"trailing_length", result(&Nip::trailing_length)},
-                                {"rolling_resistance", result(&Nip::rolling_resistance)},
-                                {"tangential_displacement", distribution(&Nip::tangential_displacement)}};
-  return all;
+/// A result of the table of results, or one that follows from it.
+Propagated result_of(const Request& request, const SolvedContact<fast::Estimate>& contact) {
+  if (request.name == "second_moment") return second_moment(contact);
+  if (request.name == "shear_zero") return contact.get(ResultId::shear_zeros).at(1);
+  const data::SceneResult* const what = data::find_scene_result(request.name);
+  if (what == nullptr || !contact.has(what->id)) request.refuse(fmt::format("no '{}'", request.name));
+  if (what->shape != data::Shape::profile) return contact.number(what->id);
+  return contact.at(what->id, request.number("at", "0"));
 }
 
 constexpr data::ElasticMaterial thesis_sheet = data::seed::sheet_of_the_tables;
@@ -221,59 +190,55 @@ class SolvedNumbers {
 
  private:
   struct Common {
-    double radius, thickness, accuracy, load, length, at;
+    double radius, thickness, accuracy, load, length;
     explicit Common(const Request& one)
         : radius(one.number("radius", "6")),
           thickness(one.number("thickness", "2")),
           accuracy(one.number("accuracy", "1e-9")),
           load(one.number("load", "0")),
-          length(one.number("length", "0")),
-          at(one.number("at", "0")) {}
+          length(one.number("length", "0")) {}
+    [[nodiscard]] data::Given given() const {
+      if (length > 0) return data::GivenLength{length};
+      return data::GivenLoad{load};
+    }
   };
 
-  template <class Contact>
-  static Propagated solve_once(std::map<std::vector<double>, Contact>& solved,
-                               const std::vector<double>& inputs, const auto& solve, const auto& result_of) {
-    auto place = solved.find(inputs);
-    if (place == solved.end()) place = solved.emplace(inputs, solve()).first;
-    return result_of(place->second);
+  /// `others`: the numbers that the solid adds to those of every nip.
+  const SolvedContact<fast::Estimate>& solve_once(const std::string& solid, const Common& in,
+                                                  std::initializer_list<double> others, const auto& problem) {
+    std::vector<double> inputs{in.radius, in.thickness, in.accuracy, in.load, in.length};
+    inputs.insert(inputs.end(), others);
+    SolvedInDouble& contact = contacts_[{solid, inputs}];
+    if (contact == nullptr) contact = solve_converged(problem, in.accuracy);
+    return *contact;
   }
 
   Propagated elastic(const Request& request) {
     const Common in(request);
     const data::ElasticMaterial material{request.number("young", fmt::format("{}", thesis_sheet.young)),
                                          request.number("poisson", fmt::format("{}", thesis_sheet.poisson))};
-    const data::ElasticNip nip{in.radius, in.thickness, material};
     const bool full = request.text_of("friction", "none") == "full";
-    const data::Friction friction = full ? data::Friction::full : data::Friction::none;
-    const auto& get = request.entry(elastic_results(), request.name);
-    return solve_once(
-        elastic_,
-        {in.radius, in.thickness, in.accuracy, in.load, in.length, material.young, material.poisson,
-         full + 0.0},
-        [&] {
-          return in.length > 0 ? fast::converged_for_length(nip, friction, in.length, in.accuracy)
-                               : fast::converged_for_load(nip, friction, in.load, in.accuracy);
-        },
-        [&](const fast::ConvergedElasticNip& contact) { return get(contact, in.at); });
+    const data::ElasticNipProblem problem{.nip = {in.radius, in.thickness, material},
+                                          .given = in.given(),
+                                          .friction = full ? data::Friction::full : data::Friction::none,
+                                          .creep_ratio = {},
+                                          .method = {},
+                                          .profile = {}};
+    return result_of(request,
+                     solve_once("", in, {material.young, material.poisson, full ? 1.0 : 0.0}, problem));
   }
 
   Propagated rolling(const Request& request) {
     const Common in(request);
-    const data::ViscoelasticNip nip{in.radius, in.thickness, solid_of(request), 1};
-    const auto& get = request.entry(rolling_results(), request.name);
-    auto& of_solid = rolling_[request.text_of("solid", "thesis")];
-    return solve_once(
-        of_solid, {in.radius, in.thickness, in.accuracy, in.load, in.length, request.number("memory", "1")},
-        [&] {
-          return in.length > 0 ? fast::converged_for_length(nip, in.length, in.accuracy)
-                               : fast::converged_for_load(nip, in.load, in.accuracy);
-        },
-        [&](const fast::ConvergedViscoelasticNip& contact) { return get(contact, in.at); });
+    const data::ViscoelasticNipProblem problem{.nip = {in.radius, in.thickness, solid_of(request), 1},
+                                               .given = in.given(),
+                                               .method = {},
+                                               .profile = {}};
+    return result_of(request, solve_once(request.text_of("solid", "thesis"), in,
+                                         {request.number("memory", "1")}, problem));
   }
 
-  std::map<std::vector<double>, fast::ConvergedElasticNip> elastic_;
-  std::map<std::string, std::map<std::vector<double>, fast::ConvergedViscoelasticNip>> rolling_;
+  std::map<std::pair<std::string, std::vector<double>>, SolvedInDouble> contacts_;
 };
 
 }  // namespace

@@ -49,6 +49,7 @@ struct SolvedContact {
     std::vector<Number> numbers = functions_.at(id)(places);
     return cache_.emplace(std::pair(id, places), std::move(numbers)).first->second;
   }
+  [[nodiscard]] bool has(ResultId id) const { return functions_.contains(id); }
   [[nodiscard]] const Number& number(ResultId id) const { return get(id).front(); }
   [[nodiscard]] const Number& at(ResultId id, double y) const { return get(id, {{y}}).front(); }
 
