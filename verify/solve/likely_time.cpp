@@ -8,15 +8,13 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
-#include <nipref/ref/elastic_nip/gripped.hpp>
-#include <nipref/ref/viscoelastic_nip/converged.hpp>
+#include <nipref/verify/catalogue/nip_seconds.hpp>
 #include <nipref/verify/solve/internal/nip_results.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 
 namespace nipref::verify {
 namespace {
 
-constexpr double long_time = 10;       ///< seconds
 constexpr double of_load = 2;          ///< time for a given load over the time for a given length
 constexpr double rough_enough = 1e-3;  ///< relative accuracy of the length
 
@@ -30,14 +28,10 @@ double length_of(const data::ViscoelasticNipProblem& problem, const data::GivenL
 }
 
 double seconds_for_length(const data::ElasticNipProblem& problem, double length, int digits) {
-  if (has_full_friction(problem))
-    return 5.6 * std::pow(ref::gripped_unknowns(problem.nip, length, digits) / 532.0, 2.1);
-  return 10 * std::pow(length / problem.nip.sheet_thickness * (digits + 20) / 1250, 2);
+  return likely_seconds(problem.nip, problem.friction, length, digits);
 }
 double seconds_for_length(const data::ViscoelasticNipProblem& problem, double length, int digits) {
-  const double unknowns = ref::rolling_unknowns(problem.nip, length, digits);
-  const double thin = std::min(1.0, length / problem.nip.sheet_thickness / 5);
-  return (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * thin) * (1 + (digits - 16) / 24.0);
+  return likely_seconds(problem.nip, length, digits);
 }
 
 /// The time for profiles that are integrals over the contact, and for stresses inside the sheet, which are computed

@@ -13,6 +13,7 @@
 #include <nipref/ref/elastic_nip/thin.hpp>
 #include <nipref/ref/elastic_nip/thin_gripped.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -23,12 +24,7 @@ constexpr double longest_direct = 12, longest_gripped_audited = 2;
 constexpr double shortest_from_shorter = 16;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
 
-// What the reference does in ten seconds. Without friction: so many digits of a polynomial's samples, or of the contact
-// itself, the time of which grows with the square of (L/B) (digits + 20); and with full friction, where a value takes
-// about 8 s ((L/B) (digits + 5.5)/300)^2.2.
-constexpr int least_digits = 16, most_digits_of_thin = 21;
-constexpr double most_direct_work = 1250, more_direct_digits = 20;
-constexpr double most_gripped_work = 300, more_gripped_digits = 5.5;
+constexpr int most_digits_of_thin = 21;
 
 bool is_gripped(const NamedPoint& x) { return x["friction"] != 0; }
 
@@ -61,23 +57,6 @@ NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
 /// Of a long gripped contact: beyond, the reference takes more digits, and half a minute.
 constexpr double largest_long_gripped_poisson = 0.499;
 
-/// Digits that the contact itself is solved to in that time.
-double most_gripped_digits(double length) { return most_gripped_work / length - more_gripped_digits; }
-
-/// Whether a gripped contact comes from shorter ones.
-bool is_long_gripped(double length) {
-  return length >= ref::shortest_thin_gripped_nip && most_gripped_digits(length) < least_digits;
-}
-
-void check_gripped_work(double length, int digits) {
-  const double most = most_gripped_digits(length);
-  if (digits > most)
-    throw data::BadInput(
-        "digits", std::to_string(digits),
-        fmt::format("must be at most {} for L_over_B = {:.6g} with full friction: more take too long",
-                    static_cast<int>(most), length));
-}
-
 void check_long_gripped_work(double poisson) {
   if (poisson <= largest_long_gripped_poisson) return;
   throw data::BadInput(
@@ -87,33 +66,27 @@ void check_long_gripped_work(double poisson) {
                   largest_long_gripped_poisson));
 }
 
-void check_work(double length, int digits) {
-  const int most =
-      std::max(most_digits_of_thin, static_cast<int>(most_direct_work / length - more_direct_digits));
-  if (digits <= most) return;
-  throw data::BadInput(
-      "digits", std::to_string(digits),
-      fmt::format("must be at most {} for L_over_B = {:.6g}: more take too long", most, length));
-}
-
 NipResults solved_nip(const data::ElasticNip& nip, double length, bool gripped, int digits) {
-  if (gripped && is_long_gripped(length)) {
+  const data::Friction friction = gripped ? data::Friction::full : data::Friction::none;
+  const int most = most_digits_in_time([&](int some) { return likely_seconds(nip, friction, length, some); });
+  if (gripped && length >= ref::shortest_thin_gripped_nip && digits > most) {
     check_long_gripped_work(nip.material.poisson);
     const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, digits);
     return {thin.load, thin.indentation, thin.creep_ratio, thin.middle_pressure, thin.peak_shear};
   }
-  if (gripped) {
-    check_gripped_work(length, digits);
-    const auto contact = ref::gripped_for_length(nip, length, digits);
-    return results_of(contact, contact.peak_shear());
-  }
   const ref::Estimate nothing = ref::exact_zero(digits);
-  if (length < shortest_from_shorter || digits > most_digits_of_thin) {
-    check_work(length, digits);
-    return results_of(ref::converged_for_length(nip, length, digits), nothing);
+  if (!gripped && length >= shortest_from_shorter && digits <= most_digits_of_thin) {
+    const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, digits);
+    return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
   }
-  const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, digits);
-  return {thin.load, thin.indentation, thin.creep_ratio, thin.peak_pressure, nothing};
+  if (digits > most)
+    throw data::BadInput("digits", std::to_string(digits),
+                         fmt::format("must be at most {} for L_over_B = {:.6g}{}: more take too long",
+                                     gripped ? most : std::max(most, most_digits_of_thin), length,
+                                     gripped ? " with full friction" : ""));
+  if (!gripped) return results_of(ref::converged_for_length(nip, length, digits), nothing);
+  const auto contact = ref::gripped_for_length(nip, length, digits);
+  return results_of(contact, contact.peak_shear());
 }
 
 NipReferences nip_by_ref(const NamedPoint& x, int digits) {

@@ -16,7 +16,6 @@ namespace nipref::verify {
 namespace {
 
 using fast::Direction;
-using ref::SurfaceDirection;
 
 constexpr std::size_t constants = 21;
 
@@ -109,17 +108,17 @@ void keep_physical_stiffness(const NamedNumbers& x) {
 
 /// At which the line is critical; finite across the motion too.
 double largest_speed(const NamedPoint& x) {
-  return std::min(1e12, fast::rayleigh_speed(stiffness_of(x), Direction::of_degrees(x["theta_deg"]),
-                                             Direction::of_degrees(x["psi_deg"])));
+  return std::min(
+      1e12, fast::rayleigh_speed(stiffness_of(x), direction_of(x, "theta_deg"), direction_of(x, "psi_deg")));
 }
 
 fast::AnisotropicHalfSpace anisotropic_surface(const NamedPoint& x) {
-  return {stiffness_of(x), Direction::of_degrees(x["theta_deg"]), x["speed"]};
+  return {stiffness_of(x), direction_of(x, "theta_deg"), x["speed"]};
 }
 
 double largest_answer(const NamedPoint& x) {
   const auto surface = anisotropic_surface(x);
-  const Direction psi = Direction::of_degrees(x["psi_deg"]);
+  const Direction psi = direction_of(x, "psi_deg");
   const auto [in_line, across] = surface.shear_along(psi);
   return std::max({surface.along(psi).compliance, in_line, across});
 }
@@ -137,14 +136,11 @@ Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure r
       name,
       [of_ref](NamedExact x, int digits) {
         const ref::ExactStiffness solid = exact_stiffness_of(x);
-        const auto motion = SurfaceDirection::of_degrees(x["theta_deg"]),
-                   psi = SurfaceDirection::of_degrees(x["psi_deg"]);
+        const auto motion = direction_of(x, "theta_deg"), psi = direction_of(x, "psi_deg");
         ref::check_subcritical(solid, x["speed"], motion, psi);
         return ref::line_response(solid, x["speed"], motion, psi, digits).*of_ref;
       },
-      [of_fast](NamedPoint x) {
-        return answer(anisotropic_surface(x), Direction::of_degrees(x["psi_deg"]), of_fast);
-      },
+      [of_fast](NamedPoint x) { return answer(anisotropic_surface(x), direction_of(x, "psi_deg"), of_fast); },
       largest_answer);
   set_draw(entry, [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_degrees(random);
@@ -178,13 +174,9 @@ Quantity entry_anisotropic_critical() {
   Quantity entry = entry_of(
       "anisotropic.critical",
       [](NamedExact x, int digits) {
-        return ref::critical_speed(exact_stiffness_of(x), SurfaceDirection::of_degrees(x["theta_deg"]),
-                                   digits)
-            .speed;
+        return ref::critical_speed(exact_stiffness_of(x), direction_of(x, "theta_deg"), digits).speed;
       },
-      [](NamedPoint x) {
-        return fast::critical_speed(stiffness_of(x), Direction::of_degrees(x["theta_deg"])).speed;
-      });
+      [](NamedPoint x) { return fast::critical_speed(stiffness_of(x), direction_of(x, "theta_deg")).speed; });
   set_draw(entry, [](Random& random, NamedNumbers x) {
     x["theta_deg"] = draw_angle(random);
     put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));

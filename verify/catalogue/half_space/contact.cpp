@@ -1,13 +1,18 @@
-// Contacts on isotropic half-spaces: by the papers' rule, and the exact frictionless one.
+// Contacts on isotropic half-spaces and of the seed's steel sphere on a transversely isotropic one (brock2013): by the
+// papers' rule, and the exact frictionless one.
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
-#include <utility>
+#include <vector>
 
+#include <nipref/data/bad_input.hpp>
+#include <nipref/data/material/seed_solids.hpp>
 #include <nipref/fast/half_space/elliptic.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>
 #include <nipref/fast/half_space/rolling_sphere.hpp>
 #include <nipref/fast/half_space/sliding.hpp>
+#include <nipref/fast/half_space/transversely_isotropic.hpp>
 #include <nipref/ref/half_space/elliptic.hpp>
 #include <nipref/ref/half_space/rolling_sphere.hpp>
 #include <nipref/ref/half_space/sliding.hpp>
@@ -18,145 +23,144 @@
 namespace nipref::verify {
 namespace {
 
+using data::BadInput;
 using fast::Direction;
 using ref::Exact;
 
-void keep_all(const NamedNumbers&) {}
+/// A rigid body on an isotropic half-space.
+struct OnIsotropic {
+  static constexpr auto angle = "psi_deg";
 
-/// Points up to `largest_share` of the Rayleigh speed. `more`: draws the arguments after poisson and speed.
-template <class More>
-Quantity sampled_to(double largest_share, Quantity entry, More more,
-                    void (*keep_more)(const NamedNumbers&) = keep_all) {
-  set_draw(entry, [=](Random& random, NamedNumbers x) {
+  static ref::SurfaceAnswer exact(const NamedExact& x) {
+    return exact_isotropic_surface(x["poisson"], x["speed"]);
+  }
+  static fast::SurfaceResponse surface(const NamedPoint& x) {
+    return isotropic_surface(x["poisson"], x["speed"]);
+  }
+  static void draw(Random& random, const NamedNumbers& x, double largest_share) {
     x["poisson"] = random.uniform(-0.5, 0.49);
-    x["speed"] = draw_share(random, 0, largest_share) * fast::isotropic_rayleigh_speed(x["poisson"]);
-    more(random, x);
-  });
-  set_keep_off(entry, [=](NamedNumbers x) {
-    x["poisson"] = std::clamp(x["poisson"], -0.5, 0.49);
-    x["speed"] = std::min(x["speed"], largest_share * fast::isotropic_rayleigh_speed(x["poisson"]));
-    keep_more(x);
-  });
-  return entry;
+    x["speed"] = draw_share(random, 0, largest_share) * critical_speed(x);
+  }
+  static void keep(const NamedNumbers& x) { x["poisson"] = std::clamp(x["poisson"], -0.5, 0.49); }
+  static double critical_speed(const NamedPoint& x) { return fast::isotropic_rayleigh_speed(x["poisson"]); }
+};
+
+/// x + sign y, rounded once.
+ref::Real sum(const ref::Real& x, const ref::Real& y, int sign) {
+  ref::Real result(std::max(x.precision(), y.precision()) + 8);
+  (sign > 0 ? mpfr_add : mpfr_sub)(result.get(), x.get(), y.get(), MPFR_RNDN);
+  return result;
 }
 
-void draw_nothing(Random&, const NamedNumbers&) {}
-void draw_psi(Random& random, const NamedNumbers& x) { x["psi_deg"] = draw_angle(random); }
-void draw_sliding(Random& random, const NamedNumbers& x) { x["friction"] = draw_friction(random); }
+/// The steel sphere on the seed's solid; angles count from the motion.
+struct SeedSphere {
+  static constexpr auto angle = "phi_deg";
+
+  static ref::SurfaceAnswer exact(const NamedExact& x) {
+    check_subcritical(x);
+    const ref::ExactStiffness solid = exact_transverse_of(x, symmetry_axis(x));
+    const auto motion = ref::SurfaceDirection::of_degrees(x["theta_deg"]);
+    const ref::SurfaceAnswer steel = exact_isotropic_surface(
+        as_written(data::seed::steel.poisson), Exact(mpq_class(x["patch"].value() * x["speed"].value())));
+    return [=, theta = x["theta_deg"].value(), speed = x["speed"]](const Exact& degrees,
+                                                                   int digits) -> ref::LineAnswer {
+      const auto psi = ref::SurfaceDirection::of_degrees(Exact(mpq_class(theta + degrees.value())));
+      const auto lower = ref::line_response(solid, speed, motion, psi, digits);
+      const ref::LineAnswer upper = steel(degrees, digits);
+      return {sum(lower.compliance.value, upper.compliance, 1), sum(lower.coupling.value, upper.coupling, -1),
+              sum(lower.coupling_across.value, upper.coupling_across, -1),
+              sum(lower.in_line.value, upper.in_line, 1)};
+    };
+  }
+  static fast::SurfaceResponse surface(const NamedPoint& x) {
+    const Direction motion = direction_of(x, "theta_deg");
+    const auto lower = std::make_shared<const fast::TransverselyIsotropicHalfSpace>(transverse_surface_of(x));
+    const auto upper = isotropic_surface(data::seed::steel.poisson, x["patch"] * x["speed"]);
+    return [=](Direction from_motion) {
+      return fast::in_contact(in_steel(lower->along(from_motion.turned(motion))), upper(from_motion));
+    };
+  }
+  static void draw(Random& random, const NamedNumbers& x, double largest_share) {
+    x["theta_deg"] = draw_angle(random);
+    x["patch"] = random.chance(0.5) ? 0 : 1;
+    x["axis"] = random.chance(0.5) ? 0 : 1;
+    x["speed"] = draw_share(random, 0.01, largest_share) * critical_speed(x);
+  }
+  static void keep(const NamedNumbers& x) { put_epoxy(x); }
+  static double critical_speed(const NamedPoint& x) { return critical_speed_of(x); }
+};
 
 /// A sphere of curvature 1 with a span of 1 along the motion.
+template <class Bodies>
 fast::SlidingContact slide(const NamedPoint& x) {
-  return fast::sliding_for_span(isotropic_surface(x["poisson"], x["speed"]), {1, 1}, x["friction"], {1, 0},
-                                1);
+  return fast::sliding_for_span(Bodies::surface(x), {1, 1}, x["friction"], {1, 0}, 1);
 }
 
 fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
   return fast::rolling_sphere_for_span(unit_isotropic(x["poisson"]), 1, x["speed"], span);
 }
 
-ref::SurfaceAnswer surface_of(const NamedExact& x) {
-  return exact_isotropic_surface(x["poisson"], x["speed"]);
+Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
+
+/// An entry by functions of a point, its points up to `largest_share` of the critical speed. `more` draws the arguments
+/// that are no part of the bodies and their speed.
+struct ContactRow {
+  const char* name;
+  double largest_share;
+  ref::Estimate (*by_ref)(const NamedExact& x, int digits);
+  double (*by_fast)(const NamedPoint& x);
+  void (*more)(Random& random, const NamedNumbers& x) = [](Random&, const NamedNumbers&) {};
+  std::vector<double (*)(const NamedPoint& x)> seed_forms = {};
+  double (*size)(const NamedPoint& x) = [](const NamedPoint&) { return 0.0; };
+  void (*keep_more)(const NamedNumbers& x) = [](const NamedNumbers&) {};
+};
+
+template <class Bodies>
+std::vector<Quantity> entries_of(const std::vector<ContactRow>& rows) {
+  std::vector<Quantity> entries;
+  for (const ContactRow& row : rows) {
+    Quantity entry = entry_of(row.name, row.by_ref, row.by_fast, row.size);
+    set_draw(entry, [=](Random& random, NamedNumbers x) {
+      Bodies::draw(random, x, row.largest_share);
+      row.more(random, x);
+    });
+    set_keep_off(entry, [=](NamedNumbers x) {
+      Bodies::keep(x);
+      x["speed"] = std::min(x["speed"], row.largest_share * Bodies::critical_speed(x));
+      row.keep_more(x);
+    });
+    for (std::size_t i = 0; i < row.seed_forms.size(); ++i)
+      entry.seed_forms[i].value = of_point(entry, row.seed_forms[i]);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
 }
 
-Direction psi_of(const NamedPoint& x) { return Direction::of_degrees(x["psi_deg"]); }
-
-Quantity entry_exponent() {
-  return sampled_to(nearest_critical,
-                    entry_of(
-                        "die.exponent",
-                        [](NamedExact x, int digits) {
-                          return ref::sliding_exponent(surface_of(x), x["friction"], x["psi_deg"], digits);
-                        },
-                        [](NamedPoint x) { return -slide(x).along(psi_of(x)).leading_share; }),
-                    [](Random& random, NamedNumbers x) {
-                      draw_sliding(random, x);
-                      draw_psi(random, x);
-                    });
+template <class Bodies>
+ref::Estimate exact_exponent(const NamedExact& x, int digits) {
+  return ref::sliding_exponent(Bodies::exact(x), x["friction"], x[Bodies::angle], digits);
+}
+template <class Bodies>
+double exponent(const NamedPoint& x) {
+  return -slide<Bodies>(x).along(direction_of(x, Bodies::angle)).leading_share;
+}
+template <class Bodies>
+ref::Estimate exact_force(const NamedExact& x, int digits) {
+  return ref::sliding_force(Bodies::exact(x), x["friction"], digits);
+}
+template <class Bodies>
+double force(const NamedPoint& x) {
+  return slide<Bodies>(x).force().value;
 }
 
-Quantity entry_die_span_ratio() {
-  Quantity entry =
-      sampled_to(nearest_critical,
-                 entry_of(
-                     "die.span_ratio",
-                     [](NamedExact x, int digits) {
-                       return ref::sliding_span_ratio(surface_of(x), x["friction"], Exact(90.0), digits);
-                     },
-                     [](NamedPoint x) {
-                       return slide(x).span_ratio({0, 1}).value;
-                     }),
-                 draw_sliding);
-  set_forms(
-      entry, [](NamedPoint x) { return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]); },
-      [](NamedPoint x) {
-        return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
-      });
-  return entry;
+void draw_psi(Random& random, const NamedNumbers& x) { x["psi_deg"] = draw_angle(random); }
+void draw_sliding(Random& random, const NamedNumbers& x) { x["friction"] = draw_friction(random); }
+void draw_ratio_of_curvatures(Random& random, const NamedNumbers& x) {
+  x["curvature_ratio"] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
 }
 
-Quantity entry_die_force() {
-  return sampled_to(
-      nearest_integrated,
-      entry_of(
-          "die.force",
-          [](NamedExact x, int digits) { return ref::sliding_force(surface_of(x), x["friction"], digits); },
-          [](NamedPoint x) { return slide(x).force().value; }),
-      draw_sliding);
-}
-
-Quantity entry_rolling_index() {
-  // It vanishes at nu = 1/2, at rest.
-  return sampled_to(
-      nearest_critical,
-      entry_of(
-          "rolling.index",
-          [](NamedExact x, int digits) { return ref::rolling_index(surface_of(x), x["psi_deg"], digits); },
-          [](NamedPoint x) { return roll(x).along(psi_of(x)).index; }, [](NamedPoint) { return 0.1; }),
-      draw_psi);
-}
-
-Quantity entry_rolling_span_ratio() {
-  Quantity entry = sampled_to(nearest_critical,
-                              entry_of(
-                                  "rolling.span_ratio",
-                                  [](NamedExact x, int digits) {
-                                    return ref::rolling_span_ratio(surface_of(x), Exact(90.0), digits);
-                                  },
-                                  [](NamedPoint x) {
-                                    return roll(x).span_ratio({0, 1}).value;
-                                  }),
-                              draw_nothing);
-  set_forms(
-      entry, [](NamedPoint x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
-      [](NamedPoint x) {
-        return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
-      });
-  return entry;
-}
-
-Quantity entry_rolling_strip() {
-  return sampled_to(
-      nearest_critical,
-      entry_of(
-          "rolling.strip",
-          [](NamedExact x, int digits) { return ref::rolling_strip(surface_of(x), x["psi_deg"], digits); },
-          [](NamedPoint x) {
-            return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
-          }),
-      draw_psi);
-}
-
-Quantity entry_rolling_force() {
-  // Just below the Rayleigh speed the tractions pull in sum.
-  const auto force_of_one_sign = [](NamedPoint x) {
-    return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
-  };
-  return sampled_to(
-      nearest_integrated,
-      entry_of(
-          "rolling.force", [](NamedExact x, int digits) { return ref::rolling_force(surface_of(x), digits); },
-          [](NamedPoint x) { return roll(x, 1).force().value; }, force_of_one_sign),
-      draw_nothing);
+fast::EllipticContact ellipse(const NamedPoint& x) {
+  return {OnIsotropic::surface(x), {1, x["curvature_ratio"]}};
 }
 
 /// Beyond it the creep changes its sign.
@@ -166,62 +170,184 @@ void keep_span(const NamedNumbers& x) {
   x["span_over_radius"] = std::min(x["span_over_radius"], 0.99 * largest);
 }
 
-Quantity entry_rolling_creep() {
-  Quantity entry = sampled_to(
-      nearest_critical,
-      entry_of(
-          "rolling.creep",
-          [](NamedExact x, int digits) {
-            return ref::rolling_creep(surface_of(x), x["psi_deg"], x["span_over_radius"], digits);
-          },
-          [](NamedPoint x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; }),
-      [](Random& random, NamedNumbers x) {
-        x["span_over_radius"] = random.log_uniform(1e-9, 1);
-        draw_psi(random, x);
-        keep_span(x);
-      },
-      keep_span);
-  set_forms(entry, [](NamedPoint x) {
-    return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
-  });
-  return entry;
+const std::vector<ContactRow>& rows_on_isotropic() {
+  using Bodies = OnIsotropic;
+  static const std::vector<ContactRow> rows{
+      {"die.exponent", nearest_critical, exact_exponent<Bodies>, exponent<Bodies>,
+       [](Random& random, const NamedNumbers& x) {
+         draw_sliding(random, x);
+         draw_psi(random, x);
+       }},
+      {"die.span_ratio",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::sliding_span_ratio(Bodies::exact(x), x["friction"], Exact(90.0), digits);
+       },
+       [](const NamedPoint& x) {
+         return slide<Bodies>(x).span_ratio({0, 1}).value;
+       },
+       draw_sliding,
+       {[](const NamedPoint& x) {
+          return die_span_ratio_as_printed(x["poisson"], x["friction"], x["speed"]);
+        },
+        [](const NamedPoint& x) {
+          return die_span_ratio_as_tabulated(x["poisson"], x["friction"], x["speed"], table_root_decimals);
+        }}},
+      {"die.force", nearest_integrated, exact_force<Bodies>, force<Bodies>, draw_sliding},
+      {"rolling.index",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::rolling_index(Bodies::exact(x), x["psi_deg"], digits);
+       },
+       [](const NamedPoint& x) { return roll(x).along(psi_of(x)).index; },
+       draw_psi,
+       {},
+       [](const NamedPoint&) { return 0.1; }},  // it vanishes at nu = 1/2, at rest
+      {"rolling.span_ratio",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::rolling_span_ratio(Bodies::exact(x), Exact(90.0), digits);
+       },
+       [](const NamedPoint& x) {
+         return roll(x).span_ratio({0, 1}).value;
+       },
+       [](Random&, const NamedNumbers&) {},
+       {[](const NamedPoint& x) { return rolling_span_ratio_as_printed(x["poisson"], x["speed"]); },
+        [](const NamedPoint& x) {
+          return rolling_span_ratio_as_tabulated(x["poisson"], x["speed"], table_root_decimals);
+        }}},
+      {"rolling.strip", nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::rolling_strip(Bodies::exact(x), x["psi_deg"], digits);
+       },
+       [](const NamedPoint& x) {
+         return fast::rolling_strip(unit_isotropic(x["poisson"]), x["speed"], psi_of(x));
+       },
+       draw_psi},
+      {"rolling.force",
+       nearest_integrated,
+       [](const NamedExact& x, int digits) { return ref::rolling_force(Bodies::exact(x), digits); },
+       [](const NamedPoint& x) { return roll(x, 1).force().value; },
+       [](Random&, const NamedNumbers&) {},
+       {},
+       // Just below the Rayleigh speed the tractions pull in sum: the size is that of a force of one sign.
+       [](const NamedPoint& x) {
+         return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
+       }},
+      {"rolling.creep",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::rolling_creep(Bodies::exact(x), x["psi_deg"], x["span_over_radius"], digits);
+       },
+       [](const NamedPoint& x) { return roll(x, x["span_over_radius"]).along(psi_of(x)).creep.value; },
+       [](Random& random, const NamedNumbers& x) {
+         x["span_over_radius"] = random.log_uniform(1e-9, 1);
+         draw_psi(random, x);
+         keep_span(x);
+       },
+       {[](const NamedPoint& x) {
+         return rolling_creep_as_printed(x["poisson"], x["speed"], x["psi_deg"], x["span_over_radius"]);
+       }},
+       [](const NamedPoint&) { return 0.0; },
+       keep_span},
+      {"ellipse.axis_ratio", nearest_integrated,
+       [](const NamedExact& x, int digits) {
+         return ref::elliptic_axis_ratio(Bodies::exact(x), x["curvature_ratio"], digits);
+       },
+       [](const NamedPoint& x) { return ellipse(x).axis_ratio().value; }, draw_ratio_of_curvatures},
+      {"ellipse.stiffness", nearest_integrated,
+       [](const NamedExact& x, int digits) {
+         return ref::elliptic_stiffness(Bodies::exact(x), x["curvature_ratio"], digits);
+       },
+       [](const NamedPoint& x) {
+         return ellipse(x).for_approach(1).force.value * std::sqrt((1 + x["curvature_ratio"]) / 2);
+       },
+       draw_ratio_of_curvatures}};
+  return rows;
 }
 
-Quantity elliptic_entry(const char* name,
-                        ref::Estimate (*by_ref)(const ref::SurfaceAnswer&, const Exact&, int),
-                        double (*by_fast)(const fast::EllipticContact&, double)) {
-  return sampled_to(
-      nearest_integrated,
-      entry_of(
-          name,
-          [by_ref](NamedExact x, int digits) { return by_ref(surface_of(x), x["curvature_ratio"], digits); },
-          [by_fast](NamedPoint x) {
-            const double ratio = x["curvature_ratio"];
-            return by_fast({isotropic_surface(x["poisson"], x["speed"]), {1, ratio}}, ratio);
-          }),
-      [](Random& random, NamedNumbers x) {
-        x["curvature_ratio"] = random.chance(0.3) ? 1 : random.log_uniform(1e-10, 1e10);
-      });
+void draw_line_of_contact(Random& random, const NamedNumbers& x) {
+  x["phi_deg"] = draw_angle(random);
+  x["friction"] = draw_friction(random);
+}
+
+bool has_normal_axis(const NamedPoint& x) { return symmetry_axis(x) == data::SymmetryAxis::normal; }
+
+/// What the seed's own formulas are about: BadInput elsewhere.
+void check_seed_contact(const NamedPoint& x) {
+  if (x["patch"] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
+  if (!has_normal_axis(x) && x["friction"] != 0)
+    throw BadInput("friction", x["friction"], "must be 0: (42) to (48) are frictionless");
+}
+
+/// The seed's own span ratio by its form of (43).
+template <auto in_plane>
+double seed_span_ratio(const NamedPoint& x) {
+  const double phi = x["phi_deg"], theta = x["theta_deg"], speed = x["speed"];
+  check_seed_contact(x);
+  const ScaledModuli moduli = scaled_moduli_of(x);
+  if (has_normal_axis(x)) {
+    if (std::fabs(phi) != 90)
+      throw BadInput("phi_deg", phi, "must be 90 or -90: (35) is of the cross direction");
+    return sphere_span_ratio_as_printed(moduli, x["friction"], speed);
+  }
+  const auto compliance = [&](double degrees, double cosine) {
+    return in_plane(moduli, Direction::of_degrees(degrees), cosine, speed) +
+           sphere_compliance(moduli, cosine, speed);
+  };
+  const double along = compliance(theta, 1);
+  return compliance(theta + phi, Direction::of_degrees(phi).cosine) / along;
+}
+
+double seed_exponent(const NamedPoint& x) {
+  check_seed_contact(x);
+  if (!has_normal_axis(x)) return -0.5;
+  return sphere_exponent_as_printed(scaled_moduli_of(x), x["friction"], x["speed"],
+                                    direction_of(x, "phi_deg").cosine);
+}
+
+double seed_force(const NamedPoint& x) {
+  check_seed_contact(x);
+  const ScaledModuli moduli = scaled_moduli_of(x);
+  return has_normal_axis(x) ? sphere_force_as_printed(moduli, x["friction"], x["speed"])
+                            : in_plane_force_as_printed(moduli, direction_of(x, "theta_deg"), x["speed"]);
+}
+
+/// Oblique to the axis the pressure's ends turn fast across the critical line, and the reference needs more lines.
+constexpr double nearest_for_force = 1 - 1e-5;
+
+const std::vector<ContactRow>& rows_of_seed_sphere() {
+  using Bodies = SeedSphere;
+  static const std::vector<ContactRow> rows{
+      {"ti.span_ratio",
+       nearest_critical,
+       [](const NamedExact& x, int digits) {
+         return ref::sliding_span_ratio(Bodies::exact(x), x["friction"], x["phi_deg"], digits);
+       },
+       [](const NamedPoint& x) { return slide<Bodies>(x).span_ratio(direction_of(x, "phi_deg")).value; },
+       draw_line_of_contact,
+       {seed_span_ratio<in_plane_compliance_as_printed>, seed_span_ratio<in_plane_compliance_as_tabulated>}},
+      {"ti.axis_ratio", nearest_integrated,
+       [](const NamedExact& x, int digits) {
+         return ref::elliptic_axis_ratio(Bodies::exact(x), Exact(1.0), digits);
+       },
+       [](const NamedPoint& x) {
+         return fast::EllipticContact(Bodies::surface(x), {1, 1}).axis_ratio().value;
+       }},
+      {"ti.exponent",
+       nearest_critical,
+       exact_exponent<Bodies>,
+       exponent<Bodies>,
+       draw_line_of_contact,
+       {seed_exponent}},
+      {"ti.force", nearest_for_force, exact_force<Bodies>, force<Bodies>, draw_sliding, {seed_force}}};
+  return rows;
 }
 
 }  // namespace
 
-std::vector<Quantity> half_space_contact_entries() {
-  return {
-      entry_exponent(),
-      entry_die_span_ratio(),
-      entry_die_force(),
-      entry_rolling_index(),
-      entry_rolling_span_ratio(),
-      entry_rolling_strip(),
-      entry_rolling_force(),
-      entry_rolling_creep(),
-      elliptic_entry("ellipse.axis_ratio", ref::elliptic_axis_ratio,
-                     [](const fast::EllipticContact& contact, double) { return contact.axis_ratio().value; }),
-      elliptic_entry("ellipse.stiffness", ref::elliptic_stiffness,
-                     [](const fast::EllipticContact& contact, double curvature_ratio) {
-                       return contact.for_approach(1).force.value * std::sqrt((1 + curvature_ratio) / 2);
-                     })};
-}
+std::vector<Quantity> half_space_contact_entries() { return entries_of<OnIsotropic>(rows_on_isotropic()); }
+
+std::vector<Quantity> seed_sphere_entries() { return entries_of<SeedSphere>(rows_of_seed_sphere()); }
 
 }  // namespace nipref::verify

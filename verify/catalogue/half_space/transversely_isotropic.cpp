@@ -18,7 +18,6 @@ namespace {
 using data::SymmetryAxis;
 using fast::Direction;
 using fast::LineResponse;
-using ref::SurfaceDirection;
 
 /// Positive energy, stiffnesses over two decades; now and then the seed's. Returns the axis, either.
 double draw_solid(Random& random, const NamedNumbers& x) {
@@ -41,11 +40,6 @@ void keep_physical(const NamedNumbers& x) {
     put_epoxy(x);
   }
 }
-
-SurfaceDirection direction_of(const NamedExact& x, const char* name) {
-  return SurfaceDirection::of_degrees(x[name]);
-}
-Direction direction_of(const NamedPoint& x, const char* name) { return Direction::of_degrees(x[name]); }
 
 /// `by_ref`: of solid, speed, motion, psi, digits.
 template <class Ref, class Fast, class Size>

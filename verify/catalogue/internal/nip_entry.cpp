@@ -5,6 +5,7 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/catalogue/nip_seconds.hpp>
 #include <nipref/verify/support/internal/cache.hpp>
 
 namespace nipref::verify {
@@ -93,6 +94,17 @@ std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const c
     entries.back().family = family;
   }
   return entries;
+}
+
+int most_digits_in_time(const std::function<double(int digits)>& seconds) {
+  for (int digits = 50; digits >= 16; --digits) {
+    try {
+      if (seconds(digits) <= long_time) return digits;
+    } catch (const data::BadInput&) {
+      continue;
+    }
+  }
+  return 0;
 }
 
 double draw_nip_length(Random& random, double shortest, double longest) {

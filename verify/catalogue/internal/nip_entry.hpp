@@ -42,6 +42,10 @@ struct NipSolver {
 std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
                                   const NipSolver& solver);
 
+/// The most digits, from 16 to 50, that the reference gives in no long time; 0 if there are none. `seconds` may throw
+/// BadInput for digits that it refuses.
+int most_digits_in_time(const std::function<double(int digits)>& seconds);
+
 /// Log-uniform within [shortest, longest], now and then an end itself.
 double draw_nip_length(Random& random, double shortest, double longest);
 

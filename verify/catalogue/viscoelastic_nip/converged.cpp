@@ -10,6 +10,7 @@
 #include <nipref/fast/viscoelastic_nip/converged.hpp>
 #include <nipref/ref/viscoelastic_nip/converged.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>
+#include <nipref/verify/catalogue/nip_seconds.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -24,8 +25,6 @@ constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memor
 constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
 /// So that fast keeps its promise: what softens much within a small part of the contact hardly carries anything.
 double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
-
-constexpr int least_rolling_digits = 16;
 
 /// theta = at once [delta + (softening - 1)/tau e^(-t/tau)], theta2 with the rate of the solid; speed 1.
 data::ViscoelasticNip rolling_nip(const NamedPoint& x) {
@@ -61,25 +60,15 @@ NipEstimates rolling_by_fast(const NamedPoint& x, fast::Accuracy accuracy) {
           in_unit(contact.indentation(), over_length / length), in_unit(contact.creep_ratio(), over_length)};
 }
 
-/// Digits that the reference gives in about ten seconds, as measured: its unknowns grow with the logarithms of the length
-/// and of how soon the sheet softens, their square is work, and each digit beyond 16 takes 16 % more.
-int most_rolling_digits(double length, double memory, double softening) {
-  const double steepness = std::max(1.0, (softening - 1) / 4) / memory;
-  const double unknowns = std::max({54.0, 10 + 150 * std::log10(steepness), 145 + 110 * std::log10(length)});
-  const double seconds =
-      (0.5 + unknowns / 500 + unknowns * unknowns / 47000) * (1 + 0.4 * std::min(1.0, length / 5));
-  return least_rolling_digits + static_cast<int>(std::floor(std::log(9 / seconds) / 0.15));
-}
-
-void check_rolling_work(const NamedPoint& x, int digits) {
+void check_rolling_work(const data::ViscoelasticNip& nip, const NamedPoint& x, int digits) {
   const double length = x["L_over_B"], memory = x["memory_over_L"], softening = x["softening"];
   if (length < shortest_rolling)
     throw data::BadInput("L_over_B", length, "must be at least 1e-6 for rolling on the reference path");
-  const int most = most_rolling_digits(length, memory, softening);
+  const int most = most_digits_in_time([&](int some) { return likely_seconds(nip, length, some); });
   if (digits <= most) return;
   const std::string here = fmt::format("L_over_B = {:.6g}, memory_over_L = {:.6g} and softening = {:.6g}",
                                        length, memory, softening);
-  if (most >= least_rolling_digits)
+  if (most > 0)
     throw data::BadInput("digits", std::to_string(digits),
                          fmt::format("must be at most {} for {}: more take too long", most, here));
   throw data::BadInput(
@@ -90,7 +79,7 @@ void check_rolling_work(const NamedPoint& x, int digits) {
 
 NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
   const data::ViscoelasticNip nip = rolling_nip(x);
-  check_rolling_work(x, digits);
+  check_rolling_work(nip, x, digits);
   const auto contact = ref::converged_for_length(nip, x["L_over_B"], digits);
   const mpq_class length = x["L_over_B"], over_length = nip_roller_radius / length;
   return {in_unit(contact.rolling_resistance(), over_length), in_unit(contact.leading_length(), 1 / length),

@@ -12,13 +12,8 @@ SphereOnHalfSpace::SphereOnHalfSpace(const data::Table& table) {
   const double mu0 = value("mu0");
   sphere = {mu0, (c_d * c_d - 2) / (2 * (c_d * c_d - 1)), value("rho0")};
   half_space = {value("C11"), value("C33"), value("C13"), value("C55"), value("C66"), value("rho")};
-  scaled = {half_space.c11 / mu0,
-            half_space.c33 / mu0,
-            half_space.c13 / mu0,
-            half_space.c44 / mu0,
-            half_space.c66 / mu0,
-            std::sqrt(half_space.density / sphere.density),
-            c_d};
+  scaled = scaled_moduli(half_space, sphere);
+  scaled.sphere_dilatation = c_d;  // as printed
 }
 
 fast::SurfaceResponse SphereOnHalfSpace::in_contact(data::SymmetryAxis axis, fast::Direction motion,

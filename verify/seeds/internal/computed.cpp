@@ -104,15 +104,8 @@ constexpr const data::IsotropicSolid& steel = data::seed::steel;
 Propagated speed_scale() { return sqrt(Propagated(epoxy.density) / steel.density); }
 
 Propagated branch_radicand_at_45_degrees() {
-  const double mu = steel.shear;
-  const ScaledModuli moduli{epoxy.c11 / mu,
-                            epoxy.c33 / mu,
-                            epoxy.c13 / mu,
-                            epoxy.c44 / mu,
-                            epoxy.c66 / mu,
-                            speed_scale().value(),
-                            0};
-  return printed_form(branch_radicand_as_printed(moduli, fast::Direction::of_degrees(45)));
+  return printed_form(
+      branch_radicand_as_printed(scaled_moduli(epoxy, steel), fast::Direction::of_degrees(45)));
 }
 
 }  // namespace

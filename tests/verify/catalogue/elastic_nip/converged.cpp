@@ -107,8 +107,8 @@ TEST_CASE(
   CHECK_THROWS_WITH_AS(ref(20, 1, 22), doctest::Contains("digits = 22: must be from 12 to 21"),
                        data::BadInput);
   CHECK_THROWS_WITH_AS(
-      ref(5, 1, 55),
-      "digits = 55: must be at most 54 for L_over_B = 5 with full friction: more take too long",
+      ref(5, 1, 51),
+      "digits = 51: must be at most 50 for L_over_B = 5 with full friction: more take too long",
       data::BadInput);
   CHECK_NOTHROW(ref(1, 1, 50));
 }

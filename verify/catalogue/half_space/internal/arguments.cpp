@@ -55,6 +55,13 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
   };
 }
 
+fast::Direction direction_of(const NamedPoint& x, const char* degrees) {
+  return fast::Direction::of_degrees(x[degrees]);
+}
+ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees) {
+  return ref::SurfaceDirection::of_degrees(x[degrees]);
+}
+
 data::SymmetryAxis symmetry_axis(const NamedPoint& x) {
   return x["axis"] < 0.5 ? data::SymmetryAxis::normal : data::SymmetryAxis::in_plane;
 }
@@ -68,8 +75,7 @@ data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x) {
 }
 
 fast::TransverselyIsotropicHalfSpace transverse_surface_of(const NamedPoint& x) {
-  return {transverse_of(x), symmetry_axis(x), fast::Direction::of_degrees(x["theta_deg"]), x["speed"],
-          steel_shear_speed};
+  return {transverse_of(x), symmetry_axis(x), direction_of(x, "theta_deg"), x["speed"], steel_shear_speed};
 }
 
 fast::LineResponse in_steel(const fast::LineResponse& line) {
@@ -81,20 +87,11 @@ double speed_in_steel(double speed) { return speed / steel_shear_speed.high; }
 
 double critical_speed_of(const NamedPoint& x) {
   return speed_in_steel(
-      fast::critical_speed(transverse_of(x), symmetry_axis(x), fast::Direction::of_degrees(x["theta_deg"]))
-          .speed);
+      fast::critical_speed(transverse_of(x), symmetry_axis(x), direction_of(x, "theta_deg")).speed);
 }
 
 ScaledModuli scaled_moduli_of(const NamedPoint& x) {
-  const auto over_steel = [&](const char* name) { return x[name] / data::seed::steel.shear; };
-  constexpr double nu = data::seed::steel.poisson;
-  return {over_steel("c11"),
-          over_steel("c33"),
-          over_steel("c13"),
-          over_steel("c44"),
-          over_steel("c66"),
-          std::sqrt(x["density"] / data::seed::steel.density),
-          std::sqrt((2 - 2 * nu) / (1 - 2 * nu))};
+  return scaled_moduli(transverse_of(x), data::seed::steel);
 }
 
 ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis) {
@@ -106,7 +103,7 @@ ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis 
 
 void check_subcritical(const NamedExact& x) {
   const ref::ExactStiffness solid = exact_transverse_of(x, symmetry_axis(x));
-  const auto motion = ref::SurfaceDirection::of_degrees(x["theta_deg"]);
+  const auto motion = direction_of(x, "theta_deg");
   // About a normal axis all lines are alike but for the speed along them, which is largest along the motion.
   if (symmetry_axis(x) == data::SymmetryAxis::normal) {
     ref::check_subcritical(solid, x["speed"], motion, motion);

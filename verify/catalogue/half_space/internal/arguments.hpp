@@ -19,6 +19,9 @@ fast::SurfaceResponse isotropic_surface(double poisson, double speed);
 /// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
 
+fast::Direction direction_of(const NamedPoint& x, const char* degrees);
+ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees);
+
 // The seed's steel is the unit: its mu of stress, its v_S of speed. (brock2013 section 3)
 
 /// The decimal number that a constant is written as, exactly; 77.2 is no double.

@@ -158,8 +158,20 @@ double across_as_printed(double poisson, double speed, double degrees) {
 
 double rolling_creep_as_printed(double poisson, double speed, double degrees, double span) {
   const fast::RollingLine line = fast::rolling_sphere_for_span({1, poisson, 1}, 1, speed, span)
-                                          .along(fast::Direction::of_degrees(degrees));
+                                     .along(fast::Direction::of_degrees(degrees));
   return line.span * (line.span / 16 * (1 - 4 * line.index * line.index) - line.index / line.shear_share);
+}
+
+ScaledModuli scaled_moduli(const data::TransverselyIsotropicSolid& half_space,
+                           const data::IsotropicSolid& sphere) {
+  const double mu = sphere.shear, poisson = sphere.poisson;
+  return {half_space.c11 / mu,
+          half_space.c33 / mu,
+          half_space.c13 / mu,
+          half_space.c44 / mu,
+          half_space.c66 / mu,
+          std::sqrt(half_space.density / sphere.density),
+          std::sqrt((2 - 2 * poisson) / (1 - 2 * poisson))};
 }
 
 double sphere_span_ratio_as_printed(const ScaledModuli& moduli, double friction, double speed) {

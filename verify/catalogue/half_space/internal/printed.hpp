@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include <nipref/data/material/solids.hpp>
 #include <nipref/fast/half_space/response.hpp>
 
 namespace nipref::verify {
@@ -40,6 +41,9 @@ struct ScaledModuli {
   double speed_scale;        ///< c/c_0 = sqrt(rho/rho_0)
   double sphere_dilatation;  ///< c_D of the sphere
 };
+
+ScaledModuli scaled_moduli(const data::TransverselyIsotropicSolid& half_space,
+                           const data::IsotropicSolid& sphere);
 
 /// (brock2013 35) with (25c) as printed, L_Y/L_X, axis normal; Table 1 was made with it. Wrong: c_D^2 - 1
 /// also divides the term of the half-space, and the couplings of the two bodies are added where they
