@@ -12,6 +12,12 @@ struct Interval {
 
   static Interval only(double value) { return {value, value}; }
   [[nodiscard]] double middle() const { return std::midpoint(lower, upper); }
+  [[nodiscard]] bool meets(const Interval& other) const {
+    return lower <= other.upper && other.lower <= upper;
+  }
+  [[nodiscard]] Interval times(double factor) const {
+    return {lower * factor, upper * factor};
+  }  ///< factor > 0
 };
 
 /// A number as printed in a table, with the scaling of its column undone.

@@ -56,7 +56,8 @@ std::vector<ColumnDeviation> deviations(std::initializer_list<const char*> colum
 }
 
 void correct(Replay& replay) {
-  if (is_half_space_table(replay.table.id)) return;  // its replay has the corrected values already
+  if (find_half_space_table(replay.table.id) != nullptr)
+    return;  // its replay has the corrected values already
   if (find_viscoelastic_table(replay.table.id) != nullptr) {
     correct_viscoelastic(replay);
   } else {

@@ -24,31 +24,27 @@ double exact_span_ratio(const fast::SurfaceResponse& surface) {
 std::vector<HalfSpaceCell> sliding_die_cells(const data::Table& table) {
   const double poisson = table.parameter("poisson").value;
   std::vector<HalfSpaceCell> cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double friction = table.cell(row, "gamma").number->value;
-    for (const data::TableColumn& column : table.columns) {
-      if (column.is_key) continue;
-      const double speed = *column.coordinate;
-      const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
-      const double corrected =
-          fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
-      const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
-      const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
-      const std::string error = fmt::format(
-          "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
-          "(Delta_1, Q_1); as printed it gives {:.5f}",
-          die_span_ratio_as_printed(poisson, friction, speed));
-      cells.push_back({row,
-                       column.name,
-                       corrected,
-                       {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
-                        {data::Interval::only(rounded_roots), Verdict::match,
-                         "reproduced so with w_S and w_D to five decimals"}},
-                       error,
-                       "",
-                       exact_span_ratio(surface)});
-    }
-  }
+  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+    const double friction = table.cell(row, "gamma").number->value, speed = *column.coordinate;
+    const fast::SurfaceResponse surface = isotropic_surface(poisson, speed);
+    const double corrected =
+        fast::sliding_for_span(surface, {1, 1}, friction, forwards, 1).span_ratio(sideways).value;
+    const double exact_roots = die_span_ratio_as_tabulated(poisson, friction, speed, std::nullopt);
+    const double rounded_roots = die_span_ratio_as_tabulated(poisson, friction, speed, table_root_decimals);
+    const std::string error = fmt::format(
+        "(35) with friction where there is none (sqrt(c_D^4 + gamma^2)) and none where there is "
+        "(Delta_1, Q_1); as printed it gives {:.5f}",
+        die_span_ratio_as_printed(poisson, friction, speed));
+    cells.push_back({row,
+                     column.name,
+                     corrected,
+                     {{data::Interval::only(exact_roots), Verdict::match, "reproduced so"},
+                      {data::Interval::only(rounded_roots), Verdict::match,
+                       "reproduced so with w_S and w_D to five decimals"}},
+                     error,
+                     "",
+                     exact_span_ratio(surface)});
+  });
   return cells;
 }
 

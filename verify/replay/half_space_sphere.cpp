@@ -26,17 +26,14 @@ class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
 
-  [[nodiscard]] double tabulated(double phi, double speed) const {
-    return ratio(phi, [&](fast::Direction line, double cosine) {
-      return in_plane_compliance_as_tabulated(bodies_.scaled, line, cosine, speed) +
+  /// By a form of (43).
+  template <class Form>
+  [[nodiscard]] double by(const Form& form, double phi, double speed) const {
+    const auto compliance = [&](double degrees, double cosine) {
+      return form(bodies_.scaled, fast::Direction::of_degrees(degrees), cosine, speed) +
              sphere_compliance(bodies_.scaled, cosine, speed);
-    });
-  }
-  [[nodiscard]] double printed(double phi, double speed) const {
-    return ratio(phi, [&](fast::Direction line, double cosine) {
-      return in_plane_compliance_as_printed(bodies_.scaled, line, cosine, speed) +
-             sphere_compliance(bodies_.scaled, cosine, speed);
-    });
+    };
+    return compliance(theta_ + phi, fast::Direction::of_degrees(phi).cosine) / compliance(theta_, 1);
   }
   [[nodiscard]] double corrected(double phi, double speed) const {
     return contact(speed).by_rule.span_ratio(fast::Direction::of_degrees(phi)).value;
@@ -61,13 +58,6 @@ class InPlaneSpans {
                                 fast::EllipticContact(surface, {1, 1})})
         .first->second;
   }
-  template <class Compliance>
-  [[nodiscard]] double ratio(double phi, const Compliance& compliance) const {
-    const double across =
-        compliance(fast::Direction::of_degrees(theta_ + phi), fast::Direction::of_degrees(phi).cosine);
-    return across / compliance(fast::Direction::of_degrees(theta_), 1);
-  }
-
   SphereOnHalfSpace bodies_;
   double theta_;
   mutable std::map<double, Contact> contacts_;  ///< one for each column
@@ -95,9 +85,7 @@ std::string in_plane_proof(const data::Table& table, std::size_t row, const std:
 /// The table's formula with the K_X by which the column's first cell, that of phi = 90, was divided.
 data::Interval with_the_columns_unit(const data::Table& table, const std::string& column, double tabulated,
                                      double tabulated_at_90) {
-  const data::Interval& cell = table.cell(0, column).number->rounding;
-  const double factor = tabulated / tabulated_at_90;
-  return {cell.lower * factor, cell.upper * factor};
+  return table.cell(0, column).number->rounding.times(tabulated / tabulated_at_90);
 }
 
 }  // namespace
@@ -105,29 +93,25 @@ data::Interval with_the_columns_unit(const data::Table& table, const std::string
 std::vector<HalfSpaceCell> sphere_on_normal_axis_cells(const data::Table& table) {
   const SphereOnHalfSpace bodies(table);
   std::vector<HalfSpaceCell> cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double friction = key_of(table, row);
-    for (const data::TableColumn& column : table.columns) {
-      if (column.is_key) continue;
-      const double speed = *column.coordinate;
-      const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
-      const double corrected =
-          fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1}).value;
-      const fast::EllipticContact ellipse(surface, {1, 1});
-      const std::string error = fmt::format(
-          "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
-          "circle demands 1; and (25c) adds the couplings, which subtract",
-          sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
-      cells.push_back({row,
-                       column.name,
-                       corrected,
-                       {{data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
-                         Verdict::seed_error, "reproduced so"}},
-                       error,
-                       error,
-                       ellipse.radius_ratio({0, 1}).value / ellipse.radius_ratio({1, 0}).value});
-    }
-  }
+  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+    const double friction = key_of(table, row), speed = *column.coordinate;
+    const auto surface = bodies.in_contact(data::SymmetryAxis::normal, {1, 0}, speed);
+    const double corrected =
+        fast::sliding_for_span(surface, {1, 1}, friction, {1, 0}, 1).span_ratio({0, 1}).value;
+    const fast::EllipticContact ellipse(surface, {1, 1});
+    const std::string error = fmt::format(
+        "(35) divides the half-space's term by c_D^2 - 1 too: {:.4f} at rest without friction, where the "
+        "circle demands 1; and (25c) adds the couplings, which subtract",
+        sphere_span_ratio_as_printed(bodies.scaled, 0, 0));
+    cells.push_back({row,
+                     column.name,
+                     corrected,
+                     {{data::Interval::only(sphere_span_ratio_as_printed(bodies.scaled, friction, speed)),
+                       Verdict::seed_error, "reproduced so"}},
+                     error,
+                     error,
+                     ellipse.radius_ratio({0, 1}).value / ellipse.radius_ratio({1, 0}).value});
+  });
   return cells;
 }
 
@@ -158,31 +142,27 @@ std::vector<HalfSpaceCell> branch_speed_cells(const data::Table& table) {
 std::vector<HalfSpaceCell> sphere_on_axis_in_plane_cells(const data::Table& table) {
   const InPlaneSpans spans(table);
   std::vector<HalfSpaceCell> cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double phi = key_of(table, row);
-    if (phi == 0) continue;
-    for (const data::TableColumn& column : table.columns) {
-      if (column.is_key) continue;
-      const double speed = *column.coordinate;
-      const double tabulated = spans.tabulated(phi, speed);
-      HalfSpaceCell cell{
-          row,
-          column.name,
-          spans.corrected(phi, speed),
-          {{data::Interval::only(tabulated), Verdict::match, "reproduced so"}},
-          fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
-                      "wrong too, {:.4f}",
-                      spans.printed(phi, speed)),
-          in_plane_proof(table, row, column.name),
-          spans.exact(phi, speed)};
-      if (std::fabs(phi) != 90) {
-        cell.attempts.push_back(
-            {with_the_columns_unit(table, column.name, tabulated, spans.tabulated(90, speed)),
-             Verdict::seed_error, "with the K_X by which the column's cell of phi = 90 was divided"});
-      }
-      cells.push_back(std::move(cell));
+  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+    const double phi = key_of(table, row), speed = *column.coordinate;
+    if (phi == 0) return;
+    const double tabulated = spans.by(in_plane_compliance_as_tabulated, phi, speed);
+    HalfSpaceCell cell{row,
+                       column.name,
+                       spans.corrected(phi, speed),
+                       {{data::Interval::only(tabulated), Verdict::match, "reproduced so"}},
+                       fmt::format("M of (43b) without its last term; as printed, with the sign of the first "
+                                   "wrong too, {:.4f}",
+                                   spans.by(in_plane_compliance_as_printed, phi, speed)),
+                       in_plane_proof(table, row, column.name),
+                       spans.exact(phi, speed)};
+    if (std::fabs(phi) != 90) {
+      cell.attempts.push_back({with_the_columns_unit(table, column.name, tabulated,
+                                                     spans.by(in_plane_compliance_as_tabulated, 90, speed)),
+                               Verdict::seed_error,
+                               "with the K_X by which the column's cell of phi = 90 was divided"});
     }
-  }
+    cells.push_back(std::move(cell));
+  });
   return cells;
 }
 

@@ -7,6 +7,7 @@
 #include <nipref/verify/replay/replay.hpp>
 
 namespace nipref::verify {
+
 std::string_view name(Verdict verdict) { return verdict_names[static_cast<std::size_t>(verdict)]; }
 
 std::size_t Replay::count(Verdict verdict) const {
@@ -15,9 +16,7 @@ std::size_t Replay::count(Verdict verdict) const {
 
 Verdict assess(const data::TableCell& cell, const data::Interval& range) {
   if (!cell.is_readable()) return Verdict::unexplained;
-  const data::Interval& printed = cell.number->rounding;
-  const bool meets = printed.lower <= range.upper && range.lower <= printed.upper;
-  if (!meets) return Verdict::unexplained;
+  if (!cell.number->rounding.meets(range)) return Verdict::unexplained;
   return cell.read_as == cell.printed ? Verdict::match : Verdict::misprint;
 }
 
@@ -25,13 +24,14 @@ std::vector<std::string> replayable_tables() {
   std::vector<std::string> ids;
   for (const LineLoadTable& table : line_load_tables()) ids.emplace_back(table.id);
   for (const ViscoelasticTable& table : viscoelastic_tables()) ids.emplace_back(table.id);
-  for (const std::string_view id : half_space_tables()) ids.emplace_back(id);
+  for (const HalfSpaceTable& table : half_space_tables()) ids.emplace_back(table.id);
   return ids;
 }
 
 Replay replay_table(const std::string& id) {
   data::Table table = data::load_table_by_id(id);
-  if (is_half_space_table(id)) return replay_half_space(std::move(table));
+  if (const HalfSpaceTable* of_papers = find_half_space_table(id))
+    return replay_half_space(std::move(table), *of_papers);
   if (const ViscoelasticTable* rolling = find_viscoelastic_table(id))
     return replay_viscoelastic(std::move(table), *rolling);
   const LineLoadTable& how = line_load_table(id);

@@ -19,8 +19,7 @@ const data::TableCell& cell_of(const MissedCell& missed) {
 }
 
 bool meets(const MissedCell& missed, const data::Interval& range) {
-  const data::Interval& printed = cell_of(missed).number->rounding;
-  return printed.lower <= range.upper && range.lower <= printed.upper;
+  return cell_of(missed).number->rounding.meets(range);
 }
 
 data::Interval range_with(const MissedCell& missed, const RowInput& input,
@@ -37,49 +36,37 @@ std::string other_length(const MissedCell& missed) {
   if (!missed.table.cell(missed.row, "L").is_doubtful()) return "";
   const data::Interval& ratio = missed.table.cell(missed.row, "L/B").number->rounding;
   RowInput input = missed.input;
-  input.length = {ratio.lower * missed.nip.sheet_thickness, ratio.upper * missed.nip.sheet_thickness};
+  input.length = ratio.times(missed.nip.sheet_thickness);
   return fmt::format("the row's L and L/B contradict each other; {} at the L of L/B",
                      meets(missed, range_with(missed, input, missed.method)) ? "met" : "not met either");
 }
 
-/// The value of the input that would give the printed number, by linear extrapolation.
-double needed(const MissedCell& missed, double low, double at_low, double high, double at_high) {
+/// The value of the input that would give the printed number, by linear extrapolation from the ends of its interval; the
+/// other inputs are at the midpoints of theirs. `put` sets the input.
+template <class Put>
+double needed(const MissedCell& missed, const data::Interval& ends, const Put& put) {
+  const auto value_at = [&](double at) {
+    RowInput input = missed.input;
+    input.length = data::Interval::only(input.length.middle());
+    if (input.creep) input.creep = data::Interval::only(input.creep->middle());
+    put(input, data::Interval::only(at));
+    return replay_row(missed.nip, missed.method, input).at_centre.at(missed.column);
+  };
+  const double at_low = value_at(ends.lower), at_high = value_at(ends.upper);
   const data::Interval& printed = cell_of(missed).number->rounding;
   const double goal = at_low < printed.lower ? printed.lower : printed.upper;
-  return low + (goal - at_low) / (at_high - at_low) * (high - low);
-}
-
-/// The midpoints of the inputs' intervals.
-RowInput centre(const MissedCell& missed) {
-  RowInput input = missed.input;
-  input.length = data::Interval::only(input.length.middle());
-  if (input.creep) input.creep = data::Interval::only(input.creep->middle());
-  return input;
-}
-
-double value_with(const MissedCell& missed, const RowInput& input) {
-  return replay_row(missed.nip, missed.method, input).at_centre.at(missed.column);
+  return ends.lower + (goal - at_low) / (at_high - at_low) * (ends.upper - ends.lower);
 }
 
 std::string needed_length(const MissedCell& missed) {
-  const auto [low, high] = missed.input.length;
-  const auto value = [&](double length) {
-    RowInput input = centre(missed);
-    input.length = data::Interval::only(length);
-    return value_with(missed, input);
-  };
-  return fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed, low, value(low), high, value(high)));
+  const auto put = [](RowInput& input, const data::Interval& length) { input.length = length; };
+  return fmt::format("it would take L = {:.6g}e-3", 1e3 * needed(missed, missed.input.length, put));
 }
 
 std::string needed_creep(const MissedCell& missed) {
   if (!missed.input.creep) return "";
-  const auto [low, high] = *missed.input.creep;
-  const auto value = [&](double creep) {
-    RowInput input = centre(missed);
-    input.creep = data::Interval::only(creep);
-    return value_with(missed, input);
-  };
-  return fmt::format("or creep = {:.7g}e-4", 1e4 * needed(missed, low, value(low), high, value(high)));
+  const auto put = [](RowInput& input, const data::Interval& creep) { input.creep = creep; };
+  return fmt::format("or creep = {:.7g}e-4", 1e4 * needed(missed, *missed.input.creep, put));
 }
 
 std::string other_elements(const MissedCell& missed) {
@@ -118,9 +105,7 @@ std::string one_digit(const data::Table& table, std::size_t row, const std::stri
       if (std::isdigit(static_cast<unsigned char>(reading[place])) == 0) break;
       reading[place] = digit;
       const auto number = data::read_printed_number(reading, column.scale_exponent);
-      if (number && number->rounding.lower <= range.upper && range.lower <= number->rounding.upper) {
-        return fmt::format("one digit from {}", reading);
-      }
+      if (number && number->rounding.meets(range)) return fmt::format("one digit from {}", reading);
     }
   }
   return "";

@@ -53,8 +53,7 @@ class RowReplay {
   [[nodiscard]] data::Interval length_from_ratio() const {
     const data::TableCell& ratio = table_.cell(row_, "L/B");
     if (!ratio.is_readable()) throw data::BadInput("L", ratio.printed, "or L/B must be readable");
-    return {ratio.number->rounding.lower * nip_.sheet_thickness,
-            ratio.number->rounding.upper * nip_.sheet_thickness};
+    return ratio.number->rounding.times(nip_.sheet_thickness);
   }
 
   [[nodiscard]] RowInput read_input(data::Friction friction, CreepReading reading) const {

@@ -7,40 +7,26 @@
 namespace nipref::verify {
 namespace {
 
-struct HalfSpaceTable {
-  std::vector<HalfSpaceCell> (*cells)(const data::Table&);
-  std::string_view method;
-};
-
-constexpr std::array<std::string_view, 5> ids{"brock2012-1", "brock2012-2", "brock2013-1", "brock2013-2",
-                                              "brock2013-3"};
-
-constexpr std::array<HalfSpaceTable, 5> table_replays{
-    {{sliding_die_cells,
+constexpr std::array<HalfSpaceTable, 5> papers_tables{
+    {{"brock2012-1", sliding_die_cells,
       "(brock2012 35) with sqrt(c_D^4 + gamma^2)/2 and without friction in Delta_1 and Q_1"},
-     {rolling_sphere_cells, "(brock2012 53b) without the c_D under its root"},
-     {sphere_on_normal_axis_cells, "(brock2013 35) with (25c), both as printed"},
-     {branch_speed_cells, "(brock2013 46) with P6 corrected; in c_plus and c_minus d1 = 0.1803"},
-     {sphere_on_axis_in_plane_cells,
+     {"brock2012-2", rolling_sphere_cells, "(brock2012 53b) without the c_D under its root"},
+     {"brock2013-1", sphere_on_normal_axis_cells, "(brock2013 35) with (25c), both as printed"},
+     {"brock2013-2", branch_speed_cells,
+      "(brock2013 46) with P6 corrected; in c_plus and c_minus d1 = 0.1803"},
+     {"brock2013-3", sphere_on_axis_in_plane_cells,
       "(brock2013 48) with a minus sign before the first term of (43b), the last term of M still missing"}}};
 
-const HalfSpaceTable& half_space_table(std::string_view id) {
-  return table_replays[static_cast<std::size_t>(std::ranges::find(ids, id) - ids.begin())];
-}
-
-/// Whether a cell is 1 because the numbers of its table are divided by it.
+/// The cells that are 1 because the numbers of their table are divided by them.
 std::vector<ReplayedCell> units(const data::Table& table) {
   std::vector<ReplayedCell> cells;
   if (!table.has_column("phi")) return cells;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (table.cell(row, "phi").number->value != 0) continue;
-    for (const data::TableColumn& column : table.columns) {
-      if (column.is_key) continue;
-      ReplayedCell cell{row, column.name, 1, {1, 1}, Verdict::input, "1 by definition (brock2013 48)"};
-      cell.corrected = 1;
-      cells.push_back(std::move(cell));
-    }
-  }
+  for_each_value(table, [&](std::size_t row, const data::TableColumn& column) {
+    if (table.cell(row, "phi").number->value != 0) return;
+    ReplayedCell cell{row, column.name, 1, {1, 1}, Verdict::input, "1 by definition (brock2013 48)"};
+    cell.corrected = 1;
+    cells.push_back(std::move(cell));
+  });
   return cells;
 }
 
@@ -65,12 +51,22 @@ std::vector<ColumnDeviation> deviations_from_corrected(const Replay& replay) {
 
 }  // namespace
 
-std::span<const std::string_view> half_space_tables() { return ids; }
+std::span<const HalfSpaceTable> half_space_tables() { return papers_tables; }
 
-bool is_half_space_table(std::string_view id) { return std::ranges::find(ids, id) != ids.end(); }
+const HalfSpaceTable* find_half_space_table(std::string_view id) {
+  const auto* found = std::ranges::find(papers_tables, id, &HalfSpaceTable::id);
+  return found == papers_tables.end() ? nullptr : found;
+}
 
-Replay replay_half_space(data::Table table) {
-  const HalfSpaceTable& how = half_space_table(table.id);
+void for_each_value(const data::Table& table,
+                    const std::function<void(std::size_t, const data::TableColumn&)>& call) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (const data::TableColumn& column : table.columns)
+      if (!column.is_key) call(row, column);
+  }
+}
+
+Replay replay_half_space(data::Table table, const HalfSpaceTable& how) {
   Replay replay{std::move(table), std::string(how.method), {}};
   for (const HalfSpaceCell& cell : how.cells(replay.table)) {
     replay.cells.push_back(assess_half_space(replay.table, cell));

@@ -1,6 +1,7 @@
 #pragma once
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,14 +17,25 @@
 
 namespace nipref::verify {
 
-/// The tables of the papers on half-spaces: brock2012-1, -2, brock2013-1, -2, -3.
-std::span<const std::string_view> half_space_tables();
-bool is_half_space_table(std::string_view id);
+struct HalfSpaceCell;
+
+/// A table of the papers on half-spaces.
+struct HalfSpaceTable {
+  std::string_view id;
+  std::vector<HalfSpaceCell> (*cells)(const data::Table& table);
+  std::string_view method;
+};
+std::span<const HalfSpaceTable> half_space_tables();
+const HalfSpaceTable* find_half_space_table(std::string_view id);  ///< nullptr if it is none of them
 
 /// Replays such a table by the formulas from which it was computed. `corrected` is the result of the correct formulas
 /// with the papers' own contour rule; `costs` compares the replay with it. The verdicts are those of
 /// assess_half_space.
-Replay replay_half_space(data::Table table);
+Replay replay_half_space(data::Table table, const HalfSpaceTable& how);
+
+/// Calls `call` for each cell that is no label of its row, row by row.
+void for_each_value(const data::Table& table,
+                    const std::function<void(std::size_t row, const data::TableColumn& column)>& call);
 
 /// One possible origin of a cell's number.
 struct Attempt {
@@ -37,9 +49,8 @@ struct HalfSpaceCell {
   std::size_t row;  ///< from 0
   std::string column;
   double corrected;
-  std::vector<Attempt>
-      attempts;       ///< the first is the formula from which the table was computed, without rounding
-  std::string error;  ///< the error of this formula; empty if it is correct
+  std::vector<Attempt> attempts;  ///< first the formula from which the table was computed, without rounding
+  std::string error;              ///< the error of this formula; empty if it is correct
   /// A proof, independent of the formula, that the printed number is wrong; empty if there is none.
   std::string proof = {};
   /// The value of the exact elliptic contact for the same responses, without friction.
@@ -50,11 +61,9 @@ struct HalfSpaceCell {
 /// - `match` if the printed number differs from the corrected one by at most one unit of the fourth decimal (the tables
 ///   have four decimals without trailing zeros, so that 1.21 is 1.2100);
 /// - the verdict of the first attempt that differs from the printed number by at most one unit of its last digit:
-/// `match`
-///   if this is the formula of the table, whether it is correct or not (the note says which), `seed_error` if the table
-///   is refuted as a whole or if the cell needs another number as well;
-/// - `seed_error` if there is a proof and the table does not mark the cell as doubtful, for then more than the
-/// formula is
+///   `match` if this is the formula of the table, whether it is correct or not (the note says which), `seed_error` if the
+///   table is refuted as a whole or if the cell needs another number as well;
+/// - `seed_error` if there is a proof and the table does not mark the cell as doubtful, for then more than the formula is
 ///   wrong;
 /// - `unexplained`.
 ReplayedCell assess_half_space(const data::Table& table, const HalfSpaceCell& cell);

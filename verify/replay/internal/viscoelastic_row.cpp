@@ -16,8 +16,7 @@ struct PrintedLength {
   bool is_doubtful;         ///< whether its row contradicts it
 
   [[nodiscard]] data::Interval leading(double ratio) const {
-    const double share = column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio);
-    return {rounding.lower * share, rounding.upper * share};
+    return rounding.times(column == "L1" ? 1 : column == "L2" ? 1 / ratio : 1 / (1 + ratio));
   }
 };
 
@@ -30,10 +29,8 @@ std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t
       lengths.push_back({column, cell.number->rounding, cell.is_doubtful()});
   }
   const data::TableCell& ratio = table.cell(row, "L/B");
-  if (ratio.is_readable() && ratio.is_printed()) {
-    const data::Interval& rounding = ratio.number->rounding;
-    lengths.push_back({"L/B", {rounding.lower * thickness, rounding.upper * thickness}, ratio.is_doubtful()});
-  }
+  if (ratio.is_readable() && ratio.is_printed())
+    lengths.push_back({"L/B", ratio.number->rounding.times(thickness), ratio.is_doubtful()});
   std::ranges::stable_partition(lengths, [](const PrintedLength& length) { return !length.is_doubtful; });
   return lengths;
 }
@@ -41,10 +38,8 @@ std::vector<PrintedLength> printed_lengths(const data::Table& table, std::size_t
 /// The number of lengths whose interval for L1 intersects that of the first length.
 std::size_t agreeing(const std::vector<PrintedLength>& lengths, double ratio) {
   const data::Interval first = lengths.front().leading(ratio);
-  return static_cast<std::size_t>(std::ranges::count_if(lengths, [&](const PrintedLength& length) {
-    const data::Interval other = length.leading(ratio);
-    return other.lower <= first.upper && first.lower <= other.upper;
-  }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      lengths, [&](const PrintedLength& length) { return first.meets(length.leading(ratio)); }));
 }
 
 /// The part of the displacement v at the time t that is lost if e^(-rate t) underflows, from the memory of the sign
