@@ -32,9 +32,7 @@ ref::Exact parse(const Argument& argument, const std::string& text) {
     if (refused) throw BadInput(argument.name, text, "must be " + domain(argument));
     return number;
   }
-  const auto found = std::ranges::find(argument.choices, text);
-  if (found == argument.choices.end()) throw BadInput(argument.name, text, "must be " + domain(argument));
-  return ref::Exact(static_cast<double>(found - argument.choices.begin()));
+  return ref::Exact(choice_number(argument, text));
 }
 
 /// The argument that a user writes as MODEL(KEY=VALUE, ...), a material or a solid; null if there is none.

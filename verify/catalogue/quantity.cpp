@@ -62,11 +62,17 @@ bool MaterialModel::holds(std::string_view argument_or_key) const {
          });
 }
 
+double choice_number(const Argument& argument, const std::string& name) {
+  const auto found = std::ranges::find(argument.choices, name);
+  if (found == argument.choices.end())
+    throw data::BadInput(argument.name, name, "must be " + domain(argument));
+  return static_cast<double>(found - argument.choices.begin());
+}
+
 double default_number(const Argument& argument) {
   if (!argument.default_text) return 0;
   if (argument.kind != ArgumentKind::choice) return std::stod(*argument.default_text);
-  return static_cast<double>(std::ranges::find(argument.choices, *argument.default_text) -
-                             argument.choices.begin());
+  return choice_number(argument, *argument.default_text);
 }
 
 Point point_of(const Quantity& quantity, const std::vector<std::pair<std::string_view, double>>& given) {

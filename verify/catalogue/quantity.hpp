@@ -71,6 +71,9 @@ struct Argument {
 /// The kind of that name. std::logic_error if there is none.
 ArgumentKind argument_kind(std::string_view name);
 
+/// The number of a choice. BadInput naming the argument if it has none of that name.
+double choice_number(const Argument& argument, const std::string& name);
+
 /// Domain of an argument, in words that continue "must be ...".
 std::string domain(const Argument& argument);
 
@@ -91,7 +94,8 @@ struct MultiprecisionPeer {
 
 /// A formula of the seed that is wrong or was evaluated coarsely, for those who compare with it; in double.
 struct SeedForm {
-  std::string name;     ///< printed: the equation as it stands; table: what the seed's table was made with
+  std::string
+      name;  ///< "printed": the equation as it stands; "table": the formula that gives the seed's table
   std::string differs;  ///< from what is right, one line
   std::function<double(std::span<const double> arguments)> value;
 };
@@ -111,18 +115,18 @@ struct Quantity {
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;
-  /// The reference at what fast makes of doubles, where the way into fast rounds (cosines of angles in
-  /// degrees): such roundings are not its errors. Empty: by_ref at the doubles.
+  /// The reference at the numbers that fast computes with, where these are rounded before fast gets them (as cosines of
+  /// angles in degrees are): such a rounding is no error of fast. If it is empty, by_ref is evaluated at the doubles.
   std::function<ref::Estimate(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
-  /// What fast itself says of that value's error, which must cover it as the promise must; unit of the quantity.
-  /// Empty: the promise is all that it says.
+  /// The error that fast states for its value, in the unit of the quantity; it must cover the true error, as the promise
+  /// must. If it is empty, fast states the promise alone.
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> fast_error;
-  /// The reference as well is of the doubles nearest to the arguments: its problem is given in doubles.
+  /// Whether the reference, too, takes the doubles nearest to the arguments, because its problem is given in doubles.
   bool ref_takes_doubles = false;
   int most_digits = 1000;  ///< that the reference can be asked for
-  /// Many points, one column for each argument: by the scalar interface in a loop, and by the batch interface
-  /// (empty where there is none).
+  /// The values at many points, given as one column for each argument, by a loop over the scalar interface and by the batch
+  /// interface, which is empty where there is none.
   using Columns = std::span<const std::span<const double>>;
   std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_loop;
   std::function<void(Columns columns, std::span<double> values, fast::Accuracy accuracy)> by_fast_batch;
@@ -130,33 +134,32 @@ struct Quantity {
   /// itself.
   std::function<double(std::span<const double> arguments)> envelope;
 
-  /// Where the audit looks, if the arguments depend on each other so much that it cannot draw each for
-  /// itself.
+  /// Draws a point for audits, if the arguments depend on each other so much that they cannot be drawn one by one.
   std::function<Point(Random&)> draw;
-  /// Moves a point off a place that depends on several arguments and where the quantity is infinite, or refused by the
-  /// reference alone.
+  /// Moves a point away from places where the quantity is infinite or where the reference alone refuses it, if these places
+  /// depend on several arguments.
   std::function<void(Point&)> keep_off;
-  /// True where a value by itself costs a solution or the making of a material: bench times such a quantity where it
-  /// is named, at a few points.
+  /// Whether each value needs the solution of a contact or a new material. The bench times such a quantity only if it is
+  /// named, and at a few points.
   bool is_costly = false;
   std::size_t audit_points = 20'000;  ///< unless the caller says how many
-  /// Of entries that come out of one solution: they are looked at at the same points, so that it serves them all.
-  /// Empty: the entry stands alone.
+  /// The name that quantities share if one solution gives them all: they are audited at the same points, so that each
+  /// solution is used for all of them. It is empty for a quantity that has its own points.
   std::string family = {};
   std::string subject = {};  ///< the folder of the house that it is computed in
 
-  std::vector<SeedForm> seed_forms;  ///< where the seed has others than the right one
+  std::vector<SeedForm> seed_forms;  ///< the seed's formulas that differ from the right one
   std::vector<Peer> peers;
   std::vector<MultiprecisionPeer> multiprecision_peers;
 
-  /// What random points are drawn for: the family, or the entry itself.
+  /// The name for which random points are drawn: that of the family, or the quantity's own.
   [[nodiscard]] const std::string& drawn_for() const { return family.empty() ? name : family; }
 };
 
 /// fast's value of `quantity` at `point`, or a quiet NaN if fast refuses the point: a NaN fails every check.
 double fast_value(const Quantity& quantity, std::span<const double> point, fast::Accuracy accuracy);
 
-/// Of a reference value whose own error is 1e-5 of a double's unit in the last place.
+/// The digits of a reference value whose own error is 1e-5 of a double's unit in the last place.
 inline constexpr int digits_beyond_double = 21;
 
 /// ref's value at exactly these doubles, as fast takes them.

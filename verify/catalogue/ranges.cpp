@@ -47,14 +47,6 @@ Spacing spacing_of(const std::string& name, const std::string& text, const std::
 
 bool of_one_sign(double lower, double upper) { return lower > 0 || upper < 0; }
 
-/// The range of a choice's name.
-Range choice_of(const Argument& argument, const std::string& text) {
-  const auto found = std::ranges::find(argument.choices, text);
-  if (found == argument.choices.end()) throw BadInput(argument.name, text, "must be " + domain(argument));
-  const auto number = static_cast<double>(found - argument.choices.begin());
-  return {number, number};
-}
-
 }  // namespace
 
 double Range::at(double fraction) const {
@@ -113,8 +105,9 @@ Ranges parse_ranges(const Quantity& quantity, const Assignments& assignments) {
     if (!text) {
       ranges.emplace_back();
     } else {
-      ranges.emplace_back(argument.kind == ArgumentKind::choice ? choice_of(argument, *text)
-                                                                : parse_range(argument.name, *text));
+      const bool is_choice = argument.kind == ArgumentKind::choice;
+      const double number = is_choice ? choice_number(argument, *text) : 0;
+      ranges.emplace_back(is_choice ? Range{number, number} : parse_range(argument.name, *text));
     }
   }
   return ranges;

@@ -18,19 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The widest bounds, in units in the last place of the scale.
-constexpr double widest = 1e-3;
-
 /// The least number of rows that are compared with the reference, however slow it is.
 constexpr std::size_t fewest = 6;
-
-bool is_useless(const ref::Estimate& golden, const ref::Estimate& now, double scale) {
-  ref::Real sum(64), most(64);
-  mpfr_add(sum.get(), golden.error.get(), now.error.get(), MPFR_RNDU);
-  mpfr_set_d(most.get(), ulp_of(scale), MPFR_RNDN);
-  mpfr_mul_d(most.get(), most.get(), widest, MPFR_RNDN);
-  return !(mpfr_lessequal_p(sum.get(), most.get()) != 0);
-}
 
 /// The faults of one row.
 std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& row, std::size_t number,
@@ -41,7 +30,7 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   const auto fail = [&](GoldenFault fault, const std::string& what) {
     failures.push_back({fault, number, at + ": " + what});
   };
-  if (is_useless(golden, {ref::Real(2), ref::Real(2), digits}, row.scale)) {
+  if (!is_small(golden.error, row.scale)) {
     fail(GoldenFault::useless,
          fmt::format("the bound {} is too wide for the scale {:.3g}", row.bound, row.scale));
     return failures;
@@ -49,10 +38,11 @@ std::vector<GoldenFailure> check_row(const Quantity& quantity, const GoldenRow& 
   if (by_ref) {
     try {
       const ref::Estimate now = ref_value(quantity, row.arguments, digits);
-      if (is_useless(golden, now, row.scale)) {
+      const Gap gap(golden, now);
+      if (!is_small(gap.allowed, row.scale)) {
         fail(GoldenFault::useless, fmt::format("the reference's error {} is too wide for the scale {:.3g}",
                                                now.error_text(), row.scale));
-      } else if (!intersect(golden, now)) {
+      } else if (!gap.is_covered()) {
         fail(GoldenFault::wrong, fmt::format("the reference is {} +- {}, golden is {} +- {}",
                                              now.value_text(), now.error_text(), row.value, row.bound));
       }
@@ -87,14 +77,6 @@ std::string_view name(GoldenFault fault) {
     default:
       return "text-changed";
   }
-}
-
-bool intersect(const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Real distance(64), allowed(64);
-  mpfr_sub(distance.get(), a.value.get(), b.value.get(), MPFR_RNDA);
-  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
-  mpfr_add(allowed.get(), a.error.get(), b.error.get(), MPFR_RNDU);
-  return mpfr_lessequal_p(distance.get(), allowed.get()) != 0;
 }
 
 CheckedGolden check_rows(const Quantity& quantity, const GoldenFile& file, const CheckOptions& options) {

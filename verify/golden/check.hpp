@@ -59,7 +59,4 @@ CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions
 /// The files that the folder's SHA256SUMS lists but that do not exist, and the golden files that it does not list.
 std::vector<GoldenFailure> check_folder(const std::filesystem::path& folder);
 
-/// Whether both numbers can belong to the same truth: whether their distance is at most the sum of their errors.
-bool intersect(const ref::Estimate& a, const ref::Estimate& b);
-
 }  // namespace nipref::verify

@@ -9,6 +9,7 @@
 #include <nipref/data/table/csv.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/golden/golden.hpp>
 
 namespace nipref::verify {
@@ -135,14 +136,33 @@ class Reader {
 std::string bound_text(const ref::Estimate& reference) {
   if (!mpfr_zero_p(reference.value.get()) || mpfr_zero_p(reference.error.get()))
     return reference.error_text();
+  return upward_text(reference.error);
+}
+
+}  // namespace
+
+Gap::Gap(const ref::Estimate& a, const ref::Estimate& b) : distance(64), allowed(64) {
+  mpfr_sub(distance.get(), a.value.get(), b.value.get(), MPFR_RNDA);
+  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
+  mpfr_add(allowed.get(), a.error.get(), b.error.get(), MPFR_RNDU);
+}
+
+bool Gap::is_covered() const { return mpfr_lessequal_p(distance.get(), allowed.get()) != 0; }
+
+bool is_small(const ref::Real& width, double scale) {
+  ref::Real most(64);
+  mpfr_set_d(most.get(), ulp_of(scale), MPFR_RNDD);
+  mpfr_div_ui(most.get(), most.get(), 1000, MPFR_RNDD);
+  return mpfr_lessequal_p(width.get(), most.get()) != 0;
+}
+
+std::string upward_text(const ref::Real& number) {
   char* text = nullptr;
-  if (mpfr_asprintf(&text, "%.1RUe", reference.error.get()) < 0) throw std::bad_alloc();
+  if (mpfr_asprintf(&text, "%.1RUe", number.get()) < 0) throw std::bad_alloc();
   std::string result(text);
   mpfr_free_str(text);
   return result;
 }
-
-}  // namespace
 
 ref::Estimate GoldenRow::number() const {
   ref::Real number(bits_for(value)), error(64);

@@ -40,6 +40,21 @@ struct GoldenFile {
 /// A golden value from the reference's estimate, without a confirmation and an origin.
 GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Estimate& reference);
 
+/// |a - b|, and the sum of the errors of both, rounded upwards.
+struct Gap {
+  ref::Real distance, allowed;
+
+  Gap(const ref::Estimate& a, const ref::Estimate& b);
+  /// Whether both may stand for one number; a NaN may not.
+  [[nodiscard]] bool is_covered() const;
+};
+
+/// Whether a width is small against the scale: at most a thousandth of a unit in the last place.
+bool is_small(const ref::Real& width, double scale);
+
+/// Two digits, rounded upwards.
+std::string upward_text(const ref::Real& number);
+
 /// The text of a file, as data/golden/README.md describes it.
 std::string golden_text(const Quantity& quantity, const GoldenFile& file);
 

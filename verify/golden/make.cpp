@@ -11,7 +11,6 @@
 #include <nipref/verify/audit/internal/sampling.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 #include <nipref/verify/golden/make.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -124,14 +123,6 @@ std::string decimal_example(const Quantity& quantity, const Point& point) {
   return text;
 }
 
-std::string real_text(const ref::Real& number) {
-  char* text = nullptr;
-  if (mpfr_asprintf(&text, "%.1RUe", number.get()) < 0) throw std::bad_alloc();
-  std::string result(text);
-  mpfr_free_str(text);
-  return result;
-}
-
 }  // namespace
 
 std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
@@ -139,22 +130,14 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   if (!confirm)
     throw data::BadInput("quantity", quantity.name, "must have a second method that confirms its values");
   const Confirmation confirmed = confirm(NamedPoint(quantity.arguments, row.arguments));
-  const ref::Estimate golden = row.number();
-  ref::Real distance(64), allowed(64);
-  mpfr_sub(distance.get(), golden.value.get(), confirmed.value.get(), MPFR_RNDA);
-  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
-  mpfr_add(allowed.get(), golden.error.get(), confirmed.error.get(), MPFR_RNDU);
-  // The comparison is negated so that a NaN is no confirmation.
-  if (!(mpfr_lessequal_p(distance.get(), allowed.get()) != 0))
-    return fmt::format("{} differs by {}, more than {}", confirmed.method, real_text(distance),
-                       real_text(allowed));
-  mpfr_add(distance.get(), distance.get(), confirmed.error.get(), MPFR_RNDU);
-  ref::Real most(64);
-  mpfr_set_d(most.get(), ulp_of(row.scale), MPFR_RNDD);
-  mpfr_div_ui(most.get(), most.get(), 1000, MPFR_RNDD);
-  if (!(mpfr_lessequal_p(distance.get(), most.get()) != 0))
-    return fmt::format("{} is good to {} only", confirmed.method, real_text(distance));
-  row.confirmed_by = fmt::format("{} to {}", confirmed.method, real_text(distance));
+  Gap gap(row.number(), {confirmed.value, confirmed.error, digits_beyond_double});
+  if (!gap.is_covered())
+    return fmt::format("{} differs by {}, more than {}", confirmed.method, upward_text(gap.distance),
+                       upward_text(gap.allowed));
+  mpfr_add(gap.distance.get(), gap.distance.get(), confirmed.error.get(), MPFR_RNDU);
+  if (!is_small(gap.distance, row.scale))
+    return fmt::format("{} is good to {} only", confirmed.method, upward_text(gap.distance));
+  row.confirmed_by = fmt::format("{} to {}", confirmed.method, upward_text(gap.distance));
   return "";
 }
 

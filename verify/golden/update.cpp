@@ -4,7 +4,6 @@
 #include <optional>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/update.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
 
@@ -18,7 +17,7 @@ bool is_other_scale(double before, double after) {
 
 /// Why the row has to change; empty if it stays.
 std::string reason_to_change(const GoldenRow& before, const GoldenRow& after, bool all) {
-  if (!intersect(before.number(), after.number())) return "another value";
+  if (!Gap(before.number(), after.number()).is_covered()) return "another value";
   if (before.proven != after.proven) return "another status";
   if (is_other_scale(before.scale, after.scale)) return "another scale";
   return all ? "asked for" : "";

@@ -18,9 +18,9 @@
 namespace nipref::verify {
 namespace {
 
-// Longer ones take the reference longer than an audit has time for, until they are so long that they come from shorter ones.
+// The reference solves longer contacts too slowly for an audit, until they are so long that it extrapolates from shorter ones.
 constexpr double longest_direct = 12, longest_gripped_audited = 2;
-// Shorter ones feel their ends in the middle, in the last of the digits that come from shorter ones.
+// In the middle of shorter contacts the influence of the ends exceeds the last digit that extrapolation gives.
 constexpr double shortest_from_shorter = 16;
 constexpr double shortest_thin = 14, longest_audited = 1e3;
 
@@ -54,7 +54,7 @@ NipResults results_of(const Contact& contact, const ref::Estimate& peak_shear) {
   return {contact.load(), contact.indentation(), contact.creep_ratio(), contact.peak_pressure(), peak_shear};
 }
 
-/// Of a long gripped contact: beyond, the reference takes more digits, and half a minute.
+/// The limit for long contacts with full friction: beyond it the reference needs more digits, and half a minute.
 constexpr double largest_long_gripped_poisson = 0.499;
 
 void check_long_gripped_work(double poisson) {
@@ -121,15 +121,16 @@ std::vector<Quantity> elastic_nip_entries() {
   std::vector<Quantity> entries =
       nip_entries({"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}, "nip",
                   {nip_by_fast, nip_by_ref});
-  // Sizes that the value is measured against at least: this part of 1 + L/B; 0: none.
+  // The least scale of errors is 1 + L/B divided by this number; 0: there is none.
   constexpr std::array parts{0, 0, 10, 0, 2};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     Quantity& entry = entries[i];
     entry.most_digits = 50;
     set_draw(entry, draw_nip);
     set_keep_off(entry, keep_nip_in_domain);
-    // The longer a contact with full friction and the less compressible, the more is the rounding of what is solved
-    // amplified: there the promise is what fast says of each. An ulp is 2^-53 of the scale or more.
+    // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding
+    // errors. The scale of long ones is such that the promise is the error that fast states. An ulp is at least 2^-53 of the
+    // scale.
     entry.envelope = [part = parts[i], promise = entry.promise, error_of = entry.fast_error,
                       named = of_point(entry, [](const NamedPoint& x) {
                         return std::pair(x["L_over_B"], is_gripped(x));

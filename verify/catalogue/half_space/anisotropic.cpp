@@ -78,7 +78,8 @@ data::Stiffness squared(const Factor& factor, double density) {
   return solid;
 }
 
-/// Triclinic, monoclinic about x3, orthotropic: moduli over one decade or three; now and then the seed's.
+/// Draws a triclinic solid, a monoclinic one about x3 or an orthotropic one, with moduli over one decade or three, sometimes
+/// the seed's.
 data::Stiffness draw_stiffness(Random& random) {
   if (random.chance(0.1)) return epoxy();
   const double spread = random.chance(0.3) ? 30 : 4;
@@ -97,7 +98,7 @@ data::Stiffness draw_stiffness(Random& random) {
   return squared(factor, random.log_uniform(0.5, 20));
 }
 
-/// The search's steps may leave the domain.
+/// A step of the search may lead out of the domain.
 void keep_physical_stiffness(const NamedNumbers& x) {
   try {
     stiffness_of(x).check();
@@ -106,7 +107,7 @@ void keep_physical_stiffness(const NamedNumbers& x) {
   }
 }
 
-/// At which the line is critical; finite across the motion too.
+/// The speed at which the line is critical, but no more than 1e12, as it is infinite across the motion.
 double largest_speed(const NamedPoint& x) {
   return std::min(
       1e12, fast::rayleigh_speed(stiffness_of(x), direction_of(x, "theta_deg"), direction_of(x, "psi_deg")));
@@ -155,8 +156,8 @@ Quantity anisotropic_line(const char* name, FastMember of_fast, ref::Enclosure r
   return entry;
 }
 
-/// Near isotropic: in others the line that is critical first may be so by a bulk wave, or all but, and the reference
-/// proves the speed of surface waves.
+/// Draws a nearly isotropic solid. In others a bulk wave may make the first line critical, or almost, and the reference
+/// proves the speed of surface waves only.
 data::Stiffness draw_mild_stiffness(Random& random) {
   const data::Stiffness isotropic =
       data::Stiffness::of(data::IsotropicSolid{random.log_uniform(1, 100), random.uniform(0, 0.4), 1});
@@ -181,7 +182,7 @@ Quantity entry_anisotropic_critical() {
     x["theta_deg"] = draw_angle(random);
     put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
   });
-  // The search's steps would leave the mild ones.
+  // Steps of the search would lead away from nearly isotropic solids.
   set_keep_off(entry, keep_physical_stiffness);
   return entry;
 }

@@ -19,7 +19,7 @@ using data::SymmetryAxis;
 using fast::Direction;
 using fast::LineResponse;
 
-/// Positive energy, stiffnesses over two decades; now and then the seed's. Returns the axis, either.
+/// Draws a solid of positive energy with stiffnesses over two decades, sometimes the seed's. Returns one of the two axes.
 double draw_solid(Random& random, const NamedNumbers& x) {
   const double axis = random.chance(0.5) ? 0 : 1;
   if (random.chance(0.1)) return axis;  // the default
@@ -32,7 +32,7 @@ double draw_solid(Random& random, const NamedNumbers& x) {
   return axis;
 }
 
-/// The search's steps may leave the domain.
+/// A step of the search may lead out of the domain.
 void keep_physical(const NamedNumbers& x) {
   try {
     transverse_of(x).check();

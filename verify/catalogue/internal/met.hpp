@@ -11,12 +11,12 @@ namespace nipref::verify {
 // against, as for a scene's results those of data::Scale. The error is the one that is stated,
 // before it is rounded up to two digits.
 
-/// Of the reference at these arguments. Where the envelope leaves the doubles the scale is the value alone, which is
-/// no larger.
+/// Whether the reference's value at these arguments is accurate enough. Where the envelope is no finite double, the scale is
+/// the value alone, which is no larger.
 bool is_met(const Quantity& quantity, const ParsedArguments& arguments, const ref::Estimate& found,
             int digits);
 
-/// Of fast; a NaN meets nothing.
+/// Whether fast's value is accurate enough; it is not if the error or the scale is a NaN.
 inline bool is_met(double error, double scale, double rtol) { return error <= rtol * scale; }
 
 }  // namespace nipref::verify

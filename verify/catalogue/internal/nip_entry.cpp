@@ -44,7 +44,7 @@ Quantity nip_entry(const char* name, const std::shared_ptr<SolvedNips>& nips, st
     for (const ref::Exact& argument : x) nearest.push_back(argument.approximate());
     return by_doubles(nearest, digits);
   };
-  // The loop is what is timed: it solves anew.
+  // The bench times the loop, which therefore solves each contact anew.
   set_fast(entry, [nips, number](std::span<const double> x, fast::Accuracy accuracy) {
     return nips->solved(x, accuracy)[number].value;
   });

@@ -12,8 +12,8 @@
 
 namespace nipref::verify {
 
-// What the entries about nips have in common. A nip is a sheet of thickness 1 and Young's modulus 1, at once, between rollers so
-// large that their radius is no shorter than any contact: everything is as 1/R, so that only shapes are left.
+// What the entries about nips have in common. The sheet has the thickness 1 and the instantaneous Young's modulus 1. The
+// rollers are so large that their radius is no shorter than any contact; all results are proportional to 1/R.
 
 inline constexpr double nip_roller_radius = 1024;
 inline constexpr double shortest_nip = 1e-8, longest_nip = 1e3;  ///< L/B
@@ -32,13 +32,13 @@ double nip_accuracy(fast::Accuracy accuracy);
 ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor);
 fast::Estimate in_unit(const fast::Estimate& number, double factor);
 
-/// How the contacts of a kind are solved: all numbers at once, in the order of their entries.
+/// Solves contacts of one kind by either path: all numbers together, in the order of their entries.
 struct NipSolver {
   std::function<NipEstimates(const NamedPoint& x, fast::Accuracy accuracy)> fast;
   std::function<NipReferences(const NamedPoint& x, int digits)> ref;
 };
 
-/// The quantities of those names without sampling; what both paths find at a point is kept for the others of the family.
+/// The quantities of those names without sampling. The solution at a point is cached for the other quantities of the family.
 std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
                                   const NipSolver& solver);
 
@@ -46,10 +46,10 @@ std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const c
 /// BadInput for digits that it refuses.
 int most_digits_in_time(const std::function<double(int digits)>& seconds);
 
-/// Log-uniform within [shortest, longest], now and then an end itself.
+/// A log-uniform length within [shortest, longest], sometimes one of the ends.
 double draw_nip_length(Random& random, double shortest, double longest);
 
-/// Anywhere, near 1/2, and 0.
+/// A Poisson's ratio anywhere, near 1/2, or 0.
 double draw_nip_poisson(Random& random);
 
 }  // namespace nipref::verify

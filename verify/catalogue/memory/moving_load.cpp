@@ -105,13 +105,13 @@ double remembered(Magnitude magnitude, double rate, double rounded, double from,
   return sum;
 }
 
-/// A material function, and whether its rates come out of a division or of roots.
+/// A material function, and whether its rates are results of a division or of a search for roots.
 struct Rounded {
   data::MaterialFunction theta;
   bool rates_are_rounded;
 };
 
-/// Of theta * kernel at the distance `from`, the load having started at `to`.
+/// The size of theta * kernel at the distance `from`, if the load started at the distance `to`.
 template <class Magnitude>
 double convolved(const Rounded& of, double way_per_time, Magnitude magnitude, double from, double to) {
   double sum = of.theta.instantaneous * magnitude(from);
@@ -127,8 +127,8 @@ struct LoadPath {
   double from, to;
 };
 
-/// Rates that come out of 1/tau or of roots are rounded before fast gets them, and where e^(-rate t) has faded that is
-/// felt: the sizes count rate times t.
+/// Rates that are computed as 1/tau or as roots are rounded before fast gets them, and e^(-rate t) amplifies this rounding by
+/// rate t, which the sizes therefore include.
 class Sizes {
  public:
   explicit Sizes(const NamedPoint& x)
@@ -157,7 +157,7 @@ class Sizes {
   double way_per_time_;
 };
 
-/// Of a load that started at 0, as seen t later from the point that it passes at T.
+/// The path of a load that started at the time 0, relative to the point that it passes at T, until the time t.
 LoadPath started(const NamedPoint& x, const char* passing_time) {
   const double way_per_time = x["speed"] / x["half_thickness"], T = x[passing_time];
   return {way_per_time * (T - x["t"]), way_per_time * T};
@@ -176,8 +176,7 @@ void keep_passive(const NamedNumbers& x) {
   x["theta2_rate_2"] = x["theta1_rate_2"];
 }
 
-/// Whether there is such a material, whose memory does not swing so often while it fades that a second method takes
-/// minutes.
+/// Whether the material exists and its memory oscillates so little while it decays that a second method needs no minutes.
 bool is_soon_confirmed(const NamedPoint& x) {
   constexpr double most_turns = 30;
   try {
@@ -206,8 +205,8 @@ void draw_sheet(Random& random, const NamedNumbers& x) {
   } while (x["material"] == solid_of_operators && !is_soon_confirmed(x));
 }
 
-/// A neighbour of a passive solid may gain energy: then it is a solid that does not. Where a load is `farthest`
-/// half-thicknesses away, and the reference refuses operators there, it is the standard one.
+/// A step of a search may lead from a passive solid to one that gains energy, which is then replaced by a passive one. Where
+/// a load is farther away than the reference allows for operators, they are replaced by the standard linear solid.
 void keep_material(const NamedNumbers& x, double farthest) {
   constexpr double near = 199;
   keep_passive(x);
@@ -217,7 +216,8 @@ void keep_material(const NamedNumbers& x, double farthest) {
   set_defaults(x, material.models[static_cast<std::size_t>(solid_of_operators)].keys);
 }
 
-/// Of the load and of where it started at most, by the first number and the others: times or distances.
+/// The largest distance of the load, or of the place where it started, from a point. The first number and the others are
+/// times or distances.
 double farthest_load(const NamedPoint& x, const std::vector<const char*>& names) {
   double farthest = 0;
   for (const char* name : names)
@@ -230,8 +230,8 @@ double draw_distance(Random& random) {
          (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
 }
 
-/// The one that was asked for last is kept: a search along one argument asks for the same sheet again and again, and
-/// whether a material is passive takes longer to find than a displacement.
+/// Keeps the last load: a search along one argument asks for the same sheet many times, and to find out whether a material is
+/// passive takes longer than a displacement.
 const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   struct Last {
     std::vector<double> sheet;

@@ -15,18 +15,21 @@
 namespace nipref::verify {
 namespace {
 
-/// How often the kernel's rounding counts: at a distance of L it is about ln(1 + B/L), and pressure that the sheet gave way
-/// to later is as much larger. Measured on random contacts errors are so, from one end of the domain to the other.
+/// The factor by which rounding errors of the kernel are amplified. At a distance of L the kernel is about ln(1 + B/L), and
+/// where the sheet softens later the pressure is larger by the softening. The errors of random contacts grow by this factor
+/// over the whole domain.
 double amplification(double L_over_B, double softening) { return 1 + softening * std::log1p(1 / L_over_B); }
 
-/// What is audited, and what of it unless ranges are given, for time.
+// The domain of audits, and the part of it, chosen for speed, from which points are drawn unless ranges are given.
 constexpr double shortest_rolling = 1e-6, longest_rolling = 1000, shortest_memory = 1e-3,
                  longest_memory = 1e8;
 constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
-/// So that fast keeps its promise: what softens much within a small part of the contact hardly carries anything.
+/// The largest softening for which fast keeps its promise: a sheet that softens much within a small part of the contact
+/// carries almost no load.
 double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
 
-/// theta = at once [delta + (softening - 1)/tau e^(-t/tau)], theta2 with the rate of the solid; speed 1.
+/// The nip at speed 1 with theta = at_once [delta + (softening - 1)/tau e^(-t/tau)]; the misprinted solid has twice the rate
+/// in theta2.
 data::ViscoelasticNip rolling_nip(const NamedPoint& x) {
   const double length = x["L_over_B"], memory = x["memory_over_L"], poisson = x["poisson"],
                softening = x["softening"];
@@ -44,7 +47,7 @@ data::ViscoelasticNip rolling_nip(const NamedPoint& x) {
   return {nip_roller_radius, 1, {function(theta1, 1), function(theta2, x["material"] == 0 ? 1 : 2)}, 1};
 }
 
-/// N at once as the material has it.
+/// The exact sum of the material's instantaneous compliances, which are doubles.
 mpq_class exact_compliance(const data::ViscoelasticNip& nip) {
   const data::MaterialFunctions& functions = *nip.material.functions();
   return mpq_class(functions.theta1.instantaneous) + mpq_class(functions.theta2.instantaneous);
@@ -89,7 +92,7 @@ NipReferences rolling_by_ref(const NamedPoint& x, int digits) {
 
 bool is_standard(const NamedPoint& x) { return x["material"] == 0; }
 
-/// The misprinted solid is one for the thesis's constants; for others it may gain energy.
+/// The misprinted solid is passive for the thesis's constants; for others it may gain energy.
 void keep_rolling_in_domain(const NamedNumbers& x) {
   const auto keep = [&](const char* name, double least, double most) {
     x[name] = std::clamp(x[name], least, most);
@@ -122,7 +125,7 @@ std::vector<Quantity> viscoelastic_nip_entries() {
       nip_entries({"rolling_nip.resistance", "rolling_nip.leading_share", "rolling_nip.load",
                    "rolling_nip.indentation", "rolling_nip.creep"},
                   "rolling_nip", {rolling_by_fast, rolling_by_ref});
-  // Sizes that the value is measured against at least: of the resistance 1/10, of the creep (1 + L/B)/10.
+  // The least scales of errors: 1/10 for the resistance, (1 + L/B)/10 for the creep.
   constexpr auto none = [](double) { return 0.0; };
   constexpr double (*least_sizes[])(double) = {[](double) { return 0.1; }, none, none, none,
                                                [](double length) { return (1 + length) / 10; }};

@@ -14,12 +14,12 @@
 namespace nipref::verify {
 namespace {
 
-// Of the seed's steel in two words: 77.2 and sqrt(77.2/7860), as the decimals stand.
+// The seed's steel, each number as the sum of two doubles: 77.2 and sqrt(77.2/7860) of the decimals as printed.
 constexpr double steel_shear = 0x1.34ccccccccccdp+6, steel_shear_low = -0x1.999999999999ap-49;
 constexpr fast::SpeedUnit steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
 
-/// With the axis normal to the surface, waves polarised across the line have no part in u3 and may be
-/// overtaken.
+/// With the axis normal to the surface, waves polarised across the line do not contribute to u3, and the speed may exceed
+/// theirs.
 ref::ExactStiffness stiffness_of(const ref::ExactTransverse& solid, data::SymmetryAxis axis) {
   return axis == data::SymmetryAxis::normal ? ref::sagittal_stiffness(solid)
                                             : ref::exact_stiffness(solid, axis);
@@ -112,8 +112,8 @@ void check_subcritical(const NamedExact& x) {
   }
 }
 
-// The step so far below any distance from the critical speed that a double can have, that the next term of the
-// difference, step^2 over that distance's square, is below what the digits ask for.
+// The step is so much smaller than the least distance of a double from the critical speed that the truncation error of the
+// difference quotient, step^2 over that distance's square, is below what the digits ask for.
 ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
                               const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
                               int digits) {

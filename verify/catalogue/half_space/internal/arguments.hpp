@@ -11,10 +11,10 @@ namespace nipref::verify {
 
 // From the catalogue's arguments about half-spaces to what the two paths take.
 
-/// mu = 1, density 1: speeds are v/v_S.
+/// The solid with mu = 1 and density 1, so that speeds are v/v_S.
 data::IsotropicSolid unit_isotropic(double poisson);
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);
-/// By a half-space of mu = 1 and density 1; the angle counts from the motion.
+/// The response of a half-space with mu = 1 and density 1; angles count from the motion.
 fast::SurfaceResponse isotropic_surface(double poisson, double speed);
 /// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
@@ -32,16 +32,16 @@ ref::Exact as_written(double constant);
 
 data::SymmetryAxis symmetry_axis(const NamedPoint& x);
 data::SymmetryAxis symmetry_axis(const NamedExact& x);
-/// In the units in which it is given, so that no constant is rounded.
+/// The solid in the units in which it is given, so that no constant is rounded.
 data::TransverselyIsotropicSolid transverse_of(const NamedPoint& x);
-/// Of loads that move at `speed` times steel's shear wave speed in the direction theta_deg.
+/// The half-space under loads that move at `speed` times steel's shear wave speed in the direction theta_deg.
 fast::TransverselyIsotropicHalfSpace transverse_surface_of(const NamedPoint& x);
-/// From those units to those of steel.
+// Conversion from those units to those of steel.
 fast::LineResponse in_steel(const fast::LineResponse& line);
 double speed_in_steel(double speed);
 /// The smallest critical speed of loads that move in the direction theta_deg, in steel's shear wave speeds.
 double critical_speed_of(const NamedPoint& x);
-/// In the units of steel, with the seed's sphere.
+/// The moduli in the units of steel, for a contact with the seed's sphere.
 ScaledModuli scaled_moduli_of(const NamedPoint& x);
 ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis axis);
 /// BadInput naming the speed unless it is subcritical on every line.
@@ -54,18 +54,18 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
 
 // Sampling.
 
-/// Of the critical speed, in the audits; where the reference has to integrate over lines, farther off.
+/// The largest shares of the critical speed in audits; the second, where the reference has to integrate over lines.
 inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
 
-/// Of the critical speed: from 1e-8 to 1 - 1e-9.
+/// A share of the critical speed from 1e-8 to 1 - 1e-9.
 double draw_share(Random& random);
-/// Up to the largest share, half of the time near it.
+/// A share up to the largest one, in half of all cases near it.
 double draw_share(Random& random, double least, double largest);
-/// Crowded at 0 and 90.
+/// Degrees that are dense at 0 and 90.
 double draw_degrees(Random& random);
 double draw_angle(Random& random);  ///< degrees
 double draw_friction(Random& random);
-/// The seed's graphite epoxy.
+/// Sets the constants to those of the seed's graphite epoxy.
 void put_epoxy(const NamedNumbers& x);
 
 }  // namespace nipref::verify
