@@ -51,7 +51,7 @@ void read_friction(const TomlTable& friction, ElasticNipProblem& problem) {
   if (friction.has("creep_ratio")) problem.creep_ratio = friction.number("creep_ratio");
 }
 
-/// It has nothing to say but its name.
+/// The converged method has no other keys.
 bool is_converged(const TomlTable& method) {
   if (method.choice("kind", SceneKind::nip) != "converged") return false;
   method.allow(SceneKind::nip);
@@ -115,7 +115,7 @@ ViscoelasticNipProblem read_viscoelastic_problem(const TomlTable& file, const Sc
   return problem;
 }
 
-/// A sheet that rolls is a viscoelastic one, if only by name.
+/// A rolling sheet is solved as a viscoelastic one, also if its material is elastic.
 decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& origin) {
   if (file.has("half_space")) return read_half_space_problem(file, origin);
   file.allow(SceneKind::nip);
@@ -124,8 +124,8 @@ decltype(Scene::system) read_system(const TomlTable& file, const SceneOrigin& or
   return read_elastic_nip(file, origin);
 }
 
-/// The title speaks of the file alone.
-void tell_overrides(Scene& scene, const SceneOverrides& overrides) {
+/// Adds the overrides to the title, which describes the file alone.
+void add_to_title(Scene& scene, const SceneOverrides& overrides) {
   for (const auto& [key, value] : overrides) {
     if (key != "title") scene.title += ", with " + key + " = " + value;
   }
@@ -157,7 +157,7 @@ Scene scene_of(const TomlTable& top, SceneOrigin& origin, const SceneOverrides& 
   Scene scene{.title = top.text("title"), .wanted = {}, .system = read_system(top, origin), .origin = {}};
   scene.wanted = read_wanted(wanted, scene.kind(), origin);
   if (top.has("accuracy")) scene.accuracy = top.number("accuracy");
-  tell_overrides(scene, overrides);
+  add_to_title(scene, overrides);
   scene.origin = std::move(origin);
   scene.check();
   return scene;

@@ -13,7 +13,7 @@ using SceneOverrides = std::vector<std::pair<std::string, std::string>>;
 
 /// A scene that was read and is not parsed: a pipe can be read once, however many contacts its scene stands for.
 struct SceneText {
-  std::string name;  ///< of the file, which refusals tell
+  std::string name;  ///< of the file, for refusals
   std::string toml;
 };
 
@@ -53,10 +53,10 @@ struct SceneText {
 /// given twice, no key, a table.
 [[nodiscard]] Scene load_scene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
-/// The same of what was read already.
+/// The same for a scene that was read already.
 [[nodiscard]] Scene load_scene(const SceneText& given, const SceneOverrides& overrides);
 
-/// The same from what a file would hold; `name` stands for the file in refusals.
+/// The same for the text of a file; refusals name the file `name`.
 [[nodiscard]] Scene parse_scene(const std::string& toml, const std::string& name);
 
 /// The file of a scene that comes with the library, e.g. "thick-full-friction": it is in scenes_directory().

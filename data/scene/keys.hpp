@@ -54,7 +54,8 @@ struct SceneKey {
   [[nodiscard]] std::string_view last() const;   ///< the name without its table
   [[nodiscard]] bool is_of(SceneKind kind) const;
   [[nodiscard]] const std::vector<std::string_view>& choices_of(SceneKind kind) const;
-  /// What a value of another type is told, and a number that is not in the domain; the latter is empty for others.
+  /// The requirement that a value of another type is refused with, and a number outside the domain; the latter is empty
+  /// for a number in the domain.
   [[nodiscard]] std::string_view allowed_type() const;
   [[nodiscard]] std::string_view refusal_of(double value) const;
 };

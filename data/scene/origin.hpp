@@ -8,16 +8,15 @@
 
 namespace nipref::data {
 
-/// Where the keys of a scene stand in the file that it was read from, so that a refusal can name the place
-/// however late it comes. Empty for a scene made in C++. Keys are written "roller.radius", elements of a list
-/// "wanted[1]" (counted from 0). Keys that were given beside the file are named, and their values shown, as
-/// they were given there.
+/// The lines of a scene's keys in the file that it was read from, so that every later refusal can name the place. It is
+/// empty for a scene made in C++. Keys are written "roller.radius", elements of a list "wanted[1]" (counted from 0). A
+/// refusal shows keys that were given beside the file, and their values, as they were given there.
 class SceneOrigin {
  public:
   SceneOrigin() = default;
   explicit SceneOrigin(std::string file) : file_(std::move(file)) {}
 
-  /// Lines count from 1; 0, of what is not in the file, is not noted.
+  /// Lines count from 1. A line 0, that of a key which is not in the file, is not noted.
   void note(std::string key, std::size_t line) {
     if (line > 0) lines_.insert_or_assign(std::move(key), line);
   }
@@ -26,8 +25,8 @@ class SceneOrigin {
     given_.insert_or_assign(std::move(key), std::move(value));
   }
 
-  /// "FILE:LINE: KEY"; the line is that of the innermost noted part of the key, "FILE: KEY" if none is, "KEY"
-  /// without a file, and if that part was given beside it.
+  /// "FILE:LINE: KEY", where the line is that of the innermost noted part of the key; "FILE: KEY" if no part is noted;
+  /// "KEY" if there is no file, or if that part was given beside it.
   [[nodiscard]] std::string locate(std::string_view key) const;
 
   /// Throws BadInput with locate(key) as its argument.

@@ -15,8 +15,8 @@
 
 namespace nipref::data {
 
-// A scene is a problem with what is wanted of it: all that `nipref solve` needs. Any consistent units. Keys
-// in the comments are those of the TOML file, see file.hpp.
+// A scene is a problem together with the wanted results: all that `nipref solve` needs. Its units are any consistent
+// ones. The keys in the comments are those of the TOML file, see file.hpp.
 
 /// The load is given and the contact length follows.
 struct GivenLoad {
@@ -42,8 +42,8 @@ struct LineLoads {
                           ///< thesis sums them, 1 to 500; method.residue_terms
 };
 
-/// The same in a viscoelastic nip, which has no symmetry: line loads that started all at once some way before
-/// the nip. (thesis 7.1-7.17)
+/// The same in a viscoelastic nip, which has no symmetry: all line loads started at once at a distance before the nip.
+/// (thesis 7.1-7.17)
 struct ViscoelasticLineLoads {
   int leading_elements;  ///< on the entry side, 1 to 500 or, with a search, 200; method.leading_elements
   /// On the exit side, 0 to 500; method.trailing_elements. Absent: searched for as the thesis does (section
@@ -90,8 +90,8 @@ struct Scene {
   SceneOrigin origin;
 
   [[nodiscard]] SceneKind kind() const;
-  /// Throws BadInput, naming the key and its place, unless every value is in its domain and the scene has what each wanted
-  /// result needs.
+  /// Throws BadInput, naming the key and its place, unless every value is in its domain and the scene has what each
+  /// wanted result needs.
   void check() const;
 };
 

@@ -45,7 +45,7 @@ struct AuditOptions {
   }
 };
 
-/// With fewer points than this a promise that is found kept says little.
+/// With fewer points than this it means little that a promise is kept.
 inline constexpr std::size_t enough_points = 100;
 
 /// The result of the audit of one quantity. Errors are upper bounds: ref's own error is added to each.

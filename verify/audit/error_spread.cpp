@@ -19,7 +19,7 @@ std::size_t varied_argument(const Quantity& quantity, std::span<const Point> poi
   return 0;
 }
 
-/// The median of sorted errors.
+/// A percentile of sorted errors.
 double percentile(std::span<const double> sorted, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   return sorted[std::clamp(rank, std::size_t{1}, sorted.size()) - 1];
@@ -32,7 +32,7 @@ std::optional<int> exponent_of(double argument) {
 
 std::vector<Decade> decades_of(std::size_t along, std::span<const Point> points,
                                std::span<const Finding> findings) {
-  std::map<std::optional<int>, std::vector<double>> errors;  // no exponent comes first
+  std::map<std::optional<int>, std::vector<double>> errors;  // those without an exponent come first
   std::map<std::optional<int>, std::size_t> above;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto exponent = exponent_of(points[i][along]);

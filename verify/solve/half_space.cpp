@@ -120,7 +120,8 @@ ref::RollingSphere roll(const ref::JointResponse& surface, const Problem& proble
   return {surface.answer(), std::get<data::RigidRollingSphere>(problem.body).radius, problem.given, digits};
 }
 
-/// The angle in degrees plus that of the motion. The two senses of an axis are equivalent, so that it is from -90 to 90.
+/// The angle in degrees plus that of the motion. The two senses of an axis are equivalent, so that it is from -90 to
+/// 90.
 fast::Estimate from_x1(const fast::Estimate& from_motion, double motion) {
   return {std::remainder(from_motion.value + motion, 180),
           from_motion.error + 0x1p-52 * (std::fabs(from_motion.value) + std::fabs(motion))};
@@ -134,8 +135,8 @@ ref::Estimate from_x1(ref::Estimate angle, double motion) {
   return angle;
 }
 
-/// A body on a half-space by either path: `contact` is solved when a result first needs it; `surface` gives what depends
-/// on the solids and the speed alone.
+/// A body on a half-space by either path: `contact` is solved when a result first needs it; `surface` gives what
+/// depends on the solids and the speed alone.
 template <class Path, class Surface, class Contact>
 struct BodyOnHalfSpace {
   using Number = typename Path::Number;

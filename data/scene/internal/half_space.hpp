@@ -5,7 +5,7 @@
 
 namespace nipref::data {
 
-/// A scene about a half-space: what else may stand in it, and what stands there. BadInput naming the key.
+/// Reads a scene about a half-space. BadInput that names the key.
 [[nodiscard]] HalfSpaceProblem read_half_space_problem(const TomlTable& file, const SceneOrigin& origin);
 
 }  // namespace nipref::data

@@ -9,7 +9,7 @@
 namespace nipref::data {
 namespace {
 
-/// What was read, before it is judged: what a model refuses has yet to be given its place.
+/// Makes the material of the numbers that were read. The caller adds the place in the file to what the model refuses.
 using Build = std::function<ViscoelasticMaterial()>;
 
 Build read_elastic(const TomlTable& material) {
@@ -18,7 +18,7 @@ Build read_elastic(const TomlTable& material) {
   return [=] { return elastic_solid(elastic); };
 }
 
-/// By its one relaxation time or by all six constants.
+/// The solid is given by its one relaxation time or by all six constants.
 Build read_standard_linear(const TomlTable& material) {
   if (material.has("relaxation_time")) {
     material.allow(SceneKind::nip, KeyOwner::one_relaxation_time);

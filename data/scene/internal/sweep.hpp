@@ -4,7 +4,7 @@
 
 namespace nipref::data {
 
-/// What a whole scene's table [sweep] says, if it has one. `origin` is the table's.
+/// The table [sweep] of a whole scene, if it has one. `origin` is that of the scene.
 SceneSweep read_sweep(const TomlTable& file, const SceneOrigin& origin);
 
 }  // namespace nipref::data

@@ -53,7 +53,7 @@ std::string TomlTable::Item::shown() const {
 
 namespace {
 
-constexpr std::size_t longest_line_told = 200;
+constexpr std::size_t longest_line_shown = 200;
 
 /// Counted from 1; the parser may complain about the line after the last one.
 std::string line_of(const std::string& text, std::size_t number) {
@@ -68,13 +68,13 @@ std::string line_of(const std::string& text, std::size_t number) {
 [[noreturn]] void refuse_syntax(const std::string& text, std::size_t line, std::string_view allowed,
                                 SceneOrigin& origin) {
   origin.note("syntax", line);
-  origin.refuse("syntax", line_of(text, line).substr(0, longest_line_told), allowed);
+  origin.refuse("syntax", line_of(text, line).substr(0, longest_line_shown), allowed);
 }
 
 using Override = std::pair<std::string, std::string>;
 
-/// What stands for `text` in a scene, held in a list of one. What is no TOML value is a text without its
-/// quotes: shells take them away.
+/// The TOML value of `text`, as the only element of a list. A text that is no TOML value is one whose quotes the shell
+/// has removed.
 toml::array value_of(const std::string& text) {
   toml::array held;
   if (toml_obstacle(text)) {
@@ -92,7 +92,7 @@ toml::array value_of(const std::string& text) {
   return held;
 }
 
-/// The table in which the key's last part is, made where the file has none, and that part.
+/// The table of the key's last part, which is made if the file has none, and that part.
 std::pair<toml::table*, std::string> place_of(toml::table& file, const Override& given) {
   const auto& [key, value] = given;
   if (static_cast<std::size_t>(std::ranges::count(key, '.')) >= most_key_parts)

@@ -11,12 +11,12 @@
 
 namespace nipref::data {
 
-/// One table of a TOML file. Whatever is taken from it leaves its line in the origin, which every refusal
-/// (BadInput) names and which must live as long as this does.
+/// One table of a TOML file. The line of each value that is read is noted in the origin, which must live as long as
+/// this does; every refusal (BadInput) names the line.
 class TomlTable {
  public:
-  /// What a file holds, with `overrides` (key, value) in the place of what it has there. Refuses a text that is no
-  /// TOML (keys given twice included), and what load_scene says of overrides.
+  /// The table of a whole file, with `overrides` (key, value) in place of the file's values. Refuses a text that is no
+  /// TOML (keys given twice included), and the overrides that load_scene refuses.
   static TomlTable parse(const std::string& text, SceneOrigin& origin,
                          const std::vector<std::pair<std::string, std::string>>& overrides);
 
@@ -27,7 +27,7 @@ class TomlTable {
   [[nodiscard]] bool has_table(std::string_view key) const;
   /// In the order of the alphabet.
   [[nodiscard]] std::vector<std::string> keys() const;
-  // What the key holds. Refused if it is not there, or of another type than scene_keys() says.
+  // The value of the key. It is refused if it is missing, or not of the type in scene_keys().
   /// The table whose keys are those of such scenes.
   [[nodiscard]] TomlTable table(std::string_view key, SceneKind kind) const;
   [[nodiscard]] TomlTable table(std::string_view key) const;

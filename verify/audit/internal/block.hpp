@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// The points that the reference knows, with what is found at them.
+/// The points for which the reference has a value, with the findings at them.
 struct Compared {
   std::vector<Point> points;
   std::vector<Finding> findings;

@@ -9,8 +9,8 @@ namespace nipref::verify {
 /// Compares an evaluator's values with the reference.
 class Comparator {
  public:
-  /// Quantity and evaluator must outlive the comparator. If `may_refuse`, the reference may refuse points. If `is_fast`,
-  /// the error that fast states for a value, where it states one, must cover the error found.
+  /// Quantity and evaluator must outlive the comparator. If `may_refuse`, the reference may refuse points. If
+  /// `is_fast`, the error that fast states for a value, where it states one, must cover the error found.
   Comparator(const Quantity& quantity, const Evaluator& evaluator, const AuditOptions& options,
              bool may_refuse, bool is_fast = false);
 

@@ -117,7 +117,7 @@ std::vector<ResultId> results_of(data::ContourRule rule, Body body) {
 DrawnScene draw_on_half_space(Random& random, Body body, data::ContourRule rule) {
   DrawnScene drawn;
   const bool isotropic = body == Body::rolling_sphere || random.chance(0.5);
-  // Its critical speed takes a quarter of a second.
+  // The critical speed of an anisotropic solid takes a quarter of a second.
   const bool anisotropic = !isotropic && random.chance(0.1);
   drawn.set("half_space.model", isotropic     ? "isotropic"
                                 : anisotropic ? "anisotropic"

@@ -216,7 +216,7 @@ DrawnScene draw_rolling_nip(Random& random, RollingMaterial material) {
         long_or_short(random, fast::material_functions(problem.nip.material).normal_compliance());
     give_load(drawn, about_load(size, compliance, compliance));
   } catch (const data::BadInput&) {
-    // Whoever reads the scene is told.
+    // Reading the scene again reports the refusal.
   }
   return drawn;
 }

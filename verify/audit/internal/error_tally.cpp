@@ -12,7 +12,7 @@ constexpr int lowest_octave = -6;
 constexpr int bits_of_sum = 32;
 constexpr int infinite_bin = 1 << 20;
 
-/// Bin 0 holds what is not above 2^lowest_octave; the others hold their upper ends.
+/// Bin 0 holds the numbers up to 2^lowest_octave. Every other bin includes its upper end.
 int bin_of(double number) {
   if (std::isinf(number)) return infinite_bin;
   if (number <= std::ldexp(1, lowest_octave)) return 0;

@@ -153,7 +153,7 @@ struct OtherOf {
   }
 
  private:
-  /// For a list the nearest number, as the two lists may have different lengths.
+  /// Of a list this is the nearest number, as the two lists may have different lengths.
   [[nodiscard]] Estimate other_number(const Solution::Result& result, std::size_t i) const {
     const std::vector<Estimate>& numbers = solution.profile(result.what->name);
     if (result.what->shape != data::Shape::list) return numbers[i];

@@ -51,10 +51,10 @@ struct Variant {
       [](const data::SceneResult&, const fast::Estimate& number) { return number; };
 };
 
-/// The variants that the scene allows; `solved` is its solution. - Units: lengths, moduli and times multiplied by
-/// small odd numbers, if all products are exact. - Given back: the load (force) that was found for the length (span)
-/// is given, or the reverse. The estimate contains the
-///   effect of that number's error, with exponents of the load's growth from 1 to 5.
+/// The variants that the scene allows; `solved` is its solution.
+/// - Units: lengths, moduli and times multiplied by small odd numbers, if all products are exact.
+/// - Given back: the load (force) that was found for the length (span) is given, or the reverse. The estimate contains
+///   the effect of that number's error, with exponents of the load's growth from 1 to 5.
 /// - Elastic limit: a rolling sheet that is elastic, as a nip that does not roll.
 /// - Mirror: elastic nips at -Y; half-spaces with direction and angles negated.
 /// - Turned: the direction of motion on an isotropic surface.

@@ -9,7 +9,8 @@
 
 namespace nipref::verify {
 
-/// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about 1e-3.
+/// The accuracy of the continuous contact to which line loads are compared; their distance to it is at least about
+/// 1e-3.
 inline constexpr double truth_accuracy = 1e-5;
 
 /// The error of line loads is their distance to the truth, whose own error is added.

@@ -32,12 +32,12 @@ struct LossPanel {
   std::vector<double> coefficients;
 };
 
-/// The pressure's expansion, and what integrates its error.
+/// The expansion of the pressure, with the integral of its error.
 class ExpandedPressure {
  public:
   ExpandedPressure(const ContactEnds& ends, const std::function<fast::Estimate(double)>& pressure, int terms)
       : terms_(static_cast<std::size_t>(terms)), bessel_(terms_) {
-    // Beyond the last halving the pressure, a square root, holds 2^{-60} of the load.
+    // The part of the load beyond the last halving is 2^{-60}, as the pressure is like a square root there.
     constexpr int halvings = 40;
     const double size = (ends.last - ends.first) / 2;
     for (const double side : {-1.0, 1.0}) {
@@ -51,13 +51,13 @@ class ExpandedPressure {
     }
   }
 
-  /// int of the error over the contact.
+  /// The integral of the pressure's error over the contact.
   [[nodiscard]] double error() const { return error_; }
   [[nodiscard]] Complex transform(double q) {
     Complex sum = 0;
     for (const LossPanel& panel : panels_) {
       spherical_bessel(q * panel.half, bessel_);
-      // (-i)^l turns through four directions.
+      // (-i)^l has four values.
       double parts[4] = {0, 0, 0, 0};
       for (std::size_t l = 0; l < terms_; ++l) parts[l % 4] += panel.coefficients[l] * bessel_[l];
       sum +=
@@ -93,7 +93,7 @@ class ExpandedPressure {
   double error_ = 0;
 };
 
-/// S(s) from definition, without cancellation.
+/// S(s) without cancellation.
 double surface_symbol(double s) {
   const double fade = std::exp(-2 * s), rest = -std::expm1(-2 * s);
   return rest * rest / (-std::expm1(-4 * s) + 4 * s * fade);
@@ -101,19 +101,20 @@ double surface_symbol(double s) {
 
 struct Loss {
   double value = 0;
-  double by_pressure =
-      0;  ///< of |p^| for |p^|^2: what an error of the pressure, of which no more than its integral is known, is multiplied by
+  /// The integral with |p^| in place of |p^|^2: the factor of an error of the pressure of which only the integral is
+  /// known.
+  double by_pressure = 0;
 };
 
-/// Of a frequency's octave, centred at 1: 1 with its neighbours, analytic.
+/// The weight of an octave centred at 1. It is analytic, and the weights of all octaves add up to 1.
 double octave_share(double q) {
   constexpr double steepness = 3;
   const double octaves = std::log2(q);
   return (std::erf(steepness * (octaves + 0.5)) - std::erf(steepness * (octaves - 0.5))) / 2;
 }
-constexpr double octave_reach = 2.6;  ///< where that is below rounding
+constexpr double octave_reach = 2.6;  ///< octaves beyond which the weight is below rounding
 
-/// A step for an octave about q that swings 2 A q.
+/// The step for the octave around q of an integrand that oscillates like e^{i q swing}.
 double frequency_step(double q, double swing, int fineness) {
   const double smooth = q / fineness, half_swing = std::numbers::pi / swing;
   if (smooth <= half_swing) return smooth;
@@ -125,14 +126,14 @@ Loss integral(const data::ViscoelasticNip& nip, const data::MaterialFunction& co
               ExpandedPressure& pressure, int fineness) {
   double lowest = std::min(1 / length, 1 / nip.half_thickness()), highest = 1 / length, swings = 1;
   for (const data::RelaxationTerm& term : compliance.terms) {
-    // What flows for ever loses as much at all low frequencies: with the margin down to rounding.
+    // A material that flows loses energy at all low frequencies: together with the margin this is down to rounding.
     const bool flows = term.rate == 0.0;
     const double at = flows ? std::ldexp(lowest, -36) : std::abs(term.rate) / nip.speed;
     lowest = std::min(lowest, at), highest = std::max(highest, at);
     if (flows) continue;
     swings = std::max(swings, std::fabs(term.rate.imag()) / term.rate.real());
   }
-  // The integrand grows like q^2 and falls like q^-4: beyond is rounding.
+  // The integrand grows like q^2 below these frequencies and falls like q^-4 above: the rest is below rounding.
   constexpr double margin = 0x1p18;
   Loss loss;
   for (double octave = lowest / margin; octave < highest * margin; octave *= 2) {

@@ -10,8 +10,8 @@
 
 namespace nipref::verify {
 
-// A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if the
-// contact's length is not allowed.
+// A contact solved by each method of a scene, with all its results. BadInput that names "load" or "contact_length" if
+// the contact's length is not allowed.
 
 using SolvedInDouble = std::unique_ptr<SolvedContact<fast::Estimate>>;
 using SolvedByRef = std::unique_ptr<SolvedContact<ref::Estimate>>;

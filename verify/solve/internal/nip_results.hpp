@@ -7,8 +7,8 @@
 
 namespace nipref::verify {
 
-/// Calls set(result, function) for the results of a solved nip: the solution's functions have the names of the results. In
-/// an elastic nip both sides are alike and there is no rolling resistance; without friction there is no shear; a
+/// Calls set(result, function) for the results of a solved nip: the solution's functions have the names of the results.
+/// In an elastic nip both sides are alike and there is no rolling resistance; without friction there is no shear; a
 /// pressure of which no position of its peak is known has it in the middle. `zero` is a function of the solution.
 template <class Solution>
 void set_nip_results(const auto& set, const auto& zero) {

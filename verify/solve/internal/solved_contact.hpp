@@ -14,8 +14,8 @@ namespace nipref::verify {
 
 using data::ResultId;
 
-/// A place of a profile or field: Y along the sheet, and the depth over half the thickness. On a half-space y is an angle
-/// from the motion in degrees, or a position on the scene's line.
+/// A place of a profile or field: Y along the sheet, and the depth over half the thickness. On a half-space y is an
+/// angle from the motion in degrees, or a position on the scene's line.
 struct Place {
   double y, depth = 0;
   auto operator<=>(const Place&) const = default;
@@ -34,8 +34,8 @@ enum class Measure {
   truth    ///< nothing: the error is the distance to the continuous contact, which no accuracy makes smaller
 };
 
-/// A solved contact of either path: a function for each of its results. A result is computed when it is first asked for,
-/// and cached.
+/// A solved contact of either path: a function for each of its results. A result is computed when it is first asked
+/// for, and cached.
 template <class Number>
 struct SolvedContact {
   SolvedContact() = default;
@@ -66,7 +66,8 @@ struct SolvedContact {
       return numbers;
     });
   }
-  /// Sets a result of a solution to one of its members, or to another function of it: a number, a list, or a number at Y.
+  /// Sets a result of a solution to one of its members, or to another function of it: a number, a list, or a number at
+  /// Y.
   template <class Solution>
   void set(ResultId id, const std::shared_ptr<Solution>& solution, auto function) {
     if constexpr (std::invocable<decltype(function), Solution&, double>) {

@@ -21,8 +21,8 @@ struct ProgressOutput {
 ProgressOutput standard_error(bool quiet);
 
 /// Shows the progress of a long run: "audit 12/57 [####....] I6, 95 s, about 360 s left" in the columns of the terminal, or
-/// every 15 seconds "nipref: audit: 12 of 57 done, now I6, 95 s, about 360 s left": the time since the start, and what is
-/// left of this part of the run.
+/// every 15 seconds "nipref: audit: 12 of 57 done, now I6, 95 s, about 360 s left": the time since the start, and the
+/// time left for this part of the run.
 class Progress {
  public:
   explicit Progress(ProgressOutput output);
