@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <toml++/toml.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,8 +9,8 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/closest_name.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/catalogue/internal/solid_of_scene.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -135,6 +136,40 @@ void append_material(const Argument& material, bool is_number, const std::string
   throw BadInput(
       name, value,
       fmt::format("is part of the {0}: {0}={1}", material.name, written_model(material.models[model])));
+}
+
+std::string toml_text(const toml::node& node) {
+  if (const toml::array* const list = node.as_array()) {
+    std::vector<std::string> items;
+    for (const toml::node& item : *list) items.push_back(toml_text(item));
+    return fmt::format("[{}]", fmt::join(items, ","));
+  }
+  const auto number = node.value<double>();
+  return number ? fmt::format("{}", *number) : node.value_or(std::string("?"));
+}
+
+/// MODEL(KEY=VALUE, ...) of the material of the scene in that file, or of its half-space for an argument "solid". Keys
+/// that are arguments of their own, such as the direction of an axis, are left out. BadInput for a file that holds none.
+std::string solid_of_scene(const Quantity& quantity, const Argument& material, const std::string& path) {
+  const std::string name = quantity.solid ? "half_space" : "material";
+  const BadInput not_so(material.name, "@" + path,
+                        fmt::format("must be a scene's file with a table [{}]", name));
+  toml::table scene;
+  try {
+    scene = toml::parse(data::text_of_input_file(path, material.name));
+  } catch (const toml::parse_error&) {
+    throw not_so;
+  }
+  const toml::table* const solid = scene[name].as_table();
+  if (solid == nullptr) throw not_so;
+  const std::vector<Argument> others = written_arguments(quantity);
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : *solid) {
+    const std::string word(key.str());
+    if (word != "model" && std::ranges::find(others, word, &Argument::name) == others.end())
+      keys.push_back(word + "=" + toml_text(value));
+  }
+  return fmt::format("{}({})", (*solid)["model"].value_or(std::string()), fmt::join(keys, ","));
 }
 
 double nearest_double(const std::string& name, const std::string& text, const ref::Exact& exact) {

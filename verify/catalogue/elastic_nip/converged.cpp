@@ -118,14 +118,11 @@ void draw_nip(Random& random, const NamedNumbers& x) {
 }  // namespace
 
 std::vector<Quantity> elastic_nip_entries() {
-  std::vector<Quantity> entries =
-      nip_entries({"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure", "nip.peak_shear"}, "nip",
-                  {nip_by_fast, nip_by_ref});
+  std::vector<Quantity> entries = nip_entries("nip", {nip_by_fast, nip_by_ref});
   // The least scale of errors is 1 + L/B divided by this number; 0: there is none.
   constexpr std::array parts{0, 0, 10, 0, 2};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     Quantity& entry = entries[i];
-    entry.most_digits = 50;
     set_draw(entry, draw_nip);
     set_keep_off(entry, keep_nip_in_domain);
     // The longer a contact with full friction and the less compressible its sheet, the more the system amplifies rounding

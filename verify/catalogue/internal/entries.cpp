@@ -91,6 +91,8 @@ Quantity quantity_of(const toml::table& row) {
   quantity.unit = row["unit"].value_or(std::string("1"));
   quantity.promise = row["promise"].value<double>().value();
   quantity.audit_points = row["points"].value_or(quantity.audit_points);
+  quantity.family = row["family"].value_or(std::string());
+  quantity.most_digits = row["digits"].value_or(quantity.most_digits);
   quantity.is_costly = row["costly"].value_or(false);
   quantity.source = row["source"].value<std::string>().value();
   quantity.scale = row["scale"].value_or(std::string("the value"));

@@ -33,8 +33,7 @@ struct SolvedNips {
   }
 };
 
-Quantity nip_entry(const char* name, const std::shared_ptr<SolvedNips>& nips, std::size_t number) {
-  Quantity entry = described(name);
+Quantity nip_entry(Quantity entry, const std::shared_ptr<SolvedNips>& nips, std::size_t number) {
   entry.ref_takes_doubles = true;
   entry.by_ref_of_doubles = [nips, number](std::span<const double> x, int digits) {
     return nips->ref(x, digits, number);
@@ -83,15 +82,14 @@ fast::Estimate in_unit(const fast::Estimate& number, double factor) {
   return {value, number.error * factor + 0x1p-51 * std::fabs(value)};
 }
 
-std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
-                                  const NipSolver& solver) {
+std::vector<Quantity> nip_entries(std::string_view family, const NipSolver& solver) {
   const auto nips = std::make_shared<SolvedNips>();
   nips->solver = solver;
-  nips->arguments = described(names.front()).arguments;
   std::vector<Quantity> entries;
-  for (const char* name : names) {
-    entries.push_back(nip_entry(name, nips, entries.size()));
-    entries.back().family = family;
+  for (const Quantity& row : described_quantities()) {
+    if (row.family != family) continue;
+    nips->arguments = row.arguments;
+    entries.push_back(nip_entry(row, nips, entries.size()));
   }
   return entries;
 }

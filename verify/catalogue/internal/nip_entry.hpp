@@ -38,9 +38,8 @@ struct NipSolver {
   std::function<NipReferences(const NamedPoint& x, int digits)> ref;
 };
 
-/// The quantities of those names without sampling. The solution at a point is cached for the other quantities of the family.
-std::vector<Quantity> nip_entries(const std::vector<const char*>& names, const char* family,
-                                  const NipSolver& solver);
+/// The quantities of a family, in the order of the table, without sampling. The solution at a point is cached for the other quantities of the family.
+std::vector<Quantity> nip_entries(std::string_view family, const NipSolver& solver);
 
 /// The most digits, from 16 to 50, that the reference gives in no long time; 0 if there are none. `seconds` may throw
 /// BadInput for digits that it refuses.

@@ -121,17 +121,13 @@ void draw_rolling_nip(Random& random, const NamedNumbers& x) {
 }  // namespace
 
 std::vector<Quantity> viscoelastic_nip_entries() {
-  std::vector<Quantity> entries =
-      nip_entries({"rolling_nip.resistance", "rolling_nip.leading_share", "rolling_nip.load",
-                   "rolling_nip.indentation", "rolling_nip.creep"},
-                  "rolling_nip", {rolling_by_fast, rolling_by_ref});
+  std::vector<Quantity> entries = nip_entries("rolling_nip", {rolling_by_fast, rolling_by_ref});
   // The least scales of errors: 1/10 for the resistance, (1 + L/B)/10 for the creep.
   constexpr auto none = [](double) { return 0.0; };
   constexpr double (*least_sizes[])(double) = {[](double) { return 0.1; }, none, none, none,
                                                [](double length) { return (1 + length) / 10; }};
   for (std::size_t i = 0; i < entries.size(); ++i) {
     Quantity& entry = entries[i];
-    entry.most_digits = 30;
     set_draw(entry, draw_rolling_nip);
     set_keep_off(entry, keep_rolling_in_domain);
     entry.envelope = [least = least_sizes[i], value_at = entry.by_fast,

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/golden/confirm/gripped_contact.hpp>
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/rolled_contact.hpp>
@@ -16,11 +16,6 @@ namespace {
 
 /// All results of a contact, in the order of their names.
 using Numbers = std::vector<Confirmation>;
-
-constexpr std::array elastic_names{"nip.load", "nip.indentation", "nip.creep", "nip.peak_pressure",
-                                   "nip.peak_shear"};
-constexpr std::array rolling_names{"rolling_nip.resistance", "rolling_nip.leading_share", "rolling_nip.load",
-                                   "rolling_nip.indentation", "rolling_nip.creep"};
 
 Solved rounded(const Float& x) { return Solved(x); }
 
@@ -61,7 +56,7 @@ constexpr double longest_confirmed = 4, longest_gripped_confirmed = 0.5;
 Numbers elastic_numbers(Arguments x) {
   if (x["L_over_B"] > (x["friction"] == 0 ? longest_confirmed : longest_gripped_confirmed)) {
     const Solved unknown = std::numeric_limits<double>::infinity();
-    return Numbers(elastic_names.size(), confirmation<Solved>("no rule for so long a contact", 0, unknown));
+    return Numbers(5, confirmation<Solved>("no rule for so long a contact", 0, unknown));
   }
   if (x["friction"] == 0) {
     return compared("Kress's rule in Chebyshev's singular weight", without_friction(x, 24),
@@ -147,9 +142,12 @@ Numbers rolling_numbers(Arguments x) {
   return compared("Kress's rule in Chebyshev's singular weight", rolling(x, false), rolling(x, true));
 }
 
-void add_family(Methods& methods, const auto& names, Numbers (*solve)(Arguments)) {
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    methods[names[i]] = [i, solve](Arguments x) {
+/// The quantities of a family, in the order of their numbers.
+void add_family(Methods& methods, std::string_view family, Numbers (*solve)(Arguments)) {
+  std::size_t next = 0;
+  for (const Quantity& quantity : catalogue()) {
+    if (quantity.family != family) continue;
+    methods[quantity.name] = [i = next++, solve](Arguments x) {
       static Cache<std::vector<double>, Numbers> solved;
       const std::span<const double> point = x.from("L_over_B");
       return (*solved.at({point.begin(), point.end()}, [&] { return solve(x); }))[i];
@@ -162,8 +160,8 @@ void add_family(Methods& methods, const auto& names, Numbers (*solve)(Arguments)
 const Methods& nip_methods() {
   static const Methods methods = [] {
     Methods all;
-    add_family(all, elastic_names, elastic_numbers);
-    add_family(all, rolling_names, rolling_numbers);
+    add_family(all, "nip", elastic_numbers);
+    add_family(all, "rolling_nip", rolling_numbers);
     return all;
   }();
   return methods;

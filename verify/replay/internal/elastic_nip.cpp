@@ -70,21 +70,13 @@ class RowReplay {
            (column == "creep" && input_.creep.has_value());
   }
 
-  [[nodiscard]] std::string load_note() const {
-    const double stated = table_.cell(row_, "W").number->value;
-    const double replayed = replayed_.at_centre.at("W");
-    return fmt::format("{}replay's load at this length {:.4g} for {:g} ({:+.2f} %)",
-                       length_is_printed() ? "" : "not legible, taken from L/B; ", replayed, stated,
-                       100 * (replayed / stated - 1));
-  }
-
   [[nodiscard]] std::string note(const data::TableCell& cell, const std::string& column,
                                  Verdict verdict) const {
-    if (column == "L") return load_note();
-    if (verdict == Verdict::match || verdict == Verdict::input) return "";
-    if (verdict == Verdict::misprint || !cell.is_readable()) return cell.erratum->reason;
-    const std::string tried = attempts({table_, row_, column, nip_, method_, input_});
-    return cell.erratum ? cell.erratum->reason + "; " + tried : tried;
+    if (column == "L")
+      return (length_is_printed() ? "" : "not legible, taken from L/B; ") +
+             load_note(replayed_.at_centre.at("W"), table_.cell(row_, "W").number->value);
+    if (verdict == Verdict::input) return "";
+    return note_on(cell, verdict, [&] { return attempts({table_, row_, column, nip_, method_, input_}); });
   }
 
   const data::Table& table_;

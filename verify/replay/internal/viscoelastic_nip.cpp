@@ -72,21 +72,10 @@ class ViscoelasticRowReplay {
 
  private:
   [[nodiscard]] std::string note(const ReplayedCell& replayed, const data::TableCell& cell) const {
-    if (replayed.verdict == Verdict::match) return "";
-    if (replayed.verdict == Verdict::input) return input_note();
-    if (replayed.verdict == Verdict::misprint || !cell.is_readable()) {
-      return cell.erratum ? cell.erratum->reason : "nothing legible";
-    }
-    const std::string tried = attempts(replayed);
-    return cell.erratum ? cell.erratum->reason + "; " + tried : tried;
-  }
-
-  [[nodiscard]] std::string input_note() const {
-    const double stated = table_.parameter("W").value;
-    const double load = replayed_.at_centre.at("W");
-    return fmt::format(
-        "{} elements on the trailing side; replay's load at this length {:.4g} for {:g} ({:+.2f} %)",
-        input_.trailing_elements, load, stated, 100 * (load / stated - 1));
+    if (replayed.verdict == Verdict::input)
+      return fmt::format("{} elements on the trailing side; {}", input_.trailing_elements,
+                         load_note(replayed_.at_centre.at("W"), table_.parameter("W").value));
+    return note_on(cell, replayed.verdict, [&] { return attempts(replayed); });
   }
 
   [[nodiscard]] std::string attempts(const ReplayedCell& missed) const {
