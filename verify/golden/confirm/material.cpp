@@ -25,11 +25,12 @@ Response springs(Arguments x, Model model, const std::string& name) {
   return {{Wide(spring * second), Wide(spring * dashpot)}, {Wide(spring + second), dashpot}};
 }
 
-/// instantaneous, amplitude, rate, amplitude, rate
-Response series(std::span<const double> x) {
-  Response sum{{Wide(x[0])}, {Wide(1)}};
-  for (const std::size_t k : {std::size_t{1}, std::size_t{3}}) {
-    if (x[k] != 0) sum = sum + Response{{Wide(x[k])}, {Wide(x[k + 1]), Wide(1)}};
+/// function: theta1 or theta2.
+Response series(Arguments x, const std::string& function) {
+  Response sum{{Wide(x[function + "_instantaneous"])}, {Wide(1)}};
+  for (const char* term : {"", "_2"}) {
+    if (const double amplitude = x[function + "_amplitude" + term]; amplitude != 0)
+      sum = sum + Response{{Wide(amplitude)}, {Wide(x[function + "_rate" + term]), Wide(1)}};
   }
   return sum;
 }
@@ -58,8 +59,8 @@ struct Responses {
       return;
     }
     if (model == prony) {
-      theta1 = series(x.from("theta1_instantaneous"));
-      theta2 = series(x.from("theta2_instantaneous"));
+      theta1 = series(x, "theta1");
+      theta2 = series(x, "theta2");
     } else {
       const Wide shear = x["shear"], rate = 1 / Wide(x["relaxation_time"]);
       theta1 = relaxing(1 / (2 * shear), rate, rate);

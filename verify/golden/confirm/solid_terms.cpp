@@ -1,3 +1,5 @@
+#include <string>
+
 #include <nipref/verify/golden/confirm/rational.hpp>
 #include <nipref/verify/golden/confirm/solid_terms.hpp>
 
@@ -12,11 +14,14 @@ SolidFunction relaxing(const Long& at_once, const Long& rate, int rate_factor) {
   return {at_once, {{LongComplex(at_once * rate), LongComplex(rate * rate_factor)}}};
 }
 
-SolidFunction series(std::span<const double> x) {
-  SolidFunction function{Long(x[0]), {}};
-  for (const std::size_t k : {std::size_t{1}, std::size_t{3}})
-    if (x[k] != 0) function.terms.push_back({LongComplex(x[k]), LongComplex(x[k + 1])});
-  return function;
+/// function: theta1 or theta2.
+SolidFunction series(Arguments x, const std::string& function) {
+  SolidFunction sum{Long(x[function + "_instantaneous"]), {}};
+  for (const char* term : {"", "_2"}) {
+    if (const double amplitude = x[function + "_amplitude" + term]; amplitude != 0)
+      sum.terms.push_back({LongComplex(amplitude), LongComplex(x[function + "_rate" + term])});
+  }
+  return sum;
 }
 
 SolidFunction fraction(const Coefficients& above, const Coefficients& below) {
@@ -36,16 +41,14 @@ SolidFunction fraction(const Coefficients& above, const Coefficients& below) {
 
 SolidTerms solid_terms(Arguments x) {
   const int model = static_cast<int>(x["material"]);
-  if (model == prony) return {series(x.from("theta1_instantaneous")), series(x.from("theta2_instantaneous"))};
+  if (model == prony) return {series(x, "theta1"), series(x, "theta2")};
   if (model == operators) {
-    const auto of = [&](const char* first) {
-      const std::span<const double> c = x.from(first).first(3);
-      Coefficients polynomial(c.begin(), c.end());
+    const auto of = [&](const std::string& name) {
+      Coefficients polynomial{Long(x[name + "_0"]), Long(x[name + "_1"]), Long(x[name + "_2"])};
       polynomial.normalize();
       return polynomial;
     };
-    const Coefficients p = of("P_0"), q = of("Q_0"), p_bulk = of("P_dilatation_0"),
-                       q_bulk = of("Q_dilatation_0");
+    const Coefficients p = of("P"), q = of("Q"), p_bulk = of("P_dilatation"), q_bulk = of("Q_dilatation");
     const SolidFunction theta1 = fraction(p, Long(2) * q);
     // A common factor of p and p_bulk would be a double root of their product.
     if (p == p_bulk) return {theta1, fraction(Long(3) * p, Long(6) * q_bulk + Long(2) * q)};
