@@ -25,44 +25,36 @@ constexpr double tolerated_ulps = 0.25;  // so that a tiny error may change a li
   throw BadInput("baseline", fmt::format("{}:{}", path, node.source().begin.line), requirement);
 }
 
-/// Reads the keys of one entry.
-struct EntryReader {
-  const std::string& path;
-  const toml::table& table;
+/// The texts of a key, as the file names them.
+constexpr std::pair<std::string_view, std::string BaselineKey::*> texts[] = {
+    {"what", &BaselineKey::what},         {"quantity", &BaselineKey::quantity},
+    {"where", &BaselineKey::where},       {"seed", &BaselineKey::seed},
+    {"compiler", &BaselineKey::compiler}, {"instruction_set", &BaselineKey::instruction_set}};
 
-  template <class Value>
-  [[nodiscard]] Value get(std::string_view key) const {
+Baseline::Entry entry_of(const std::string& path, const toml::table& table) {
+  const auto get = [&]<class Value>(std::string_view key, Value) {
     const auto value = table[key].value_exact<Value>();
     if (!value)
       refuse_entry(path, table, fmt::format("must have {} of its kind in each [[{}]]", key, list_name));
     return *value;
-  }
-
-  [[nodiscard]] Baseline::Entry entry() const {
-    const auto error = get<double>("max_error_ulp");
-    if (!(error >= 0)) refuse_entry(path, table, "must have a max_error_ulp >= 0");
-    return {{get<std::string>("what"), get<std::string>("quantity"), get<std::string>("where"),
-             get<std::string>("seed"),
-             static_cast<std::size_t>(std::max<std::int64_t>(0, get<std::int64_t>("points"))),
-             static_cast<int>(get<std::int64_t>("sampler")), get<std::string>("compiler"),
-             get<std::string>("instruction_set")},
-            error,
-            get<std::string>("reason")};
-  }
-};
+  };
+  Baseline::Entry entry{};
+  for (const auto& [name, member] : texts) entry.key.*member = get(name, std::string());
+  entry.key.points = static_cast<std::size_t>(std::max<std::int64_t>(0, get("points", std::int64_t{})));
+  entry.key.sampler = static_cast<int>(get("sampler", std::int64_t{}));
+  entry.max_error_ulp = get("max_error_ulp", double{});
+  entry.reason = get("reason", std::string());
+  if (!(entry.max_error_ulp >= 0)) refuse_entry(path, table, "must have a max_error_ulp >= 0");
+  return entry;
+}
 
 toml::table table_of(const Baseline::Entry& entry) {
-  const BaselineKey& key = entry.key;
-  return toml::table{{"what", key.what},
-                     {"quantity", key.quantity},
-                     {"where", key.where},
-                     {"seed", key.seed},
-                     {"points", static_cast<std::int64_t>(key.points)},
-                     {"sampler", key.sampler},
-                     {"compiler", key.compiler},
-                     {"instruction_set", key.instruction_set},
-                     {"max_error_ulp", entry.max_error_ulp},
-                     {"reason", entry.reason}};
+  toml::table table{{"points", static_cast<std::int64_t>(entry.key.points)},
+                    {"sampler", entry.key.sampler},
+                    {"max_error_ulp", entry.max_error_ulp},
+                    {"reason", entry.reason}};
+  for (const auto& [name, member] : texts) table.insert(name, entry.key.*member);
+  return table;
 }
 
 auto find(auto& entries, const BaselineKey& key) {
@@ -93,7 +85,7 @@ Baseline Baseline::read(const std::string& path) try {
     if (key.str() != list_name || !node.is_array_of_tables())
       refuse_entry(path, node, fmt::format("must hold [[{}]] alone", list_name));
     for (const toml::node& item : *node.as_array())
-      baseline.entries.push_back(EntryReader{path, *item.as_table()}.entry());
+      baseline.entries.push_back(entry_of(path, *item.as_table()));
   }
   return baseline;
 } catch (const toml::parse_error& error) {

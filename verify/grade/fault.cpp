@@ -23,47 +23,24 @@ Json where_json(const Quantity& quantity, const std::optional<Point>& point) {
   return point ? point_json(quantity, *point) : Json();
 }
 
-std::string left_out_text(const Quantity& quantity, const FaultGroup& group) {
-  std::string text = fmt::format("  {}: and {} more", name_of(group.kind), group.count - group.first.size());
-  if (group.lower)
-    text += fmt::format(", all in{} ...{}", point_text(quantity, *group.lower),
-                        point_text(quantity, *group.upper));
-  return text + "\n";
-}
-
 }  // namespace
 
 std::string_view name_of(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::crash:
-      return "crash";
-    case FaultKind::exit:
-      return "exit";
-    case FaultKind::hang:
-      return "hang";
-    case FaultKind::refused:
-      return "refused";
-    case FaultKind::not_finite:
-      return "not finite";
-    case FaultKind::unwritten:
-      return "unwritten";
-    case FaultKind::overrun:
-      return "overrun";
-    case FaultKind::arguments:
-      return "arguments changed";
-    case FaultKind::environment:
-      return "environment changed";
-    case FaultKind::output:
-      return "output";
-    case FaultKind::order:
-      return "order matters";
-    case FaultKind::threads:
-      return "threads matter";
-    case FaultKind::protocol:
-      return "protocol";
-    default:
-      return "given up";
-  }
+  static constexpr std::string_view names[] = {"crash",
+                                               "exit",
+                                               "hang",
+                                               "refused",
+                                               "not finite",
+                                               "unwritten",
+                                               "overrun",
+                                               "arguments changed",
+                                               "environment changed",
+                                               "output",
+                                               "order matters",
+                                               "threads matter",
+                                               "protocol",
+                                               "given up"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::vector<FaultGroup> grouped(std::vector<Fault> faults) {
@@ -87,7 +64,12 @@ std::string faults_text(const Quantity& quantity, const std::vector<Fault>& faul
       text += fmt::format("  {}{}: {}\n", name_of(fault.kind),
                           fault.point ? " at" + point_text(quantity, *fault.point) : "", fault.words);
     }
-    if (group.count > group.first.size()) text += left_out_text(quantity, group);
+    if (group.count == group.first.size()) continue;
+    text += fmt::format("  {}: and {} more", name_of(group.kind), group.count - group.first.size());
+    if (group.lower)
+      text += fmt::format(", all in{} ...{}", point_text(quantity, *group.lower),
+                          point_text(quantity, *group.upper));
+    text += "\n";
   }
   return text;
 }

@@ -9,7 +9,7 @@
 
 namespace nipref::verify {
 
-/// The faults of a plugin other than wrong values.
+/// The faults of a plugin other than wrong values; fault.cpp has their names in this order.
 enum class FaultKind {
   crash,        ///< a signal ended the process
   exit,         ///< it ended the process

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
+#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/audit/render.hpp>
-#include <nipref/verify/grade/condition.hpp>
 #include <nipref/verify/grade/grade.hpp>
 
 namespace nipref::verify {
@@ -57,7 +58,34 @@ Json wrong_json(const Quantity& quantity, const WrongRegion& wrong) {
           {"above_promise", wrong.above}};
 }
 
+constexpr int condition_digits = 40;
+constexpr double step = 0x1p-20;
+
+/// f(..., x (1 + step), ...) - f(..., x (1 - step), ...)
+double difference(const Quantity& quantity, const Point& point, std::size_t argument) {
+  Point above = point, below = point;
+  above[argument] *= 1 + step;
+  below[argument] *= 1 - step;
+  ref::Real change = ref_value(quantity, above, condition_digits).value;
+  mpfr_sub(change.get(), change.get(), ref_value(quantity, below, condition_digits).value.get(), MPFR_RNDN);
+  return mpfr_get_d(change.get(), MPFR_RNDN);
+}
+
 }  // namespace
+
+std::optional<double> condition_number(const Quantity& quantity, const Point& point) try {
+  const double value = ref_value(quantity, point, condition_digits).to_double();
+  if (value == 0) return std::nullopt;
+  double sum = 0;
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    const ArgumentKind kind = quantity.arguments[i].kind;
+    if (kind == ArgumentKind::choice || kind == ArgumentKind::index || point[i] == 0) continue;
+    sum += std::fabs(difference(quantity, point, i) / (2 * step) / value);
+  }
+  return sum;
+} catch (const data::BadInput&) {
+  return std::nullopt;
+}
 
 Grade grade_of(std::string what, std::string where, AuditResult found) {
   const Quantity& quantity = *found.quantity;

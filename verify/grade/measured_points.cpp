@@ -121,52 +121,29 @@ double choice_of(const CsvFile& file, const Argument& argument, const CsvField& 
   return static_cast<double>(found - argument.choices.begin());
 }
 
-/// Reads the rows of a file.
-class Rows {
- public:
-  Rows(const CsvFile& file, const Quantity& quantity, const std::optional<std::string>& column)
-      : file_(file),
-        columns_(argument_columns(file, quantity)),
-        value_(value_column(file, quantity, column)),
-        read_{&quantity, {}, {}} {}
-
-  void add(const std::vector<CsvField>& record) {
-    Point point;
-    bool contradicts = false, is_short = false;
-    for (const ArgumentColumns& column : columns_) {
-      point.push_back(argument_of(column, record));
-      const auto place = column.exact ? column.exact : column.decimal;
-      if (column.argument->kind == ArgumentKind::choice || !place) continue;
-      const std::string text = trimmed(record[*place].text);
-      is_short |= !is_hexadecimal(text) && significant_digits(text) < exact_digits;
-      if (column.exact && column.decimal)
-        contradicts |= number_of(file_, record[*column.decimal], false) != point.back();
+/// Adds a row's point and value.
+void add_row(MeasuredPoints& read, const CsvFile& file, const std::vector<ArgumentColumns>& columns,
+             std::size_t value, const std::vector<CsvField>& record) {
+  Point point;
+  bool contradicts = false, is_short = false;
+  for (const auto& [argument, exact, decimal] : columns) {
+    const auto place = exact ? exact : decimal;
+    const CsvField field =
+        place ? record[*place] : CsvField{*argument->default_text, file.records.front().front().position};
+    if (argument->kind == ArgumentKind::choice) {
+      point.push_back(choice_of(file, *argument, field));
+      continue;
     }
-    read_.points.push_back(std::move(point));
-    read_.values.push_back(number_of(file_, record[value_], true));
-    if (contradicts) ++read_.contradicting_rows;
-    if (is_short) ++read_.short_rows;
+    point.push_back(number_of(file, field, false));
+    const std::string text = trimmed(field.text);
+    is_short |= place && !is_hexadecimal(text) && significant_digits(text) < exact_digits;
+    contradicts |= exact && decimal && number_of(file, record[*decimal], false) != point.back();
   }
-
-  [[nodiscard]] MeasuredPoints result() && { return std::move(read_); }
-
- private:
-  [[nodiscard]] double argument_of(const ArgumentColumns& column, const std::vector<CsvField>& record) const {
-    const auto place = column.exact ? column.exact : column.decimal;
-    const bool is_choice = column.argument->kind == ArgumentKind::choice;
-    if (!place) {
-      const CsvField given{*column.argument->default_text, file_.records.front().front().position};
-      return is_choice ? choice_of(file_, *column.argument, given) : number_of(file_, given, false);
-    }
-    return is_choice ? choice_of(file_, *column.argument, record[*place])
-                     : number_of(file_, record[*place], false);
-  }
-
-  const CsvFile& file_;
-  std::vector<ArgumentColumns> columns_;
-  std::size_t value_;
-  MeasuredPoints read_;
-};
+  read.points.push_back(std::move(point));
+  read.values.push_back(number_of(file, record[value], true));
+  read.contradicting_rows += contradicts ? 1 : 0;
+  read.short_rows += is_short ? 1 : 0;
+}
 
 }  // namespace
 
@@ -196,10 +173,12 @@ std::string points_csv(const Quantity& quantity, const std::vector<Point>& point
 MeasuredPoints read_measured_points(const std::string& path, const std::optional<std::string>& quantity,
                                     const std::optional<std::string>& column) {
   const CsvFile file = data::read_csv(path == "-" ? "/dev/stdin" : path);
-  Rows rows(file, quantity_of(file, quantity), column);
+  MeasuredPoints read{&quantity_of(file, quantity), {}, {}};
+  const auto columns = argument_columns(file, *read.quantity);
+  const std::size_t value = value_column(file, *read.quantity, column);
   if (file.records.size() < 2) data::refuse(file.path, {1, 1}, "must have a row of values");
-  for (std::size_t i = 1; i < file.records.size(); ++i) rows.add(file.records[i]);
-  return std::move(rows).result();
+  for (std::size_t i = 1; i < file.records.size(); ++i) add_row(read, file, columns, value, file.records[i]);
+  return read;
 }
 
 }  // namespace nipref::verify

@@ -94,11 +94,6 @@ void put(std::span<const Point> points, std::size_t arity, Exchange& exchange) {
                            [j](const Point& point) { return point[j]; });
 }
 
-/// The numbers of these points.
-std::vector<double> first(const protocol::Column& column, std::span<const Point> points) {
-  return {column.begin(), column.begin() + static_cast<std::ptrdiff_t>(points.size())};
-}
-
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 std::string both_text(double first, double then) { return fmt::format("{} and then {}", first, then); }
@@ -154,12 +149,6 @@ class PluginKernel::Work {
 
  private:
   using IdleChild = std::unique_ptr<Child>;
-
-  /// The result of a batch.
-  struct Outcome {
-    std::vector<Trouble> troubles = {};
-    std::vector<double> values = {}, permuted = {}, threaded = {};  ///< empty if there are none
-  };
 
   [[noreturn]] void refuse_name(const std::vector<KernelInfo>& kernels, const std::string& name) const {
     std::vector<std::string_view> names;
@@ -240,19 +229,20 @@ class PluginKernel::Work {
     idle_.push_back(std::move(child));
   }
 
-  Outcome call(std::span<const Point> points) {
+  /// What goes wrong with these points. Their values are taken, if any are wanted, where nothing does, and of a single
+  /// point.
+  std::vector<Trouble> call(std::span<const Point> points, std::span<double> values) {
     IdleChild child = idle_child();
     if (!child) return {};
     Exchange& exchange = child->exchange();
     put(points, info_.arity, exchange);
-    Outcome outcome{asked(*child, Request::evaluate)};
-    if (child->has_ended()) return outcome;
-    if (exchange.status == 0)
-      outcome = {outcome.troubles, first(exchange.values, points), first(exchange.permuted, points),
-                 first(exchange.threaded, points)};
+    std::vector<Trouble> troubles = asked(*child, Request::evaluate);
+    if (child->has_ended()) return troubles;
+    if (exchange.status == 0 && !values.empty() && (troubles.empty() || points.size() == 1))
+      take(exchange, points, values);
     keep(std::move(child));
     deaths_in_a_row_ = 0;
-    return outcome;
+    return troubles;
   }
 
   void evaluate_batch(std::span<const Point> points, std::span<double> values) {
@@ -261,13 +251,9 @@ class PluginKernel::Work {
       not_asked_ += points.size();
       return;
     }
-    const Outcome outcome = call(points);
-    if (outcome.troubles.empty() || points.size() == 1) {
-      record(outcome.troubles, points.front());
-      take(outcome, points, values);
-    } else {
-      one_by_one(points, values);
-    }
+    const std::vector<Trouble> troubles = call(points, values);
+    if (points.size() == 1) return record(troubles, points.front());
+    if (!troubles.empty()) one_by_one(points, values);
   }
 
   /// Evaluates the points of a batch with faults one at a time.
@@ -278,10 +264,9 @@ class PluginKernel::Work {
         not_asked_ += points.size() - i;
         return;
       }
-      const Outcome outcome = call(points.subspan(i, 1));
-      found = found || !outcome.troubles.empty();
-      record(outcome.troubles, points[i]);
-      take(outcome, points.subspan(i, 1), values.subspan(i, 1));
+      const std::vector<Trouble> troubles = call(points.subspan(i, 1), values.subspan(i, 1));
+      found = found || !troubles.empty();
+      record(troubles, points[i]);
     }
     if (!found) narrow(points);
   }
@@ -293,24 +278,24 @@ class PluginKernel::Work {
       smaller = false;
       for (const auto half : {points.first(points.size() / 2), points.subspan(points.size() / 2)}) {
         if (half.empty() || given_up()) continue;
-        Outcome outcome = call(half);
-        if (outcome.troubles.empty()) continue;
-        troubles = std::move(outcome.troubles);
+        auto of_half = call(half, {});
+        if (of_half.empty()) continue;
+        troubles = std::move(of_half);
         points = half;
         smaller = points.size() > 1;
         break;
       }
     }
-    if (troubles.empty()) troubles = call(points).troubles;
+    if (troubles.empty()) troubles = call(points, {});
     record(troubles, points.front(),
            fmt::format(", in a batch of {} points, of which this is the first", points.size()));
   }
 
   /// Stores the values and records their faults.
-  void take(const Outcome& outcome, std::span<const Point> points, std::span<double> values) {
-    for (std::size_t i = 0; i < outcome.values.size(); ++i) {
-      values[i] = outcome.values[i];
-      assess(points[i], outcome.values[i], outcome.permuted[i], outcome.threaded[i]);
+  void take(const Exchange& exchange, std::span<const Point> points, std::span<double> values) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      values[i] = exchange.values[i];
+      assess(points[i], exchange.values[i], exchange.permuted[i], exchange.threaded[i]);
     }
   }
 

@@ -7,8 +7,7 @@
 #include <csignal>
 #include <new>
 
-#include <nipref/verify/grade/host/guarded_array.hpp>
-#include <nipref/verify/grade/internal/exchange.hpp>
+#include <nipref/verify/grade/host/host.hpp>
 
 namespace nipref::verify::host {
 namespace {

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <nipref/verify/grade/host/trial.hpp>
+#include <nipref/verify/grade/host/host.hpp>
 
 #if defined(__SANITIZE_ADDRESS__)
 extern "C" const char* __asan_default_options();

@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <nipref/verify/grade/host/plugin_file.hpp>
-#include <nipref/verify/grade/internal/exchange.hpp>
+#include <nipref/verify/grade/host/host.hpp>
 
 namespace nipref::verify::host {
 namespace {

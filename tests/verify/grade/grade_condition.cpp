@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <nipref/verify/catalogue/catalogue.hpp>
-#include <nipref/verify/grade/condition.hpp>
+#include <nipref/verify/grade/grade.hpp>
 
 using namespace nipref::verify;
 
