@@ -1,6 +1,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,9 @@ std::vector<BenchRow> bench_digits(const Quantity& quantity, const BenchProgress
 /// Both.
 std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progress,
                             const std::vector<OtherKernel>& others = {});
+
+/// The rows that follow each other and are ways to the same values.
+std::vector<std::span<const BenchRow>> ways_to_same_values(const std::vector<BenchRow>& rows);
 
 /// Table for people, one line a row; quantity and range are not repeated.
 std::string bench_text(const std::vector<BenchRow>& rows);

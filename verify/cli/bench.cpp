@@ -19,6 +19,7 @@
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
+#include <nipref/verify/support/internal/stopwatch.hpp>
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
@@ -83,11 +84,6 @@ bool add_round(const std::string& program, const std::vector<std::string>& words
   return true;
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 AgainstRow row_of(const Key& key, const Measured& before, const Measured& now) {
   std::vector<double> ratios;
   for (std::size_t i = 0; i < std::min(before.nanoseconds.size(), now.nanoseconds.size()); ++i)
@@ -95,9 +91,9 @@ AgainstRow row_of(const Key& key, const Measured& before, const Measured& now) {
   return {std::get<0>(key),
           std::get<1>(key),
           std::get<2>(key),
-          median(before.nanoseconds),
-          median(now.nanoseconds),
-          median(ratios),
+          quantile(before.nanoseconds, 0.5),
+          quantile(now.nanoseconds, 0.5),
+          quantile(ratios, 0.5),
           std::ranges::min(ratios),
           std::ranges::max(ratios),
           before.ulp,

@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
 #include <nipref/verify/figures/figure.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
+#include <nipref/verify/support/internal/template.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -86,6 +90,136 @@ std::string figure_text(const Figure& figure) {
     text += fmt::format("  {}: {} series{}\n", panel_name(panel), panel.series.size(),
                         panel.contours ? ", contours" : "");
   return text;
+}
+
+namespace {
+
+constexpr const char* columns_of_series[] = {"x", "y", "low", "high"};
+
+/// A text as it stands between the double quotes of gnuplot.
+std::string escaped_for_gnuplot(const std::string& text) {
+  std::string quoted;
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    quoted += letter == '\n' ? std::string("\\n") : std::string(1, letter);
+  }
+  return quoted;
+}
+
+/// The labels or roles without repetition, in the order of their first series.
+std::vector<std::string> each_once(const TemplateData& all_series, const char* what) {
+  std::vector<std::string> names;
+  for (const TemplateData& series : all_series) {
+    const std::string name = series[what];
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+/// A part of the plot command: `data` drawn with a mark, in the style of the label of that number.
+TemplateData plot_of(const std::string& data, const std::string& mark, std::size_t label,
+                     std::size_t points = 1) {
+  return {
+      {mark, true}, {"data", data}, {"style", label + 1}, {"every", std::max<std::size_t>(1, points / 12)}};
+}
+
+TemplateData key_entry(const std::string& legend, const std::string& mark, std::size_t label) {
+  TemplateData entry = plot_of("keyentry", mark, label);
+  entry["legend"] = legend;
+  return entry;
+}
+
+/// Adds the key: an entry for each label, then in black an entry for each role; a label or a role that all series have in
+/// common gets no entry. If each series has a label of its own, its entry shows the series as it is drawn.
+void add_key(TemplateData& plots, const TemplateData& all_series) {
+  const auto labels = each_once(all_series, "label"), roles = each_once(all_series, "role");
+  const bool as_drawn = labels.size() == all_series.size() && roles.size() > 1;
+  for (std::size_t i = 0; labels.size() > 1 && i < labels.size(); ++i)
+    plots.push_back(
+        key_entry(labels[i], as_drawn ? all_series[i]["mark"].get<std::string>() : "label_key", i));
+  if (as_drawn || roles.size() < 2) return;
+  for (const std::string& role : roles) {
+    const auto first =
+        std::ranges::find_if(all_series, [&](const TemplateData& series) { return series["role"] == role; });
+    plots.push_back(key_entry(role, (*first)["mark"], 0));
+  }
+}
+
+/// A line for each point of the series.
+std::string rows_of(const TemplateData& series) {
+  std::string text;
+  for (std::size_t i = 0; i < series["x"].size(); ++i) {
+    for (const char* column : columns_of_series) {
+      if (!series[column].is_null()) text += fmt::format("{} ", series[column][i].get<double>());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+/// Adds the points in gnuplot's grid format: a block of all x for each y, separated by empty lines.
+void add_grid(TemplateData& contours) {
+  const TemplateData &x = contours["x"], &y = contours["y"];
+  std::string text;
+  for (std::size_t i = 0; i < contours["values"].size(); ++i)
+    text += fmt::format("{}{} {} {}\n", i > 0 && i % x.size() == 0 ? "\n" : "", x[i % x.size()].get<double>(),
+                        y[i / x.size()].get<double>(), contours["values"][i].get<double>());
+  contours.update({{"points", text},
+                   {"x_first", x.front()},
+                   {"x_last", x.back()},
+                   {"y_first", y.front()},
+                   {"y_last", y.back()}});
+}
+
+void prepare(TemplateData& panel) {
+  TemplateData plots = TemplateData::array();
+  if (!panel["contours"].is_null()) {
+    add_grid(panel["contours"]);
+    plots.push_back({{"contours_drawn", true}});
+  }
+  const auto labels = each_once(panel["series"], "label");
+  for (std::size_t i = 0; i < panel["series"].size(); ++i) {
+    TemplateData& series = panel["series"][i];
+    series["number"] = i;
+    series["points"] = rows_of(series);
+    const auto label = static_cast<std::size_t>(
+        std::ranges::find(labels, series["label"].get<std::string>()) - labels.begin());
+    if (!series["x"].empty())
+      plots.push_back(plot_of(fmt::format("$series{}", i), series["mark"], label, series["x"].size()));
+  }
+  add_key(plots, panel["series"]);
+  for (std::size_t i = 0; i + 1 < plots.size(); ++i) plots[i]["more"] = true;
+  panel["plots"] = plots;
+  for (TemplateData& series : panel["series"]) {
+    for (const char* column : columns_of_series) series.erase(column);
+  }
+}
+
+/// Splits a text at its semicolons.
+TemplateData parts_of(const std::string& text) {
+  TemplateData parts = TemplateData::array();
+  for (std::size_t at = 0, end = 0; end < text.size(); at = end + 2) {
+    end = std::min(text.find("; ", at), text.size());
+    parts.push_back(text.substr(at, end - at));
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::string gnuplot_script(const Json& drawing) {
+  TemplateData figure = TemplateData::parse(drawing.line());
+  if (!figure.contains("panels")) figure = {{"panels", TemplateData::array({figure})}};
+  TemplateData& panels = figure["panels"];
+  for (TemplateData& panel : panels) prepare(panel);
+  const std::size_t columns = panels.size() == 4 ? 2 : 1, rows = panels.size() / columns;
+  figure.update({{"notes", parts_of(figure.value("parameters", ""))},
+                 {"long_key", panels[0]["series"].size() > 4},
+                 {"columns", columns},
+                 {"rows", rows},
+                 {"width", columns * 950},
+                 {"height", 110 + rows * 460}});
+  return filled(template_text("figure.gnuplot"), figure, escaped_for_gnuplot);
 }
 
 }  // namespace nipref::verify

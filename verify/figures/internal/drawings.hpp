@@ -33,8 +33,7 @@ struct FigureSubject {
 using Drawings = std::map<std::string, std::vector<Panel> (*)(const FigureSubject&)>;
 
 Drawings sheet_drawings();       ///< sheets under line loads, thesis 7-13, 32-38
-Drawings nip_drawings();         ///< numbers of nips, thesis 15, 17-25, 41-48, 50, 51
-Drawings profile_drawings();     ///< along and inside nips, thesis 26-29, 49, 52, 53, ch. III
+Drawings nip_drawings();         ///< numbers of nips, along and inside them, thesis 15, 17-29, 41-53, ch. III
 Drawings half_space_drawings();  ///< curves of the papers' tables
 
 // Roles of series, as the figures' keys name them.

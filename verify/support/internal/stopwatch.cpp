@@ -39,12 +39,12 @@ double seconds_per_evaluation(const Contender& contender, const Round& round) {
          static_cast<double>(round.count * round.passes);
 }
 
-/// A quantile of sorted values.
-double quantile(const std::vector<double>& sorted, double share) {
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5)];
-}
-
 }  // namespace
+
+double quantile(std::vector<double> numbers, double share) {
+  std::ranges::sort(numbers);
+  return numbers[static_cast<std::size_t>(share * static_cast<double>(numbers.size() - 1) + 0.5)];
+}
 
 double seconds_of(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -64,9 +64,8 @@ std::vector<Timing> time_interleaved(const std::vector<Contender>& contenders, i
   }
   std::vector<Timing> timings;
   for (std::size_t i = 0; i < contenders.size(); ++i) {
-    std::ranges::sort(samples[i]);
-    timings.push_back(
-        {quantile(samples[i], 0.5), quantile(samples[i], 0.25), quantile(samples[i], 0.75), plans[i].count});
+    timings.push_back({quantile(samples[i], 0.5), quantile(samples[i], 0.25), quantile(samples[i], 0.75),
+                       plans[i].count, samples[i]});
   }
   return timings;
 }

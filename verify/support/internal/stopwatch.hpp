@@ -21,7 +21,11 @@ struct Timing {
   double seconds;                 ///< median over the rounds of the time of one evaluation
   double quartile_1, quartile_3;  ///< of the rounds' times
   std::size_t count;              ///< different evaluations in a round
+  std::vector<double> rounds;     ///< the time of one evaluation in each round
 };
+
+/// A quantile of numbers, 0.5 of which is the median. There must be at least one.
+double quantile(std::vector<double> numbers, double share);
 
 /// Times the contenders in turns: each round runs all of them, so that a change of the machine's speed affects all alike. A
 /// first measurement gives the number of evaluations that take about `seconds_per_round`.
