@@ -9,22 +9,8 @@
 #include <nipref/verify/support/internal/interrupt.hpp>
 
 namespace nipref::verify {
-namespace {
-
-/// So that its options are refused before what takes a while.
-CommandLine checked_audit(const CommandLine& line) {
-  if (!line.option("out")) {
-    refuse_option(line, "shard", "must be given with --out, where what it finds is kept");
-  } else {
-    refuse_option(line, "changed", "must be left out beside --out: a run is of quantities that are named");
-  }
-  return line;
-}
-
-}  // namespace
-
 AuditRun::AuditRun(const CommandLine& line, bool keeps_points)
-    : line_(checked_audit(line)),
+    : line_(line),
       shard_(parse_shard(line.option("shard").value_or("1/1"))),
       works_(line, keeps_points),
       all_(works_.all()),
@@ -121,8 +107,6 @@ CommandLine command_of(const std::filesystem::path& folder, const std::string& f
 }  // namespace
 
 int merge_verb(const CommandLine& line, std::ostream& out) {
-  if (line.words.empty())
-    throw data::BadInput("run", "(missing)", "must be the folder of a run, or several of one run");
   const std::vector<std::filesystem::path> folders(line.words.begin(), line.words.end());
   const std::string fingerprint = fingerprint_of(folders);
   const CommandLine command = command_of(folders.front(), fingerprint);

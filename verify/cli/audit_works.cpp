@@ -27,16 +27,6 @@ double density_option(const CommandLine& line) {
   return parse_real("density", line.option_or_usual("density"));
 }
 
-void refuse_two_numbers_of_points(const CommandLine& line) {
-  std::string first;
-  for (const char* const name : {"points", "density", "quick", "thorough"}) {
-    if (!line.option(name) && !line.has(name)) continue;
-    if (!first.empty())
-      throw data::BadInput(name, line.option(name).value_or("(given)"), "must be left out beside " + first);
-    first = name;
-  }
-}
-
 /// Options are for quantities; an absolute number of points for those that are named: what is quick for one
 /// takes hours for another.
 void refuse_options_without_effect(const CommandLine& line, const Selection& selected) {
@@ -72,7 +62,6 @@ Selection changed_selection(const CommandLine& line) {
 }
 
 Selection selected_by(const CommandLine& line) {
-  if (!line.has("changed")) refuse_option(line, "since", "must be given with --changed");
   Selection selected = line.has("changed") ? changed_selection(line) : selection(line, {contacts});
   refuse_options_without_effect(line, selected);
   if (!selected.has(contacts))
@@ -100,7 +89,6 @@ std::vector<std::string> recorded_words(const CommandLine& line) {
 
 AuditWorks::AuditWorks(const CommandLine& line, bool keeps_points) : words_(recorded_words(line)) {
   const Selection selected = selected_by(line);
-  refuse_two_numbers_of_points(line);
   accuracy_ = accuracy_option(line);
   for (const Quantity* quantity : selected.quantities) {
     AuditOptions options = sampling_options(line, *quantity, density_option(line));

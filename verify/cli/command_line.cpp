@@ -147,14 +147,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
   }
   line.json = line.has("json");
   line.no_times = line.has("no-times");
-  if (line.no_times && !line.json)
-    throw BadInput("no-times", "(given)", "must be given with --json: there alone times are set apart");
   for (const auto& [name, value] : raw.options) {
     if (app.get_subcommand(line.verb)->count("--" + name) > 0) line.options.emplace(name, value);
   }
   const VerbText& verb = find_verb(line.verb);
   sort_words(verb, raw, line);
   for (const auto& [name, value] : line.options) check_option(*find_option(verb, name), value);
+  check_company(verb, line);
   return line;
 }
 
@@ -168,11 +167,6 @@ std::size_t count_option(const CommandLine& line, const std::string& name) {
 
 /// A file, or the name of an example where there is no such file.
 std::filesystem::path scene_file_of(const CommandLine& line) {
-  if (line.words.empty())
-    throw BadInput("scene", "(missing)", "must be the name of a TOML file or of an example");
-  if (line.words.size() > 1)
-    throw BadInput("argument", line.words[1],
-                   "unexpected: " + line.verb + " takes one scene and key=value pairs");
   const std::filesystem::path word = line.words.front();
   std::error_code none;  // as where a name is longer than a file's may be
   const bool is_file = std::filesystem::exists(word, none) || word.has_parent_path() || word.has_extension();
@@ -202,7 +196,6 @@ std::string seed_option(const CommandLine& line) { return line.option_or_usual("
 std::optional<double> max_slowdown_option(const CommandLine& line) {
   const auto text = line.option("max-slowdown");
   if (!text) return std::nullopt;
-  if (!line.option("against")) throw BadInput("max-slowdown", *text, "must be given with --against");
   const bool percent = text->ends_with('%');
   const double slowdown =
       parse_real("max-slowdown", percent ? text->substr(0, text->size() - 1) : *text) / (percent ? 100 : 1);
@@ -218,7 +211,7 @@ std::optional<int> digits_option(const CommandLine& line) {
 std::size_t every_option(const CommandLine& line) { return count_option(line, "every"); }
 
 void refuse_option(const CommandLine& line, const std::string& name, const std::string& why) {
-  if (line.option(name) || line.has(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
+  if (line.is_given(name)) throw BadInput(name, line.option(name).value_or("(given)"), why);
 }
 
 bool Selection::has(std::string_view group) const { return std::ranges::find(groups, group) != groups.end(); }

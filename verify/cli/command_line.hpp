@@ -35,6 +35,8 @@ struct CommandLine {
   [[nodiscard]] std::string option_or_usual(const std::string& name) const;
   /// True if the flag is given.
   [[nodiscard]] bool has(const std::string& flag) const;
+  /// True if the option or flag is given.
+  [[nodiscard]] bool is_given(const std::string& name) const { return has(name) || options.contains(name); }
 };
 
 /// Whether JSON is asked for, also by a command line that cannot be parsed.

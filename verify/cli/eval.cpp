@@ -52,9 +52,6 @@ struct EvalRequest {
 constexpr auto right_form = "corrected";
 
 const Quantity& quantity_of(const CommandLine& line) {
-  if (line.words.size() > 1) {
-    throw BadInput("argument", line.words[1], "unexpected: eval takes one quantity and name=value pairs");
-  }
   return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
 }
 

@@ -19,12 +19,6 @@ namespace {
 
 using data::BadInput;
 
-void refuse_what_needs_a_baseline(const CommandLine& line) {
-  if (line.option("baseline")) return;
-  for (const char* const name : {"update-baseline", "accept"})
-    refuse_option(line, name, "must be given with --baseline");
-}
-
 void refuse_what_needs_kernels(const CommandLine& line) {
   for (const char* const name :
        {"points", "seed", "quantity", "time-limit", "against", "max-slowdown", "thread-safe"})
@@ -95,8 +89,6 @@ std::string measurements(const Graded& graded) {
 }  // namespace
 
 Graded graded_file(const CommandLine& line) {
-  if (line.words.empty())
-    throw BadInput("file", "(missing)", "must be a CSV, - for standard input, or a shared object");
   refuse_what_needs_kernels(line);
   if (line.words.size() > 2)
     throw BadInput("argument", line.words[2], "unexpected: grade takes a file and a quantity");
@@ -115,8 +107,6 @@ Graded graded_file(const CommandLine& line) {
 }
 
 int grade_verb(const CommandLine& line, std::ostream& out) {
-  refuse_what_needs_a_baseline(line);
-  if (line.json) refuse_option(line, "ctest", "must be left out with --json");
   std::optional<Baseline> baseline = baseline_of(line);
   std::vector<Graded> all =
       names_plugin(line) ? graded_kernels(line) : std::vector<Graded>{graded_file(line)};

@@ -15,14 +15,9 @@ namespace nipref::verify {
 namespace {
 
 const char* words_of(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::not_worse:
-      return "not worse";
-    case Comparison::worse:
-      return "WORSE";
-    default:
-      return "not comparable";
-  }
+  return comparison == Comparison::not_worse ? "not worse"
+         : comparison == Comparison::worse   ? "WORSE"
+                                             : "not comparable";
 }
 
 std::string speed_line(const std::optional<Speed>& speed, const std::string& other) {
@@ -76,16 +71,9 @@ Json times_json(const Graded& graded) {
 
 /// What ends a process is an error of the test's subject, not a value that is wrong.
 bool is_error(const Fault& fault) {
-  switch (fault.kind) {
-    case FaultKind::crash:
-    case FaultKind::exit:
-    case FaultKind::hang:
-    case FaultKind::protocol:
-    case FaultKind::given_up:
-      return true;
-    default:
-      return false;
-  }
+  using enum FaultKind;
+  return fault.kind == crash || fault.kind == exit || fault.kind == hang || fault.kind == protocol ||
+         fault.kind == given_up;
 }
 
 std::string why_not_kept(const Graded& graded) {

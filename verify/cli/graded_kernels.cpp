@@ -44,12 +44,8 @@ const Quantity& quantity_of_symbol(const CommandLine& line) {
 
 Plugin plugin_of(const CommandLine& line, const std::string& file) {
   Plugin plugin{file, {}, parse_real("time-limit", line.option_or_usual("time-limit"))};
-  if (const auto symbol = line.option("symbol")) {
+  if (const auto symbol = line.option("symbol"))
     plugin.function = {*symbol, quantity_of_symbol(line).arguments.size(), line.has("thread-safe")};
-  } else {
-    refuse_option(line, "quantity", "must be given with --symbol: kernels say themselves what they compute");
-    refuse_option(line, "thread-safe", "must be given with --symbol: kernels say it themselves");
-  }
   return plugin;
 }
 
@@ -151,7 +147,6 @@ void refuse_what_is_wrong(const CommandLine& line) {
 }  // namespace
 
 bool names_plugin(const CommandLine& line) {
-  if (line.words.empty()) return false;
   const std::string& file = line.words.front();
   if (file.ends_with(".so") || line.option("symbol")) return true;
   std::error_code none;

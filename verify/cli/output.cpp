@@ -68,12 +68,17 @@ bool standard_output_shows_colours() {
          std::string_view(terminal) != "dumb" && isatty(STDOUT_FILENO) == 1;
 }
 
-void write_to_standard_output(std::string_view text) {
+bool write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
-    const ssize_t written = write(STDOUT_FILENO, text.data(), text.size());
-    if (written == -1 && errno != EINTR) fail();
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written == -1 && errno != EINTR) return false;
     if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
   }
+  return true;
+}
+
+void write_to_standard_output(std::string_view text) {
+  if (!write_all(STDOUT_FILENO, text)) fail();
   // Some file systems tell only now that there was no room.
   if (close(STDOUT_FILENO) == -1 && errno != EINTR) fail();
 }

@@ -18,6 +18,9 @@ class OutputError : public std::system_error {
   explicit OutputError(const std::string& place);
 };
 
+/// Writes the whole text to a descriptor. False if that fails, for the system's reason.
+bool write_all(int descriptor, std::string_view text);
+
 /// Writes the file's new content. OutputError if any of it could not be written.
 void write_output_file(const std::string& path, std::string_view text);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
@@ -13,12 +12,6 @@
 
 namespace nipref::verify {
 namespace {
-
-const Quantity& only_quantity(const CommandLine& line) {
-  if (line.words.size() > 1)
-    throw data::BadInput("argument", line.words[1], "unexpected: points takes one quantity and its ranges");
-  return find_quantity(line.words.empty() ? "(missing)" : line.words.front());
-}
 
 std::string command_text(const CommandLine& line) {
   std::string text = "command: nipref points " + line.words.front();
@@ -30,7 +23,7 @@ std::string command_text(const CommandLine& line) {
 }  // namespace
 
 int points_verb(const CommandLine& line, std::ostream& out) {
-  const Quantity& quantity = only_quantity(line);
+  const Quantity& quantity = find_quantity(line.words.empty() ? "(missing)" : line.words.front());
   AuditOptions options = sampling_options(line, quantity);
   options.search = false;
   options.points = options.points_of(quantity) - options.more_points.size();

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,11 +9,12 @@
 #include <cerrno>
 #include <charconv>
 #include <fstream>
-#include <numeric>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include <nipref/data/bad_input.hpp>
+#include <nipref/data/input_file.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/run_folder.hpp>
 
@@ -25,31 +27,16 @@ using data::BadInput;
 constexpr auto fingerprint_name = "run.json";
 constexpr std::size_t most_gaps_told = 3;
 
-/// The FNV-1a hash, but never 0, which stands for a missing block.
-std::uint64_t hash_of(std::string_view text) {
-  std::uint64_t state = 0xcbf29ce484222325U;
-  for (const char letter : text) state = (state ^ static_cast<unsigned char>(letter)) * 0x100000001b3U;
-  return std::max<std::uint64_t>(state, 1);
-}
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
+std::string text_of(const fs::path& file) { return data::text_of_input_file(file, "run"); }
 
 /// Throws OutputError unless an operation on a file succeeded.
 void must(bool done, const fs::path& file) {
   if (!done) throw OutputError(file.string());
 }
 
-void write_all(int descriptor, std::string_view text, const fs::path& file) {
-  while (!text.empty()) {
-    const ssize_t written = write(descriptor, text.data(), text.size());
-    must(written >= 0 || errno == EINTR, file);
-    if (written > 0) text.remove_prefix(static_cast<std::size_t>(written));
-  }
-  must(fsync(descriptor) == 0, file);
+/// Writes the text and syncs the file.
+void write_and_sync(int descriptor, std::string_view text, const fs::path& file) {
+  must(write_all(descriptor, text) && fsync(descriptor) == 0, file);
 }
 
 /// Syncs a folder, so that a new name in it is on the disk.
@@ -69,7 +56,7 @@ void write_once(const fs::path& file, std::string_view text, const std::string& 
   ours += fmt::format(".{}.{}", who, getpid());
   const int descriptor = open(ours.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   must(descriptor >= 0, ours);
-  write_all(descriptor, text, ours);
+  write_and_sync(descriptor, text, ours);
   close(descriptor);
   const bool done = link(ours.c_str(), file.c_str()) == 0 || errno == EEXIST;
   const int why = errno;
@@ -121,23 +108,21 @@ BlocksThere::BlocksThere(const std::vector<BlockWork*>& works) : works_(works) {
 std::size_t BlocksThere::count() const {
   std::size_t sum = 0;
   for (const auto& hashes : hashes_)
-    sum += hashes.size() - static_cast<std::size_t>(std::ranges::count(hashes, std::uint64_t{0}));
+    sum += hashes.size() - static_cast<std::size_t>(std::ranges::count(hashes, std::size_t{0}));
   return sum;
 }
 
 std::size_t BlocksThere::of() const {
-  return std::accumulate(hashes_.begin(), hashes_.end(), std::size_t{0},
-                         [](std::size_t sum, const auto& hashes) { return sum + hashes.size(); });
+  std::size_t sum = 0;
+  for (const auto& hashes : hashes_) sum += hashes.size();
+  return sum;
 }
 
 bool BlocksThere::add(std::size_t work, std::size_t block, const std::string& line,
                       const std::string& where) {
-  std::uint64_t& there = hashes_[work][block];
-  const std::uint64_t hash = hash_of(line);
-  if (there == 0) {
-    there = hash;
-    return true;
-  }
+  std::size_t& there = hashes_[work][block];
+  const std::size_t hash = std::max<std::size_t>(1, std::hash<std::string>()(line));
+  if (std::exchange(there, there == 0 ? hash : there) == 0) return true;
   if (there != hash)
     throw BadInput(
         "run", where,
@@ -162,8 +147,7 @@ std::string BlocksThere::gaps() const {
       }
     }
   }
-  std::string text;
-  for (const std::string& gap : told) text += (text.empty() ? "" : ", ") + gap;
+  const std::string text = fmt::format("{}", fmt::join(told, ", "));
   return untold > 0 ? fmt::format("{} and {} more", text, untold) : text;
 }
 
@@ -245,8 +229,8 @@ ShardFile::ShardFile(const fs::path& folder, const std::string& fingerprint, Sha
 ShardFile::~ShardFile() { close(descriptor_); }
 
 void ShardFile::append(const BlockWork& work, std::size_t block, const Json& found) {
-  write_all(descriptor_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
-            path_);
+  write_and_sync(descriptor_, Json{{"work", work.name()}, {"block", block}, {"found", found}}.line() + "\n",
+                 path_);
 }
 
 }  // namespace nipref::verify

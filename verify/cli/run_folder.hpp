@@ -42,7 +42,7 @@ class BlocksThere {
 
  private:
   const std::vector<BlockWork*>& works_;
-  std::vector<std::vector<std::uint64_t>> hashes_;
+  std::vector<std::vector<std::size_t>> hashes_;  ///< 0 for a missing block
 };
 
 /// The fingerprint in run.json, which has to be the same in all these folders. Otherwise, or if one is no such folder,

@@ -39,13 +39,29 @@ std::vector<std::string> list_of(const toml::table& table, std::string_view key)
   return list;
 }
 
+std::map<std::string, std::string> messages_in(const toml::table& table, std::string_view key) {
+  std::map<std::string, std::string> messages;
+  if (const toml::table* const found = table[key].as_table()) {
+    for (const auto& [option, message] : *found)
+      messages.emplace(option.str(), message.value<std::string>().value());
+  }
+  return messages;
+}
+
 OptionText option_of(const std::string& key, const toml::table& table) {
   const std::vector<std::string> limits = list_of(table, "range");
   std::optional<NumberRange> range;
   if (!limits.empty()) range = {limits.at(0), limits.at(1), table["whole"].value_or(true)};
-  return {table["name"].value_or(key), text_of(table, "meaning"), text_of(table, "letter"),
-          text_of(table, "default"),   std::move(range),          table["positive"].value_or(false),
-          list_of(table, "choices")};
+  return {table["name"].value_or(key),
+          text_of(table, "meaning"),
+          text_of(table, "letter"),
+          text_of(table, "default"),
+          std::move(range),
+          table["positive"].value_or(false),
+          list_of(table, "choices"),
+          messages_in(table, "needs"),
+          messages_in(table, "without"),
+          list_of(table, "actions")};
 }
 
 VerbText verb_of(const toml::table& table, const toml::table& options) {
@@ -61,6 +77,8 @@ VerbText verb_of(const toml::table& table, const toml::table& options) {
           text_of(table, "meaning"),
           text_of(table, "words"),
           text_of(table, "meaning_of_words"),
+          text_of(table, "too_many"),
+          text_of(table, "missing"),
           options_in("options"),
           options_in("flags"),
           list_of(table, "examples"),
@@ -107,6 +125,27 @@ void check_option(const OptionText& option, const std::string& value) {
               (!range->whole || number == std::floor(number));
   }
   if (!allowed) throw BadInput(option.name, value, "must be " + domain_of(option));
+}
+
+void check_company(const VerbText& verb, const CommandLine& line) {
+  if (line.words.empty() && !verb.missing.empty()) throw BadInput(verb.words, "(missing)", verb.missing);
+  if (line.words.size() > 1 && !verb.too_many.empty())
+    throw BadInput("argument", line.words[1], "unexpected: " + verb.too_many);
+  for (const auto* const group : {&verb.options, &verb.flags}) {
+    for (const OptionText& option : *group) {
+      for (const auto& [other, why] : option.needs) {
+        if (!line.is_given(other)) refuse_option(line, option.name, why);
+      }
+      for (const auto& [other, why] : option.without) {
+        if (line.is_given(other)) refuse_option(line, option.name, why);
+      }
+      const bool suits = option.actions.empty() || line.words.empty() ||
+                         std::ranges::find(option.actions, line.words.front()) != option.actions.end();
+      if (!suits)
+        refuse_option(line, option.name,
+                      fmt::format("{} {} has no such option", verb.name, line.words.front()));
+    }
+  }
 }
 
 const OptionText* find_option(const VerbText& verb, std::string_view name) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -43,6 +44,9 @@ struct OptionText {
   std::optional<NumberRange> range;
   bool positive;  ///< any number > 0 is allowed
   std::vector<std::string> choices;
+  /// The options with which alone, or without which alone, it is allowed, and what is said otherwise.
+  std::map<std::string, std::string> needs, without;
+  std::vector<std::string> actions;  ///< the verb's first words with which it is allowed; empty: all
 };
 
 /// The meaning with the domain and the default.
@@ -61,6 +65,8 @@ struct VerbText {
   std::string meaning;
   std::string words;  ///< name of the words that are no name=value pairs; empty if the verb has none
   std::string meaning_of_words;
+  std::string too_many;             ///< what is said where there is a second word; empty if there may be
+  std::string missing;              ///< what is said where there is no word; empty if there may be none
   std::vector<OptionText> options;  ///< --name value, or name=value
   std::vector<OptionText> flags;
   std::vector<std::string> examples;
@@ -79,6 +85,9 @@ const VerbText& find_verb(const std::string& name);
 
 /// The option of this name. Null if the verb has none.
 const OptionText* find_option(const VerbText& verb, std::string_view name);
+
+/// BadInput for a missing word or one too many, and for an option beside others that it must not, or must, stand beside.
+void check_company(const VerbText& verb, const CommandLine& line);
 
 /// BadInput, with the nearest name, for a "--name" that the verb does not take.
 void refuse_unknown_option(const VerbText& verb, const std::string& name, const std::string& value);

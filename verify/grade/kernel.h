@@ -49,7 +49,7 @@ typedef struct nipref_kernel {
   uint32_t abi;  /* NIPREF_KERNEL_ABI */
   uint32_t size; /* sizeof(nipref_kernel) */
 
-  /* The name of the kernel: one line, different for each kernel of the object. */
+  /* The name of the kernel: one line of less than 256 bytes, different for each kernel of the object. */
   const char* name;
 
   /* The quantity that it computes, as `nipref list` names it. */
@@ -81,8 +81,8 @@ typedef struct nipref_kernel {
   void (*close)(void* state);
 } nipref_kernel;
 
-/* The function that the object exports: it returns a list of kernels, which ends with a null pointer and exists as
-   long as the object is loaded. */
+/* The function that the object exports: it returns a list of at most 1024 kernels, which ends with a null pointer and
+   exists as long as the object is loaded. */
 NIPREF_KERNEL_EXPORT const nipref_kernel* const* nipref_kernels(void);
 
 #ifdef __cplusplus

@@ -14,13 +14,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::pair<Change, std::string_view>, 7> change_names{{{Change::worse, "worse"},
-                                                                           {Change::slower, "slower"},
-                                                                           {Change::better, "better"},
-                                                                           {Change::quicker, "quicker"},
-                                                                           {Change::changed, "changed"},
-                                                                           {Change::appeared, "new"},
-                                                                           {Change::gone, "gone"}}};
+constexpr Change all_changes[] = {Change::worse,   Change::slower,   Change::better, Change::quicker,
+                                  Change::changed, Change::appeared, Change::gone};
+/// In the same order, which is that of the enumeration.
+constexpr std::string_view change_names[] = {"worse",   "slower", "better", "quicker",
+                                             "changed", "new",    "gone"};
 
 /// A list of a report; empty if an older program did not write it.
 const json& list_at(const json& report, const std::string& path) {
@@ -173,9 +171,7 @@ std::string version_of(const json& report) {
 
 }  // namespace
 
-std::string_view name(Change change) {
-  return std::ranges::find(change_names, change, &std::pair<Change, std::string_view>::first)->second;
-}
+std::string_view name(Change change) { return change_names[static_cast<std::size_t>(change)]; }
 
 std::size_t ReportComparison::count(Change change) const {
   return static_cast<std::size_t>(std::ranges::count(items, change, &ChangedItem::change));
@@ -205,27 +201,26 @@ namespace {
 /// "2 worse, 0 slower, 1 better, ..."
 std::string counts_text(const ReportComparison& comparison) {
   std::string text;
-  for (const auto& [change, name] : change_names)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", comparison.count(change), name);
+  for (const Change change : all_changes)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", comparison.count(change), name(change));
   return text;
 }
 
 }  // namespace
 
 Json comparison_json(const ReportComparison& comparison) {
-  return {
-      {"older", comparison.older},
-      {"note", Json::unless_empty(comparison.note)},
-      {"counts", json_list(change_names,
-                           [&](const auto& named) {
-                             return Json{{"change", named.second}, {"count", comparison.count(named.first)}};
-                           })},
-      {"items", json_list(comparison.items, [](const ChangedItem& item) {
-         return Json{{"change", name(item.change)},
-                     {"what", item.what},
-                     {"before", Json::unless_empty(item.before)},
-                     {"now", Json::unless_empty(item.now)}};
-       })}};
+  return {{"older", comparison.older},
+          {"note", Json::unless_empty(comparison.note)},
+          {"counts", json_list(all_changes,
+                               [&](Change change) {
+                                 return Json{{"change", name(change)}, {"count", comparison.count(change)}};
+                               })},
+          {"items", json_list(comparison.items, [](const ChangedItem& item) {
+             return Json{{"change", name(item.change)},
+                         {"what", item.what},
+                         {"before", Json::unless_empty(item.before)},
+                         {"now", Json::unless_empty(item.now)}};
+           })}};
 }
 
 std::string comparison_text(const ReportComparison& comparison, std::size_t most_items) {
