@@ -22,7 +22,7 @@ set(CPACK_DEBIAN_LIBRARIES_PACKAGE_NAME libnipref-dev)
 set(CPACK_DEBIAN_LIBRARIES_DESCRIPTION "${PROJECT_DESCRIPTION}: libraries for C++, C and what calls it")
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARIES_PACKAGE_DEPENDS "nipref ${of_this_version}, libgmp-dev, libmpfr-dev, libmpc-dev, libmpfi-dev, \
-libgsl-dev, libfmt-dev, libssl-dev")
+libboost1.81-dev | libboost-dev (>= 1.81), libgsl-dev, libfmt-dev, libssl-dev")
 
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME nipref-mpi)
 set(CPACK_DEBIAN_MPI_DESCRIPTION "${PROJECT_DESCRIPTION}: audits by the ranks of an MPI job")

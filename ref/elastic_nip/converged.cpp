@@ -85,8 +85,8 @@ struct ConvergedElasticNip::Implementation {
   /// Of |y|.
   [[nodiscard]] SurfacePoint place(double y) const {
     const mpq_class distance = abs(exactly(y));
-    if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), precision_here())};
-    return {1 - Interval(Exact(distance / units.length), precision_here()) / contact->half_length()};
+    if (length) return {Interval(Exact(1 - 2 * distance / exactly(*length)), working_bits())};
+    return {1 - Interval(Exact(distance / units.length), working_bits()) / contact->half_length()};
   }
   void prove_largest_in_the_middle() const {
     const WorkingDigits working(contact.working_digits());
@@ -130,8 +130,8 @@ Enclosure ConvergedElasticNip::edge_displacement() const {
 Enclosure ConvergedElasticNip::creep_ratio() const {
   const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
-    const SurfacePoint end{Interval(precision_here())};
-    const Interval beta(Exact(units.beta), precision_here());
+    const SurfacePoint end{Interval(working_bits())};
+    const Interval beta(Exact(units.beta), working_bits());
     return contact.tangential_displacement(end, beta) / contact.half_length();
   });
 }
@@ -165,8 +165,8 @@ Enclosure ConvergedElasticNip::tangential_displacement(double y) const {
   implementation_->check_distance(y);
   const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.displacement, [&](const ContactFunctionals& contact) {
-    if (y == 0) return Interval(precision_here());
-    const Interval beta(Exact(units.beta), precision_here());
+    if (y == 0) return Interval(working_bits());
+    const Interval beta(Exact(units.beta), working_bits());
     const Interval v = contact.tangential_displacement(implementation_->place(y), beta);
     return y < 0 ? -v : v;
   });
@@ -194,7 +194,7 @@ Enclosure ConvergedElasticNip::surface_strain(double y) const {
   implementation_->check_distance(y);
   const NipUnits& units = implementation_->units;
   return implementation_->enclosed(units.slope, [&](const ContactFunctionals& contact) {
-    return contact.strain(implementation_->place(y), Interval(Exact(units.beta), precision_here()));
+    return contact.strain(implementation_->place(y), Interval(Exact(units.beta), working_bits()));
   });
 }
 

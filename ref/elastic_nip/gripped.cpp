@@ -110,7 +110,7 @@ LargestBetween largest_between(const GripExpansion& contact, Float GripTraction:
   {
     const WorkingDigits few(25);
     for (int i = 0; i <= samples; ++i) {
-      const Float here = size_at_angle(contact, part, i * step).at_working_precision();
+      const Float here = at_working_precision(size_at_angle(contact, part, i * step));
       if (here > largest) largest = here, best = i;
     }
   }
@@ -194,7 +194,7 @@ struct GrippedElasticNip::Implementation {
     const Float size = std::max(abs(value), least);
     const Float error = 2 * abs(value - rough) + further + size * pow(Float(10), -precision.digits - 2);
     const Float factor = to_float(Exact(unit));
-    return {to_real(factor * value), to_real(factor * error), precision.digits};
+    return {factor * value, factor * error, precision.digits};
   }
 
   template <class Result>

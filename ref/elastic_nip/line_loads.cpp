@@ -63,7 +63,7 @@ struct Contact {
 
 /// Half an element over half a sheet, of all lengths.
 Interval spacing(const Problem& problem, const Lengths& lengths) {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   return lengths.interval() / (4L * problem.elements()) /
          (Interval(problem.nip.sheet_thickness, precision) / 2L);
 }
@@ -148,7 +148,7 @@ std::optional<Contact> solve(const Problem& problem, const Lengths& lengths, int
   const std::vector<Interval> at_zero = solved->unknowns.front(), per_creep = solved->unknowns.back();
   const std::optional<Interval> creep =
       problem.grip.kind == Grip::Creep::given
-          ? Interval(problem.grip.creep, precision_here())
+          ? Interval(problem.grip.creep, working_bits())
           : thesis_creep({at_zero.begin() + 1, at_zero.end()}, {per_creep.begin() + 1, per_creep.end()});
   if (!creep) return std::nullopt;
   Contact contact = contact_of(lengths, *std::move(solved));
@@ -165,14 +165,14 @@ std::optional<Contact> solve(const Problem& problem, const Lengths& lengths, int
 
 /// pi/N.
 Interval load_unit(const Problem& problem) {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Interval poisson(problem.nip.material.poisson, precision);
   return Interval::pi(precision) * Interval(problem.nip.material.young, precision) /
          (2 * (1 - poisson) * (poisson + 1L));
 }
 
 Interval load_of(const Problem& problem, const Contact& contact) {
-  Interval sum(precision_here());
+  Interval sum(working_bits());
   for (int k = 1; k <= problem.elements(); ++k) sum = sum + contact.unknowns[static_cast<std::size_t>(k)];
   return 2 * (load_unit(problem) * sum);
 }
@@ -186,7 +186,7 @@ Interval larger_of(const Interval& a, const Interval& b) {
 
 LineLoadSolution solution_of(const Problem& problem, const Contact& contact, int digits) {
   const int m = problem.elements();
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Interval unit = load_unit(problem), width = contact.length / (2L * m), &d0 = contact.unknowns.front();
   const Interval edge_gap = square(contact.length) / (8 * Interval(problem.nip.roller_radius, precision));
   const auto enclosed = [&](const Interval& interval) { return enclosure_of(interval, digits); };
@@ -280,7 +280,7 @@ std::optional<Float> length_for_load(const Problem& problem, Float length, doubl
 
 /// Whether W - load has different signs at the two ends of the lengths.
 bool encloses_load(const Problem& problem, const Lengths& lengths, double load, int kernel_digits) {
-  const Interval wanted(load, precision_here());
+  const Interval wanted(load, working_bits());
   const auto sign_at = [&](const Float& length) {
     const std::optional<Contact> contact = solve(problem, {length}, kernel_digits);
     if (!contact) return 0;

@@ -174,7 +174,7 @@ Enclosure element_pressure(const LineLoadSolution& solution, double y, int digit
 
 Enclosure element_shear(const LineLoadSolution& solution, double y, int digits) {
   Enclosure shear = of_element(solution.shear_loads, solution, y, digits);
-  if (y < 0) mpfr_neg(shear.value.get(), shear.value.get(), MPFR_RNDN);
+  if (y < 0) mpfr_neg(raw(shear.value), raw(shear.value), MPFR_RNDN);
   return shear;
 }
 

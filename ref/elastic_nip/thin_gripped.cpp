@@ -218,7 +218,7 @@ ThinGrippedNip thin_gripped_nip_of_length(const data::ElasticNip& nip, double co
                              const Float& value) -> Estimate {
     const Float factor = to_float(Exact(unit));
     const Float error = 2 * abs(value - rough_value) + abs(value) * pow(Float(10), -digits - 1);
-    return {to_real(factor * value), to_real(factor * error), digits};
+    return {factor * value, factor * error, digits};
   };
   const auto number = [&](const mpq_class& unit, Float ContactNumbers::*which) {
     return estimated(unit, rough_numbers.*which, numbers.*which);

@@ -38,7 +38,7 @@ Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& di
   // The speed has half the relative error of the eigenvalue, rounding included.
   const Float rounding = norm(matrix) * pow(Float(2), 16 - static_cast<long>(precision));
   const Float error = speed * (residual + rounding) / eigenvalue;
-  return {to_real(speed), to_real(error), digits};
+  return {speed, error, digits};
 }
 
 }  // namespace nipref::ref

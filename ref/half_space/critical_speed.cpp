@@ -82,9 +82,9 @@ CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion
     const int working_digits = std::max(digits, 4 * width_digits) + 8;
     const WorkingDigits working(working_digits + 16);
     const Float width = pow(Float(10), -width_digits);
-    psi = psi.at_working_precision();
+    psi = at_working_precision(psi);
     const auto f = [&](const Float& angle) {
-      return to_float(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
+      return at_working_precision(critical_speed_along(solid, motion, degrees(angle), working_digits).value);
     };
     Float curvature = 0, vertex = widths_of_error;
     for (int attempt = 0; !(abs(vertex) < widths_of_error); ++attempt) {
@@ -98,7 +98,7 @@ CriticalSpeed bottom(const ExactStiffness& solid, const SurfaceDirection& motion
     if (4 * width_digits < digits + 10) continue;
     Estimate speed = critical_speed_along(solid, motion, degrees(psi), digits);
     const Float miss = curvature * pow(widths_of_error * width, 2);
-    mpfr_add(speed.error.get(), speed.error.get(), miss.get(), MPFR_RNDU);
+    mpfr_add(raw(speed.error), raw(speed.error), raw(miss), MPFR_RNDU);
     speed.proven = false;  // the curvature is an estimate
     return {std::move(speed), static_cast<double>(psi)};
   }
@@ -176,8 +176,7 @@ CriticalSpeed critical_speed(const ExactStiffness& solid, const SurfaceDirection
   std::optional<CriticalSpeed> least;
   for (const CriticalLine& line : lowest_lines(solid, motion)) {
     CriticalSpeed found = bottom(solid, motion, line.psi, digits);
-    if (!least || mpfr_less_p(found.speed.value.get(), least->speed.value.get()) != 0)
-      least = std::move(found);
+    if (!least || mpfr_less_p(raw(found.speed.value), raw(least->speed.value)) != 0) least = std::move(found);
   }
   return *std::move(least);
 }

@@ -94,7 +94,7 @@ std::optional<Ellipse> solve_ellipse(const Lines& lines, const Float& curvature_
     const Float determinant = j11 * j22 - j12 * j21;
     Float dp = -(r1 * j22 - r2 * j12) / determinant, dq = -(r2 * j11 - r1 * j21) / determinant;
     const Float length = hypot(dp, dq);
-    if (mpfr_number_p(length.get()) == 0) return std::nullopt;
+    if (mpfr_number_p(raw(length)) == 0) return std::nullopt;
     const Float part = 1 / std::max(Float(1), length);
     ellipse.p += part * dp;
     ellipse.q += part * dq;
@@ -257,14 +257,14 @@ Estimate EllipticContact::orientation() const {
   const auto& [coarse, fine] = implementation_->levels;
   const auto degrees = [](const Ellipse& ellipse) {
     Float twice(0.0);
-    mpfr_atan2(twice.get(), ellipse.q.get(), ellipse.p.get(), MPFR_RNDN);
+    mpfr_atan2(raw(twice), raw(ellipse.q), raw(ellipse.p), MPFR_RNDN);
     return Float(90 * twice / pi());
   };
   const Float change = hypot(fine.ellipse.p - coarse.ellipse.p, fine.ellipse.q - coarse.ellipse.q);
   // The error of twice the angle, in radians; if it is not small, any angle is possible.
   const Float turn = (change + tolerance(implementation_->digits + 6)) / fine.ellipse.eta();
   const Float error = turn < Float(0.25) ? Float(90 * turn) : Float(90);
-  return {to_real(degrees(fine.ellipse)), to_real(error), implementation_->digits};
+  return {degrees(fine.ellipse), error, implementation_->digits};
 }
 
 Estimate EllipticContact::span(const Exact& degrees) const {
@@ -308,10 +308,10 @@ Estimate EllipticContact::pressure(const Exact& degrees, const Exact& x) const {
   };
   // Near the ends of a line their rounding errors are magnified.
   Estimate result = changed_by(0);
-  const Float off = tolerance(implementation_->digits + 6), value = to_float(result.value);
-  const Float change = std::max(Float(abs(to_float(changed_by(off).value) - value)),
-                                Float(abs(to_float(changed_by(-off).value) - value)));
-  return {result.value, to_real(to_float(result.error) + change), implementation_->digits};
+  const Float off = tolerance(implementation_->digits + 6), value = at_working_precision(result.value);
+  const Float change = std::max(Float(abs(at_working_precision(changed_by(off).value) - value)),
+                                Float(abs(at_working_precision(changed_by(-off).value) - value)));
+  return {result.value, at_working_precision(result.error) + change, implementation_->digits};
 }
 
 }  // namespace nipref::ref

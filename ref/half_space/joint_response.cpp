@@ -10,12 +10,12 @@
 namespace nipref::ref {
 namespace {
 
-Real joined(const Real& a, const Real& b, int sign) {
-  Real total = a;
+Float joined(const Float& a, const Float& b, int sign) {
+  Float total = a;
   if (sign > 0) {
-    mpfr_add(total.get(), a.get(), b.get(), MPFR_RNDN);
+    mpfr_add(raw(total), raw(a), raw(b), MPFR_RNDN);
   } else {
-    mpfr_sub(total.get(), a.get(), b.get(), MPFR_RNDN);
+    mpfr_sub(raw(total), raw(a), raw(b), MPFR_RNDN);
   }
   return total;
 }
@@ -109,7 +109,7 @@ Estimate JointResponse::critical_speed() const {
   if (body_ && body_->moves) {
     Estimate of_body = critical(*body_);
     const bool proven = slowest.proven && of_body.proven;
-    if (mpfr_less_p(of_body.value.get(), slowest.value.get()) != 0) slowest = std::move(of_body);
+    if (mpfr_less_p(raw(of_body.value), raw(slowest.value)) != 0) slowest = std::move(of_body);
     slowest.proven = proven;
   }
   return slowest;

@@ -45,19 +45,20 @@ std::optional<Components> components_at(mpfr_prec_t precision, const ExactStiffn
 
 /// Whether every component has an error of at most 10^-digits of the largest diagonal component.
 bool are_narrow(const Components& components, int digits) {
-  Real widest(64), width(64), largest(64), magnitude(64);
+  Float widest = zero_of_bits(64), width = zero_of_bits(64), largest = zero_of_bits(64),
+        magnitude = zero_of_bits(64);
   for (const Interval& component : components) {
-    mpfi_diam_abs(width.get(), component.get());
-    mpfr_max(widest.get(), widest.get(), width.get(), MPFR_RNDU);
+    mpfi_diam_abs(raw(width), component.get());
+    mpfr_max(raw(widest), raw(widest), raw(width), MPFR_RNDU);
   }
   for (const std::size_t diagonal : {0UL, 5UL, 6UL}) {
-    mpfi_mig(magnitude.get(), components[diagonal].get());
-    mpfr_max(largest.get(), largest.get(), magnitude.get(), MPFR_RNDD);
+    mpfi_mig(raw(magnitude), components[diagonal].get());
+    mpfr_max(raw(largest), raw(largest), raw(magnitude), MPFR_RNDD);
   }
-  mpfr_set_si(width.get(), -digits, MPFR_RNDN);
-  mpfr_exp10(width.get(), width.get(), MPFR_RNDD);
-  mpfr_mul(width.get(), width.get(), largest.get(), MPFR_RNDD);
-  return mpfr_lessequal_p(widest.get(), width.get()) != 0;
+  mpfr_set_si(raw(width), -digits, MPFR_RNDN);
+  mpfr_exp10(raw(width), raw(width), MPFR_RNDD);
+  mpfr_mul(raw(width), raw(width), raw(largest), MPFR_RNDD);
+  return mpfr_lessequal_p(raw(widest), raw(width)) != 0;
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <nipref/ref/half_space/stiffness.hpp>
 #include <nipref/ref/number/enclosure.hpp>
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -41,8 +41,8 @@ LineResponse line_response(const ExactStiffness& solid, const Exact& speed, cons
 
 /// The components of the response that contacts need, from line_response() or from elsewhere.
 struct LineAnswer {
-  Real compliance, coupling, coupling_across, in_line;
-  Real shear_compliance = Real(64), shear_compliance_across = Real(64);  ///< 0
+  Float compliance, coupling, coupling_across, in_line;
+  Float shear_compliance = zero_of_bits(64), shear_compliance_across = zero_of_bits(64);  ///< 0
 };
 
 /// The response along lines at an angle from the motion in degrees, with relative error 10^-digits.

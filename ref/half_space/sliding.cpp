@@ -32,7 +32,7 @@ void check_friction(const Exact& friction) {
 /// The angle of (x, y), y > 0, in half turns; the relative error is small even for the smallest angles.
 Float half_turns(const Float& y, const Float& x) {
   Float angle;
-  mpfr_atan2(angle.get(), y.get(), x.get(), MPFR_RNDN);
+  mpfr_atan2(raw(angle), raw(y), raw(x), MPFR_RNDN);
   return angle / pi();
 }
 
@@ -245,12 +245,12 @@ struct SlidingContact::Implementation {
     // The two integrals may have been doubled a different number of times, so that their errors add.
     const Float apart =
         abs(ldexp(both.fine - both.coarse, exponent)) + abs(ldexp(size.fine - size.coarse, exponent));
-    Estimate result =
-        function_of_factor([&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
-    const Float span = to_float(result_span().value), per_force = span / factor->fine;
-    const Float error = to_float(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
+    Estimate result = function_of_factor(
+        [&](const Float& force) -> Float { return fine / force * span_along_of(load, force); });
+    const Float span = at_working_precision(result_span().value), per_force = span / factor->fine;
+    const Float error = at_working_precision(result.error) + abs(per_force) * (apart + abs(fine - coarse)) +
                         tolerance(digits + 6) * abs(span);
-    return {result.value, to_real(error), digits};
+    return {result.value, error, digits};
   }
   [[nodiscard]] Estimate result_span() const {
     return function_of_span([](const Float& along) { return along; });
@@ -305,7 +305,8 @@ Estimate SlidingContact::leading_end(const Exact& degrees) const {
   const WorkingDigits scope(implementation_->working);
   const Float share = SlidingLine(implementation_->lines(), implementation_->friction, degrees).ahead;
   const Float ratio = implementation_->ratio(degrees);
-  return implementation_->function_of_span([&](const Float& along) -> Float { return share * ratio * along; });
+  return implementation_->function_of_span(
+      [&](const Float& along) -> Float { return share * ratio * along; });
 }
 
 Estimate SlidingContact::pressure(const Exact& degrees, const Exact& x) const {

@@ -68,8 +68,8 @@ void check_extent(const Exact& rate, const char* name, const Exact& t, const Exa
 /// 0, for values below e^{-7e8} times a length, which is below e^{1e8}.
 Enclosure faded_away(int digits) {
   Enclosure result = exact_zero(digits);
-  mpfr_set_si(result.error.get(), -600'000'000, MPFR_RNDU);
-  mpfr_exp(result.error.get(), result.error.get(), MPFR_RNDU);
+  mpfr_set_si(raw(result.error), -600'000'000, MPFR_RNDU);
+  mpfr_exp(raw(result.error), raw(result.error), MPFR_RNDU);
   return result;
 }
 

@@ -1,25 +1,24 @@
 #include <algorithm>
 
 #include <nipref/ref/nip/inner_stresses.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 namespace {
 
 using Number = data::WithError<Float>;
 
-Number number_of(const Estimate& x) { return {to_float(x.value), to_float(x.error)}; }
+Number number_of(const Estimate& x) { return {at_working_precision(x.value), at_working_precision(x.error)}; }
 
 /// With half a unit in the last place added to the error.
 Estimate estimate_of(const Number& x, int digits) {
-  const Float rounding = ldexp(abs(x.value), 2 - mpfr_get_prec(x.value.get()));
-  return {to_real(x.value), to_real(x.error + rounding), digits};
+  const Float rounding = ldexp(abs(x.value), 2 - bits_of(x.value));
+  return {x.value, x.error + rounding, digits};
 }
 
 /// So many that the stresses are not rounded.
 int digits_beyond(const InnerStresses& s) {
-  const auto bits =
-      std::max({s.across.value.precision(), s.along.value.precision(), s.shear.value.precision()});
+  const auto bits = std::max({bits_of(s.across.value), bits_of(s.along.value), bits_of(s.shear.value)});
   return static_cast<int>(bits * 3 / 10) + 3;
 }
 

@@ -25,34 +25,34 @@ double log2_magnitude(mpfr_srcptr x) {
 
 /// ln of how much the bound exceeds 10^-(digits+2) min(1, |value|); infinite where 0 is not excluded.
 double shortfall(const Enclosure& result) {
-  if (mpfr_zero_p(result.error.get())) return -1;
-  if (mpfr_cmpabs(result.value.get(), result.error.get()) <= 0) return HUGE_VAL;
-  const double size = std::min(0.0, log2_magnitude(result.value.get()));
-  return (log2_magnitude(result.error.get()) - size) * std::numbers::ln2 +
+  if (mpfr_zero_p(raw(result.error))) return -1;
+  if (mpfr_cmpabs(raw(result.value), raw(result.error)) <= 0) return HUGE_VAL;
+  const double size = std::min(0.0, log2_magnitude(raw(result.value)));
+  return (log2_magnitude(raw(result.error)) - size) * std::numbers::ln2 +
          (result.digits + 2) * std::numbers::ln10;
 }
 
 }  // namespace
 
-Enclosure::Enclosure(Real the_value, Real bound, int the_digits)
+Enclosure::Enclosure(Float the_value, Float bound, int the_digits)
     : Estimate(std::move(the_value), std::move(bound), the_digits) {
   proven = true;
 }
 
 Interval interval_of(const Enclosure& enclosure) {
   constexpr mpfr_prec_t spare_bits = 64;
-  const mpfr_prec_t precision = enclosure.value.precision() + spare_bits;
+  const mpfr_prec_t precision = bits_of(enclosure.value) + spare_bits;
   const Interval middle(enclosure.value, enclosure.value, precision);
   return middle.widened(Interval(enclosure.error, enclosure.error, precision));
 }
 
 Enclosure enclosure_of(const Interval& interval, int digits) {
-  Enclosure result{Real(interval.precision()), Real(bound_precision), digits};
-  mpfi_mid(result.value.get(), interval.get());
-  Real above(bound_precision);
-  mpfr_sub(result.error.get(), result.value.get(), interval.lower(), MPFR_RNDU);
-  mpfr_sub(above.get(), interval.upper(), result.value.get(), MPFR_RNDU);
-  mpfr_max(result.error.get(), result.error.get(), above.get(), MPFR_RNDU);
+  Enclosure result{zero_of_bits(interval.precision()), zero_of_bits(bound_precision), digits};
+  mpfi_mid(raw(result.value), interval.get());
+  Float above = zero_of_bits(bound_precision);
+  mpfr_sub(raw(result.error), raw(result.value), interval.lower(), MPFR_RNDU);
+  mpfr_sub(raw(above), interval.upper(), raw(result.value), MPFR_RNDU);
+  mpfr_max(raw(result.error), raw(result.error), raw(above), MPFR_RNDU);
   return result;
 }
 
@@ -66,9 +66,9 @@ Enclosure exact_zero(int digits) { return exactly(0, digits); }
 
 Enclosure exactly(double value, int digits) {
   check_digits(digits);
-  Real real(bound_precision);
-  mpfr_set_d(real.get(), value, MPFR_RNDN);
-  return {std::move(real), Real(bound_precision), digits};
+  Float real = zero_of_bits(bound_precision);
+  mpfr_set_d(raw(real), value, MPFR_RNDN);
+  return {std::move(real), zero_of_bits(bound_precision), digits};
 }
 
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at) {
@@ -80,7 +80,7 @@ Enclosure enclose(int digits, double first_nats, const std::function<Interval(do
     Enclosure result = enclosure_of(interval_at(nats), digits);
     const double lacking = shortfall(result);
     if (lacking <= 0) return result;
-    is_large = std::isfinite(lacking) && mpfr_cmpabs_ui(result.value.get(), 1) > 0;
+    is_large = std::isfinite(lacking) && mpfr_cmpabs_ui(raw(result.value), 1) > 0;
     nats = std::isfinite(lacking) ? nats + lacking + 2 * std::numbers::ln10 : 2 * nats;
   }
   throw data::BadInput("arguments", "(as given)",

@@ -9,7 +9,7 @@ namespace nipref::ref {
 /// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). A truth
 /// that is exactly 0 comes as value 0 with error 0. Only what proves a bound makes one.
 struct Enclosure : Estimate {
-  Enclosure(Real the_value, Real bound, int the_digits);
+  Enclosure(Float the_value, Float bound, int the_digits);
 };
 
 /// BadInput naming "digits" unless 16 <= digits <= 1000.

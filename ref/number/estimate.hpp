@@ -2,17 +2,17 @@
 #include <string>
 
 #include <nipref/data/number/with_error.hpp>
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
 /// A number of the reference, its error (>= 0), and the digits that were asked for. An estimated error is meant to cover
 /// the truth with a margin; where the error is proven, see Enclosure, `proven` is true.
-struct Estimate : data::WithError<Real> {
+struct Estimate : data::WithError<Float> {
   int digits;
   bool proven = false;
 
-  Estimate(Real the_value, Real the_error, int the_digits);
+  Estimate(Float the_value, Float the_error, int the_digits);
 
   /// Decimal text of the value, three significant digits more than were asked for (and as many more as the
   /// value has before the point).

@@ -5,7 +5,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/number/real.hpp>
 
 namespace nipref::ref {
 namespace {
@@ -103,17 +102,17 @@ Exact Exact::parse(std::string_view text, std::string_view name) {
 Exact Exact::magnitude() const { return Exact(mpq_class(abs(value_))); }
 
 std::string Exact::text() const {
-  Real nearest(64);
-  mpfr_set_q(nearest.get(), value_.get_mpq_t(), MPFR_RNDN);
+  Float nearest = zero_of_bits(64);
+  mpfr_set_q(raw(nearest), value_.get_mpq_t(), MPFR_RNDN);
   std::array<char, 64> buffer{};
-  mpfr_snprintf(buffer.data(), buffer.size(), "%.16Rg", nearest.get());
+  mpfr_snprintf(buffer.data(), buffer.size(), "%.16Rg", raw(nearest));
   return buffer.data();
 }
 
 double Exact::approximate() const {
-  Real nearest(53);
-  mpfr_set_q(nearest.get(), value_.get_mpq_t(), MPFR_RNDN);
-  return mpfr_get_d(nearest.get(), MPFR_RNDN);
+  Float nearest = zero_of_bits(53);
+  mpfr_set_q(raw(nearest), value_.get_mpq_t(), MPFR_RNDN);
+  return mpfr_get_d(raw(nearest), MPFR_RNDN);
 }
 
 double Exact::log2_magnitude() const {
@@ -124,6 +123,18 @@ double Exact::log2_magnitude() const {
   const double denominator = mpz_get_d_2exp(&denominator_exponent, value_.get_den_mpz_t());
   return std::log2(std::abs(numerator) / denominator) +
          static_cast<double>(numerator_exponent - denominator_exponent);
+}
+
+Float to_float(const Exact& exact) {
+  Float value;
+  mpfr_set_q(raw(value), exact.value().get_mpq_t(), MPFR_RNDN);
+  return value;
+}
+
+Exact to_exact(const Float& value) {
+  mpq_class exact;
+  mpfr_get_q(exact.get_mpq_t(), raw(value));
+  return Exact(exact);
 }
 
 }  // namespace nipref::ref

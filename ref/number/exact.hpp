@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <nipref/ref/number/float.hpp>
+
 namespace nipref::ref {
 
 /// An argument known exactly, as a rational number: the decimal 0.1 and the double 0.1 are different
@@ -34,5 +36,10 @@ class Exact {
  private:
   mpq_class value_;
 };
+
+/// Rounded to the working precision.
+Float to_float(const Exact& exact);
+/// Exactly.
+Exact to_exact(const Float& value);
 
 }  // namespace nipref::ref

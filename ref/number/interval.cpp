@@ -23,9 +23,9 @@ Interval apply(const Interval& x, const Interval& y) {
 
 Interval Interval::widened(const Interval& radius) const {
   Interval both(precision());
-  Real negative(radius.precision());
-  mpfr_neg(negative.get(), radius.upper(), MPFR_RNDD);
-  mpfi_interv_fr(both.get(), negative.get(), radius.upper());
+  Float negative = zero_of_bits(radius.precision());
+  mpfr_neg(raw(negative), radius.upper(), MPFR_RNDD);
+  mpfi_interv_fr(both.get(), raw(negative), radius.upper());
   return *this + both;
 }
 

@@ -2,7 +2,7 @@
 #include <mpfi.h>
 
 #include <nipref/ref/number/exact.hpp>
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -20,8 +20,8 @@ class Interval {
     mpfi_set_q(value_, value.value().get_mpq_t());
   }
   /// [lower, upper], rounded outwards.
-  Interval(const Real& lower, const Real& upper, mpfr_prec_t precision) : Interval(precision) {
-    mpfi_interv_fr(value_, lower.get(), upper.get());
+  Interval(const Float& lower, const Float& upper, mpfr_prec_t precision) : Interval(precision) {
+    mpfi_interv_fr(value_, raw(lower), raw(upper));
   }
   Interval(const Interval& other) : Interval(other.precision()) { mpfi_set(value_, other.value_); }
   Interval(Interval&& other) noexcept {

@@ -31,7 +31,7 @@ Interval residual(const Interval& x, long n) {
   return cosh(x) * p.sine - p.y;
 }
 
-Interval point(const Real& x) { return {x, x, x.precision()}; }
+Interval point(const Float& x) { return {x, x, bits_of(x)}; }
 
 /// One step of Newton's iteration for sinh w + w = 0 (derivative cosh w + 1) at the precision of `scratch`.
 void newton_step(Complex& w, Complex& scratch, Complex& slope) {
@@ -45,7 +45,7 @@ void newton_step(Complex& w, Complex& scratch, Complex& slope) {
 
 /// Re of the root w = 2z, by Newton steps with doubled precision. The error of the first guess is below 1, and small
 /// for large n.
-Real approximate(long n, mpfr_prec_t precision) {
+Float approximate(long n, mpfr_prec_t precision) {
   const double y = (2 * static_cast<double>(n) - 0.5) * std::numbers::pi;
   const double x = std::acosh(y);
   Complex w(precision);
@@ -62,24 +62,24 @@ Real approximate(long n, mpfr_prec_t precision) {
     Complex slope(std::min(2 * reached + 64, precision));
     newton_step(w, scratch, slope);
   }
-  Real result(precision);
-  mpfr_set(result.get(), mpc_realref(w.get()), MPFR_RNDN);
+  Float result = zero_of_bits(precision);
+  mpfr_set(raw(result), mpc_realref(w.get()), MPFR_RNDN);
   return result;
 }
 
 /// The shortest [x - d, x + d], d = 2^k, with h_n < 0 on the left and > 0 on the right.
-Interval bracket(const Real& x, long n) {
-  Real left(x.precision());
-  Real right(x.precision());
-  Real distance(x.precision());
-  const mpfr_exp_t size = mpfr_get_exp(x.get());
-  for (mpfr_exp_t exponent = size - x.precision() + 2; exponent < size - 2; ++exponent) {
-    mpfr_set_ui_2exp(distance.get(), 1, exponent, MPFR_RNDN);
-    mpfr_sub(left.get(), x.get(), distance.get(), MPFR_RNDN);
-    mpfr_add(right.get(), x.get(), distance.get(), MPFR_RNDN);
+Interval bracket(const Float& x, long n) {
+  Float left = zero_of_bits(bits_of(x));
+  Float right = zero_of_bits(bits_of(x));
+  Float distance = zero_of_bits(bits_of(x));
+  const mpfr_exp_t size = mpfr_get_exp(raw(x));
+  for (mpfr_exp_t exponent = size - bits_of(x) + 2; exponent < size - 2; ++exponent) {
+    mpfr_set_ui_2exp(raw(distance), 1, exponent, MPFR_RNDN);
+    mpfr_sub(raw(left), raw(x), raw(distance), MPFR_RNDN);
+    mpfr_add(raw(right), raw(x), raw(distance), MPFR_RNDN);
     const bool rises = mpfi_is_strictly_neg(residual(point(left), n).get()) > 0 &&
                        mpfi_is_strictly_pos(residual(point(right), n).get()) > 0;
-    if (rises) return {left, right, x.precision()};
+    if (rises) return {left, right, bits_of(x)};
   }
   throw std::logic_error("Newton's iteration missed the root of the sheet");
 }

@@ -94,7 +94,7 @@ FieldSource field_source(const RollingPressure& contact) {
 }
 
 Estimate estimated_of(const Float& unit, const data::WithError<Float>& estimate, int digits) {
-  return {to_real(unit * estimate.value), to_real(unit * estimate.error), digits};
+  return {unit * estimate.value, unit * estimate.error, digits};
 }
 
 }  // namespace

@@ -35,14 +35,14 @@ struct ViscoelasticLineLoads::Implementation {
     const Float value = middle_of(interval);
     Float error = upper_end(distance_from(value, interval));
     if (missing > Float(0)) error += missing * abs(value - middle_of(function(before)));
-    return {to_real(value), to_real(error), problem.digits};
+    return {value, error, problem.digits};
   }
   [[nodiscard]] Interval length(const LoadsOnLength& contact, int elements) const {
     return static_cast<long>(elements) * interval_of(contact.leading_length) /
            static_cast<long>(problem.leading);
   }
   [[nodiscard]] Interval parabola(const Interval& y) const {
-    return square(y) / (2 * Interval(problem.nip.roller_radius, precision_here()));
+    return square(y) / (2 * Interval(problem.nip.roller_radius, working_bits()));
   }
   [[nodiscard]] std::size_t largest_load() const {
     const auto largest = std::ranges::max_element(
@@ -58,12 +58,12 @@ struct ViscoelasticLineLoads::Implementation {
   /// Of the loads `counted` by their positions, in force.
   template <class Counted>
   [[nodiscard]] Interval moment(const LoadsOnLength& contact, const Counted& counted) const {
-    Interval total(precision_here());
+    Interval total(working_bits());
     for (int j = 0; j < problem.loads(); ++j) {
       const mpq_class position = contact.grid.position(j);
       if (counted(position))
         total =
-            total + contact.loads[static_cast<std::size_t>(j)] * Interval(Exact(position), precision_here());
+            total + contact.loads[static_cast<std::size_t>(j)] * Interval(Exact(position), working_bits());
     }
     return total * half_thickness_of(problem) * force_unit(problem);
   }
@@ -73,7 +73,7 @@ struct ViscoelasticLineLoads::Implementation {
                              const Displacement& displacement) const {
     const mpq_class at = y / problem.half_thickness();
     const mpq_class t = problem.approach + 2 * problem.leading * contact.grid.element - at;
-    Interval total(precision_here());
+    Interval total(working_bits());
     for (int j = 0; j < problem.loads(); ++j) {
       const mpq_class position = contact.grid.position(j);
       if (at == position) throw BadInput("y", Exact(y).approximate(), "must not be the place of a line load");
@@ -222,7 +222,7 @@ Estimate ViscoelasticLineLoads::rolling_resistance() const {
   const auto& all = *implementation_;
   return all.of([&](const LoadsOnLength& contact) {
     return all.moment(contact, [](const mpq_class&) { return true; }) /
-           (load_of(all.problem, contact) * Interval(all.problem.nip.roller_radius, precision_here()));
+           (load_of(all.problem, contact) * Interval(all.problem.nip.roller_radius, working_bits()));
   });
 }
 

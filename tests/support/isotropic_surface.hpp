@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 /// The response of an isotropic half-space of mu = 1, written out: (brock2012 18a) and its counterpart for
 /// the shear.
@@ -18,7 +18,6 @@ inline nipref::ref::SurfaceAnswer isotropic_surface(double poisson, double speed
                 X = std::max(Float(speed * cosine * speed * cosine), Float(pow(Float(10), -digits)));
     const Float wS = sqrt(1 - X), wD = sqrt(1 - X * (1 - 2 * nu) / (2 - 2 * nu));
     const Float R = 4 * wS * wD - (2 - X) * (2 - X), minus_N = 2 - X - 2 * wS * wD;
-    return {ref::to_real(X * wD / R), ref::to_real(minus_N / R), ref::to_real(Float(0)),
-            ref::to_real(X * wS / R)};
+    return {X * wD / R, minus_N / R, Float(0), X * wS / R};
   };
 }

@@ -5,13 +5,15 @@
 
 /// |a - b|; what is proven may stand here too.
 inline double difference(const nipref::ref::Estimate& a, const nipref::ref::Estimate& b) {
-  nipref::ref::Real result(400);
-  mpfr_sub(result.get(), a.value.get(), b.value.get(), MPFR_RNDN);
-  return std::fabs(mpfr_get_d(result.get(), MPFR_RNDN));
+  nipref::ref::Float result = nipref::ref::zero_of_bits(400);
+  mpfr_sub(nipref::ref::raw(result), nipref::ref::raw(a.value), nipref::ref::raw(b.value), MPFR_RNDN);
+  return std::fabs(mpfr_get_d(nipref::ref::raw(result), MPFR_RNDN));
 }
 
 /// The error it comes with, proven or not.
-inline double error(const nipref::ref::Estimate& x) { return mpfr_get_d(x.error.get(), MPFR_RNDU); }
+inline double error(const nipref::ref::Estimate& x) {
+  return mpfr_get_d(nipref::ref::raw(x.error), MPFR_RNDU);
+}
 
 inline double relative_error(const nipref::ref::Estimate& truth, double value) {
   return std::fabs(truth.error_of(value) / value);

@@ -44,9 +44,9 @@ std::vector<Argument> arguments_in(const Quantity& quantity, const std::vector<C
 mpfr_prec_t bits_for(const std::string& text) { return static_cast<mpfr_prec_t>(4 * text.size() + 128); }
 
 /// Reads a decimal number; false if the text is none.
-bool read_decimal(const std::string& text, ref::Real& number, mpfr_rnd_t rounding) {
-  return !text.empty() && mpfr_set_str(number.get(), text.c_str(), 10, rounding) == 0 &&
-         mpfr_number_p(number.get()) != 0;
+bool read_decimal(const std::string& text, ref::Float& number, mpfr_rnd_t rounding) {
+  return !text.empty() && mpfr_set_str(ref::raw(number), text.c_str(), 10, rounding) == 0 &&
+         mpfr_number_p(ref::raw(number)) != 0;
 }
 
 /// The double in a field, decimal or hexadecimal; nothing if the field is no number.
@@ -122,7 +122,7 @@ class Reader {
   }
 
   [[nodiscard]] std::string decimal(const CsvField& field) const {
-    ref::Real value(bits_for(field.text));
+    ref::Float value = ref::zero_of_bits(bits_for(field.text));
     if (!read_decimal(field.text, value, MPFR_RNDN)) refuse(field, "must be a finite decimal number");
     return field.text;
   }
@@ -134,38 +134,39 @@ class Reader {
 
 /// The bound includes the rounding of the value to its text. The text of the value 0 is not rounded.
 std::string bound_text(const ref::Estimate& reference) {
-  if (!mpfr_zero_p(reference.value.get()) || mpfr_zero_p(reference.error.get()))
+  if (!mpfr_zero_p(ref::raw(reference.value)) || mpfr_zero_p(ref::raw(reference.error)))
     return reference.error_text();
   return upward_text(reference.error);
 }
 
 }  // namespace
 
-Gap::Gap(const ref::Estimate& a, const ref::Estimate& b) : distance(64), allowed(64) {
-  mpfr_sub(distance.get(), a.value.get(), b.value.get(), MPFR_RNDA);
-  mpfr_abs(distance.get(), distance.get(), MPFR_RNDU);
-  mpfr_add(allowed.get(), a.error.get(), b.error.get(), MPFR_RNDU);
+Gap::Gap(const ref::Estimate& a, const ref::Estimate& b)
+    : distance(ref::zero_of_bits(64)), allowed(ref::zero_of_bits(64)) {
+  mpfr_sub(ref::raw(distance), ref::raw(a.value), ref::raw(b.value), MPFR_RNDA);
+  mpfr_abs(ref::raw(distance), ref::raw(distance), MPFR_RNDU);
+  mpfr_add(ref::raw(allowed), ref::raw(a.error), ref::raw(b.error), MPFR_RNDU);
 }
 
-bool Gap::is_covered() const { return mpfr_lessequal_p(distance.get(), allowed.get()) != 0; }
+bool Gap::is_covered() const { return mpfr_lessequal_p(ref::raw(distance), ref::raw(allowed)) != 0; }
 
-bool is_small(const ref::Real& width, double scale) {
-  ref::Real most(64);
-  mpfr_set_d(most.get(), ulp_of(scale), MPFR_RNDD);
-  mpfr_div_ui(most.get(), most.get(), 1000, MPFR_RNDD);
-  return mpfr_lessequal_p(width.get(), most.get()) != 0;
+bool is_small(const ref::Float& width, double scale) {
+  ref::Float most = ref::zero_of_bits(64);
+  mpfr_set_d(ref::raw(most), ulp_of(scale), MPFR_RNDD);
+  mpfr_div_ui(ref::raw(most), ref::raw(most), 1000, MPFR_RNDD);
+  return mpfr_lessequal_p(ref::raw(width), ref::raw(most)) != 0;
 }
 
-std::string upward_text(const ref::Real& number) {
+std::string upward_text(const ref::Float& number) {
   char* text = nullptr;
-  if (mpfr_asprintf(&text, "%.1RUe", number.get()) < 0) throw std::bad_alloc();
+  if (mpfr_asprintf(&text, "%.1RUe", ref::raw(number)) < 0) throw std::bad_alloc();
   std::string result(text);
   mpfr_free_str(text);
   return result;
 }
 
 ref::Estimate GoldenRow::number() const {
-  ref::Real number(bits_for(value)), error(64);
+  ref::Float number = ref::zero_of_bits(bits_for(value)), error = ref::zero_of_bits(64);
   read_decimal(value, number, MPFR_RNDN);
   read_decimal(bound, error, MPFR_RNDU);
   return {std::move(number), std::move(error), digits_beyond_double};

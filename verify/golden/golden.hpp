@@ -42,7 +42,7 @@ GoldenRow golden_row(const Quantity& quantity, const Point& point, const ref::Es
 
 /// |a - b|, and the sum of the errors of both, rounded upwards.
 struct Gap {
-  ref::Real distance, allowed;
+  ref::Float distance, allowed;
 
   Gap(const ref::Estimate& a, const ref::Estimate& b);
   /// Whether both may stand for one number; a NaN may not.
@@ -50,10 +50,10 @@ struct Gap {
 };
 
 /// Whether a width is small against the scale: at most a thousandth of a unit in the last place.
-bool is_small(const ref::Real& width, double scale);
+bool is_small(const ref::Float& width, double scale);
 
 /// Two digits, rounded upwards.
-std::string upward_text(const ref::Real& number);
+std::string upward_text(const ref::Float& number);
 
 /// The text of a file, as data/golden/README.md describes it.
 std::string golden_text(const Quantity& quantity, const GoldenFile& file);

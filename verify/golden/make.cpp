@@ -134,7 +134,7 @@ std::string confirm_row(const Quantity& quantity, GoldenRow& row) {
   if (!gap.is_covered())
     return fmt::format("{} differs by {}, more than {}", confirmed.method, upward_text(gap.distance),
                        upward_text(gap.allowed));
-  mpfr_add(gap.distance.get(), gap.distance.get(), confirmed.error.get(), MPFR_RNDU);
+  mpfr_add(ref::raw(gap.distance), ref::raw(gap.distance), ref::raw(confirmed.error), MPFR_RNDU);
   if (!is_small(gap.distance, row.scale))
     return fmt::format("{} is good to {} only", confirmed.method, upward_text(gap.distance));
   row.confirmed_by = fmt::format("{} to {}", confirmed.method, upward_text(gap.distance));

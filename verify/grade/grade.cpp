@@ -66,9 +66,10 @@ double difference(const Quantity& quantity, const Point& point, std::size_t argu
   Point above = point, below = point;
   above[argument] *= 1 + step;
   below[argument] *= 1 - step;
-  ref::Real change = ref_value(quantity, above, condition_digits).value;
-  mpfr_sub(change.get(), change.get(), ref_value(quantity, below, condition_digits).value.get(), MPFR_RNDN);
-  return mpfr_get_d(change.get(), MPFR_RNDN);
+  ref::Float change = ref_value(quantity, above, condition_digits).value;
+  const ref::Float value_below = ref_value(quantity, below, condition_digits).value;
+  mpfr_sub(ref::raw(change), ref::raw(change), ref::raw(value_below), MPFR_RNDN);
+  return mpfr_get_d(ref::raw(change), MPFR_RNDN);
 }
 
 }  // namespace

@@ -127,11 +127,11 @@ fast::Estimate from_x1(const fast::Estimate& from_motion, double motion) {
           from_motion.error + 0x1p-52 * (std::fabs(from_motion.value) + std::fabs(motion))};
 }
 ref::Estimate from_x1(ref::Estimate angle, double motion) {
-  mpfr_prec_round(angle.value.get(), angle.value.precision() + 64, MPFR_RNDN);
-  mpfr_add_d(angle.value.get(), angle.value.get(), motion, MPFR_RNDN);
-  ref::Real half_turn(64);
-  mpfr_set_ui(half_turn.get(), 180, MPFR_RNDN);
-  mpfr_remainder(angle.value.get(), angle.value.get(), half_turn.get(), MPFR_RNDN);
+  mpfr_prec_round(ref::raw(angle.value), ref::bits_of(angle.value) + 64, MPFR_RNDN);
+  mpfr_add_d(ref::raw(angle.value), ref::raw(angle.value), motion, MPFR_RNDN);
+  ref::Float half_turn = ref::zero_of_bits(64);
+  mpfr_set_ui(ref::raw(half_turn), 180, MPFR_RNDN);
+  mpfr_remainder(ref::raw(angle.value), ref::raw(angle.value), ref::raw(half_turn), MPFR_RNDN);
   return angle;
 }
 

@@ -14,8 +14,8 @@ constexpr int most_rounds = 200;
 
 /// sum += x y.
 void add_product(Float& sum, Float& scratch, const Float& x, const Float& y) {
-  mpfr_mul(scratch.get(), x.get(), y.get(), MPFR_RNDN);
-  mpfr_add(sum.get(), sum.get(), scratch.get(), MPFR_RNDN);
+  mpfr_mul(raw(scratch), raw(x), raw(y), MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(scratch), MPFR_RNDN);
 }
 
 /// The system at the nodes: with y_i = sum_m mu c_m cos(mu theta_i), (log_ij + odd_ij) y_j = n cos(theta_i),
@@ -73,7 +73,7 @@ Vector solved_in_double(const DenseMatrix<double>& factor, const Vector& right) 
 }  // namespace
 
 ChebyshevSystem::ChebyshevSystem(Float half_length, int size, SmoothKernel& kernel)
-    : half_length_(std::move(half_length)), size_(size), cosines_(2L * size, precision_here()) {
+    : half_length_(std::move(half_length)), size_(size), cosines_(2L * size, working_bits()) {
   std::vector<Float> places;
   for (int i = 0; i < size; ++i) places.push_back(half_length_ * middle_of(cosines_(2L * i + 1)));
   odd_part_.reserve(place(size - 1, size - 1) + 1);

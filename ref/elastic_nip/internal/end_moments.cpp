@@ -8,7 +8,7 @@ namespace {
 
 Float zeta(unsigned long s) {
   Float result;
-  mpfr_zeta_ui(result.get(), s, MPFR_RNDN);
+  mpfr_zeta_ui(raw(result), s, MPFR_RNDN);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 

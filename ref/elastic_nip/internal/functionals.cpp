@@ -47,7 +47,7 @@ Interval image_ratio(const SurfacePoint& place) {
 /// I3 on all of an interval; |I3'| <= int 2x/S dx <= 2.
 Interval I3_over(const Interval& alpha, double nats) {
   const Float near = middle_of(alpha);
-  const Interval value = near == 0 ? Interval(precision_here()) : I3_interval(to_exact(near), nats);
+  const Interval value = near == 0 ? Interval(working_bits()) : I3_interval(to_exact(near), nats);
   return value.widened(2 * distance_from(near, alpha));
 }
 
@@ -57,7 +57,7 @@ std::vector<Interval> pressures_at_nodes(const std::vector<Float>& coefficients,
   std::vector<Interval> result;
   for (long j = 0; j < n; ++j) {
     const auto sine = [&](long m) -> const Interval& { return cosines(2 * n - (2 * m + 1) * (2 * j + 1)); };
-    Interval sum(precision_here());
+    Interval sum(working_bits());
     for (long m = 0; m < n; ++m) sum = sum + interval_of(coefficients[static_cast<std::size_t>(m)]) * sine(m);
     result.push_back(sum * sine(0));
   }
@@ -69,7 +69,7 @@ std::vector<Interval> slopes_at_nodes(const std::vector<Float>& coefficients, co
   const long n = static_cast<long>(coefficients.size());
   std::vector<Interval> result;
   for (long j = 0; j < n; ++j) {
-    Interval sum(precision_here());
+    Interval sum(working_bits());
     for (long m = 0; m < n; ++m) {
       const long mu = 2 * m + 1;
       sum = sum + mu * (interval_of(coefficients[static_cast<std::size_t>(m)]) * cosines(mu * (2 * j + 1)));
@@ -83,7 +83,7 @@ std::vector<Interval> slopes_at_nodes(const std::vector<Float>& coefficients, co
 
 ContactFunctionals::ContactFunctionals(ProvenExpansion expansion, SmoothKernel& kernel, double nats)
     : expansion_(std::move(expansion)), kernel_(kernel), nats_(nats) {
-  const Cosines cosines(2 * size(), precision_here());
+  const Cosines cosines(2 * size(), working_bits());
   for (long j = 0; j < size(); ++j) nodes_.push_back(cosines(2 * j + 1));
   node_pressures_ = pressures_at_nodes(expansion_.coefficients, cosines);
   node_slopes_ = slopes_at_nodes(expansion_.coefficients, cosines);
@@ -95,19 +95,19 @@ Interval ContactFunctionals::coefficient(long m) const {
 
 Interval ContactFunctionals::load() const {
   const Interval first = coefficient(0).widened(expansion_.energy_radius);
-  return Interval::pi(precision_here()) * square(half_length()) * first;
+  return Interval::pi(working_bits()) * square(half_length()) * first;
 }
 
 Interval ContactFunctionals::pressure(const SurfacePoint& place) const {
   return by_side(
       place, [&](const SurfacePoint& p) { return pressure_between(p); },
-      [&](const SurfacePoint&) { return Interval(precision_here()); });
+      [&](const SurfacePoint&) { return Interval(working_bits()); });
 }
 
 /// |dp|/(2A) <= sum |dc_m sin(mu theta)| <= sin(theta) radius.
 Interval ContactFunctionals::pressure_between(const SurfacePoint& place) const {
   const Interval theta = angle(place);
-  Interval sum(precision_here());
+  Interval sum(working_bits());
   for (long m = 0; m < size(); ++m) sum = sum + coefficient(m) * sin((2 * m + 1) * theta);
   const Interval sine = sqrt(place.before_end * (2 - place.before_end));
   return 2 * (half_length() * sum.widened(sine * expansion_.radius));
@@ -118,12 +118,12 @@ template <class Kernel>
 Interval ContactFunctionals::smooth_integral(const SurfacePoint& place, const Kernel& kernel,
                                              const Interval& largest) const {
   const Interval t = position(place);
-  Interval sum(precision_here());
+  Interval sum(working_bits());
   for (std::size_t j = 0; j < nodes_.size(); ++j) {
     const Interval both = kernel(half_length() * (t - nodes_[j])) + kernel(half_length() * (t + nodes_[j]));
     sum = sum + both * node_pressures_[j];
   }
-  const Interval pi = Interval::pi(precision_here());
+  const Interval pi = Interval::pi(working_bits());
   return (pi * sum / (2 * size()))
       .widened(expansion_.quadrature_error + pi * magnitude_of(largest) * expansion_.radius / 2);
 }
@@ -131,7 +131,7 @@ Interval ContactFunctionals::smooth_integral(const SurfacePoint& place, const Ke
 /// u pi/(2 A^2): -ln|t - s| acts on sin(mu theta) in closed form, cosines inside, powers outside. On what the
 /// coefficients miss it is at most int |ln|t - s|| ds <= 3 + 2t, and |J| <= 1 + 2|alpha|.
 Interval ContactFunctionals::normal_by_pressure(const SurfacePoint& place) const {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Interval& A = half_length();
   const Interval t = position(place);
   const Interval two(2L, precision);
@@ -157,7 +157,7 @@ Interval ContactFunctionals::normal_by_pressure(const SurfacePoint& place) const
 
 /// v pi/(2 A^2).
 Interval ContactFunctionals::tangential_by_pressure(const SurfacePoint& place, const Interval& beta) const {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Interval pi = Interval::pi(precision);
   const bool inside = is_inside(place);
   // Half of what the load is between 0 and t, by sin(mu theta) sin(theta) = [cos(2m theta) - cos((2m + 2)
@@ -183,28 +183,28 @@ Interval ContactFunctionals::tangential_by_pressure(const SurfacePoint& place, c
 
 Interval ContactFunctionals::indentation() const {
   if (!indentation_) {
-    const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
-    indentation_ = scale * normal_by_pressure({Interval(1L, precision_here())});
+    const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
+    indentation_ = scale * normal_by_pressure({Interval(1L, working_bits())});
   }
   return *indentation_;
 }
 
 Interval ContactFunctionals::normal_displacement(const SurfacePoint& place) const {
-  const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
+  const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
   return by_side(
       place, [&](const SurfacePoint& p) { return indentation() - square(half_length() * position(p)); },
       [&](const SurfacePoint& p) { return scale * normal_by_pressure(p); });
 }
 
 Interval ContactFunctionals::tangential_displacement(const SurfacePoint& place, const Interval& beta) const {
-  const Interval scale = 2 * square(half_length()) / Interval::pi(precision_here());
+  const Interval scale = 2 * square(half_length()) / Interval::pi(working_bits());
   const auto displacement = [&](const SurfacePoint& p) { return scale * tangential_by_pressure(p, beta); };
   return by_side(place, displacement, displacement);
 }
 
 Interval ContactFunctionals::strain(const SurfacePoint& place, const Interval& beta) const {
-  const Interval t = position(place), pi = Interval::pi(precision_here());
-  Interval sum(precision_here());
+  const Interval t = position(place), pi = Interval::pi(working_bits());
+  Interval sum(working_bits());
   // P is even: its slopes are opposite at opposite nodes.
   for (std::size_t j = 0; j < nodes_.size(); ++j) {
     const Interval both =

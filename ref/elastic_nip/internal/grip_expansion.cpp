@@ -23,8 +23,8 @@ int sign_of_power(long k) { return k % 4 < 2 ? 1 : -1; }
 int alternating(long k) { return k % 2 == 0 ? 1 : -1; }
 
 void accumulate(Float& sum, Float& scratch, const Float& x, const Float& y) {
-  mpfr_mul(scratch.get(), x.get(), y.get(), MPFR_RNDN);
-  mpfr_add(sum.get(), sum.get(), scratch.get(), MPFR_RNDN);
+  mpfr_mul(raw(scratch), raw(x), raw(y), MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(scratch), MPFR_RNDN);
 }
 
 /// Half of the zeros of T_count or U_count, count even: those > 0, from the end.
@@ -32,7 +32,7 @@ class HalfGrid {
  public:
   HalfGrid(int count, bool first_kind)
       : count_(count / 2), first_kind_(first_kind), period_(4L * (first_kind ? count : count + 1)) {
-    const Cosines cosines(period_ / 4, precision_here());
+    const Cosines cosines(period_ / 4, working_bits());
     for (long k = 0; k < period_; ++k) cosines_.push_back(middle_of(cosines(k)));
   }
   [[nodiscard]] int size() const { return count_; }
@@ -241,7 +241,7 @@ GripTraction GripExpansion::traction(const Float& before_end) const {
   for (long k = terms() - 1; k >= 0; --k) {
     for (Float GripTraction::*part : {&GripTraction::pressure, &GripTraction::shear}) {
       Float& next = last.*part;
-      mpfr_neg(next.get(), next.get(), MPFR_RNDN);
+      mpfr_neg(raw(next), raw(next), MPFR_RNDN);
       accumulate(next, scratch, twofold, now.*part);
     }
     std::swap(now, last);

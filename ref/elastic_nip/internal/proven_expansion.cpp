@@ -59,7 +59,7 @@ void add_product(Interval& sum, Interval& scratch, const Interval& x, const Inte
   mpfi_add(sum.get(), sum.get(), scratch.get());
 }
 void add_product(Interval& sum, Interval& scratch, const Interval& x, const Float& y) {
-  mpfi_mul_fr(scratch.get(), x.get(), y.get());
+  mpfi_mul_fr(scratch.get(), x.get(), raw(y));
   mpfi_add(sum.get(), sum.get(), scratch.get());
 }
 
@@ -67,9 +67,9 @@ void add_product(Interval& sum, Interval& scratch, const Interval& x, const Floa
 std::vector<Interval> cosine_transform(const ChebyshevSystem& system, const std::vector<Interval>& x) {
   const long n = system.size();
   std::vector<Interval> result;
-  Interval scratch(precision_here());
+  Interval scratch(working_bits());
   for (long i = 0; i < n; ++i) {
-    Interval sum(precision_here());
+    Interval sum(working_bits());
     for (long m = 0; m < n; ++m) {
       add_product(sum, scratch, x[static_cast<std::size_t>(m)], system.cosines()((2 * m + 1) * (2 * i + 1)));
     }
@@ -80,9 +80,9 @@ std::vector<Interval> cosine_transform(const ChebyshevSystem& system, const std:
 
 std::vector<Interval> odd_part_times(const ChebyshevSystem& system, const std::vector<Interval>& y) {
   std::vector<Interval> result;
-  Interval scratch(precision_here());
+  Interval scratch(working_bits());
   for (int i = 0; i < system.size(); ++i) {
-    Interval sum(precision_here());
+    Interval sum(working_bits());
     for (int j = 0; j < system.size(); ++j) {
       add_product(sum, scratch, y[static_cast<std::size_t>(j)], system.odd_part(i, j));
     }
@@ -92,7 +92,7 @@ std::vector<Interval> odd_part_times(const ChebyshevSystem& system, const std::v
 }
 
 Residual residual_of(const ChebyshevSystem& system, const Vector& coefficients) {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const long n = system.size();
   Residual result{Interval(precision), Interval(precision), Interval(precision)};
   std::vector<Interval> weighted;
@@ -132,7 +132,7 @@ Interval coercivity(const Interval& half_length) {
 ProvenExpansion prove(const ChebyshevSystem& system, const Vector& coefficients,
                       const Interval& half_length) {
   const long n = system.size();
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Residual residual = residual_of(system, coefficients);
   const Decay decay(half_length, system.size());
   // Arguments of J are rounded; and the system's own half length is not all of the interval.

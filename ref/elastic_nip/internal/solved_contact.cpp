@@ -93,7 +93,7 @@ SolvedContact SolvedContact::of_half_length(const Exact& half_length, int digits
   const WorkingDigits working(contact.working_digits());
   const int size = checked_size(near, contact.precision_.expansion, digits);
   const ChebyshevSystem system(to_float(half_length), size, *contact.kernel_);
-  contact.finish(system, system.solution(), Interval(half_length, precision_here()));
+  contact.finish(system, system.solution(), Interval(half_length, working_bits()));
   return contact;
 }
 
@@ -122,7 +122,7 @@ SolvedContact SolvedContact::of_load(const Exact& load, double guess,
     // The length lies between this one and what W(lA) >= l^2 W(A) makes of it.
     const Interval here = interval_of(half_length);
     contact.finish(system, coefficients, here);
-    const Interval there = here * sqrt(Interval(load, precision_here()) / contact->load());
+    const Interval there = here * sqrt(Interval(load, working_bits()) / contact->load());
     contact.finish(system, coefficients, hull(here, there));
     return contact;
   }

@@ -22,11 +22,11 @@ constexpr long most_directions = 4096;
 
 Float at_most_1(const Float& value) { return std::min(Float(1), Float(abs(value))); }
 
-Float number(const Real& real) {
-  if (mpfr_number_p(real.get()) == 0)
-    throw data::BadInput("surface", mpfr_nan_p(real.get()) != 0 ? "nan" : "infinite",
+Float number(const Float& real) {
+  if (mpfr_number_p(raw(real)) == 0)
+    throw data::BadInput("surface", mpfr_nan_p(raw(real)) != 0 ? "nan" : "infinite",
                          "must answer with finite numbers");
-  return to_float(real);
+  return at_working_precision(real);
 }
 
 struct UnitKey {
@@ -54,7 +54,7 @@ UnitNodes unit_nodes(const UnitKey& key) {
 }
 
 std::size_t size_of_nodes(const UnitNodes& nodes) {
-  const std::size_t bits = nodes.empty() ? 0 : static_cast<std::size_t>(mpfr_get_prec(nodes[0].left.get()));
+  const std::size_t bits = nodes.empty() ? 0 : static_cast<std::size_t>(bits_of(nodes[0].left));
   return nodes.size() * (sizeof(UnitNode) + 4 * (bits / 8 + 16));
 }
 
@@ -62,15 +62,15 @@ std::size_t size_of_nodes(const UnitNodes& nodes) {
 
 WorkingAnswer WorkingSurface::at(const Exact& degrees) const {
   const LineAnswer line = answer_(degrees, digits_);
-  const auto in_unit = [&](const Real& real) { return ldexp(number(real), exponent_); };
+  const auto in_unit = [&](const Float& real) { return ldexp(number(real), exponent_); };
   return {in_unit(line.compliance), in_unit(line.coupling),         in_unit(line.coupling_across),
           in_unit(line.in_line),    in_unit(line.shear_compliance), in_unit(line.shear_compliance_across)};
 }
 
 long stress_exponent(const SurfaceAnswer& surface) {
   constexpr int enough = 16;
-  const Real compliance = surface(Exact(0.0), enough).compliance;
-  return mpfr_regular_p(compliance.get()) != 0 ? -mpfr_get_exp(compliance.get()) : 0;
+  const Float compliance = surface(Exact(0.0), enough).compliance;
+  return mpfr_regular_p(raw(compliance)) != 0 ? -mpfr_get_exp(raw(compliance)) : 0;
 }
 
 Float tolerance(int digits) { return pow(Float(10), -digits); }
@@ -92,12 +92,12 @@ Estimate estimated(const Float& value, const Float& error, int digits) {
   // Two results may agree to the last bit; then the error is that of rounding and of the surface's digits.
   const Float sum = error + tolerance(digits + guard_digits / 2) * at_most_1(value);
   if (!(sum <= tolerance(digits) * at_most_1(value))) refuse_digits(digits);
-  return {to_real(value), to_real(sum), digits};
+  return {value, sum, digits};
 }
 
 Estimate of_levels(const Float& fine, const Float& coarse, int digits) {
   const Float rounding = tolerance(digits + guard_digits / 2) * abs(fine);
-  return {to_real(fine), to_real(abs(fine - coarse) + rounding), digits};
+  return {fine, abs(fine - coarse) + rounding, digits};
 }
 
 Float span_along_of(const HalfSpaceLoad& load, const Float& factor) {
@@ -119,7 +119,7 @@ bool is_settled(const Float& change, const Float& value, int digits) {
 
 Float unit_integral(int digits, const std::function<Float(const UnitNode& node)>& f) {
   static Cache<UnitKey, UnitNodes> kept(unit_nodes, size_of_nodes, std::size_t{1} << 26);
-  const auto nodes = kept.at({digits, mpfr_get_prec(Float().get())});
+  const auto nodes = kept.at({digits, working_bits()});
   Float sum = 0;
   for (const UnitNode& node : *nodes) sum += f(node) * node.weight;
   return sum;

@@ -7,7 +7,7 @@
 #include <nipref/ref/half_space/internal/crowded_directions.hpp>
 #include <nipref/ref/half_space/response.hpp>
 #include <nipref/ref/number/estimate.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -71,10 +71,10 @@ Estimate with_shifted_ends(const Contact& contact, const At& at) {
   Estimate result = contact.function_of_span([&](const Float& along) { return at(along, none); });
   const Estimate more = contact.function_of_span([&](const Float& along) { return at(along, off); });
   const Estimate less = contact.function_of_span([&](const Float& along) { return at(along, -off); });
-  const Float value = to_float(result.value);
-  const Float change =
-      std::max(Float(abs(to_float(more.value) - value)), Float(abs(to_float(less.value) - value)));
-  return {result.value, to_real(to_float(result.error) + change), contact.digits};
+  const Float value = at_working_precision(result.value);
+  const Float change = std::max(Float(abs(at_working_precision(more.value) - value)),
+                                Float(abs(at_working_precision(less.value) - value)));
+  return {result.value, at_working_precision(result.error) + change, contact.digits};
 }
 
 /// The contact's span along the motion under a load, where force = factor span^3.

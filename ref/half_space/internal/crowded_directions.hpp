@@ -1,6 +1,6 @@
 #pragma once
 #include <nipref/ref/half_space/response.hpp>
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -16,7 +16,7 @@ class CrowdedDirections {
   struct Direction {
     Exact degrees;
     Float cosine, sine;
-    Float weight;        ///< dpsi/du times the period: its mean over the directions is int dpsi
+    Float weight;  ///< dpsi/du times the period: its mean over the directions is int dpsi
   };
   /// The i-th of `count` directions; it is the 2 i-th of 2 count directions.
   [[nodiscard]] Direction at(long i, long count) const;

@@ -68,7 +68,7 @@ Interval proven_bracket(const ExactStiffness& solid, const SurfaceDirection& psi
     const auto after = determinant(solid, psi, right, precision);
     if (before && after && mpfi_is_strictly_pos(before->get()) > 0 &&
         mpfi_is_strictly_neg(after->get()) > 0) {
-      return {to_real(left), to_real(right), precision};
+      return {left, right, precision};
     }
   }
   refuse_proof(psi, surface_wave);
@@ -98,9 +98,9 @@ Interval limiting_inertia(const ExactStiffness& solid, const SurfaceDirection& p
     const Interval quotient = rayleigh_quotient(matrices, s, pencil.lowest_vector(s));
     const Float below = middle_of(quotient) * (1 - power_of_two(-bits));
     if (surface_impedance(acoustic_matrices(solid, psi, interval_of(below, precision)))) {
-      Real above(precision);
-      mpfi_get_right(above.get(), quotient.get());
-      return {to_real(below), above, precision};
+      Float above = zero_of_bits(precision);
+      mpfi_get_right(raw(above), quotient.get());
+      return {below, above, precision};
     }
   }
   refuse_proof(psi, "limiting speed");

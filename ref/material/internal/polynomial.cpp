@@ -17,8 +17,8 @@ Polynomial common_factor(Polynomial a, Polynomial b) {
 }
 
 Interval exactly(const Float& x, mpfr_prec_t bits) {
-  Interval result(std::max(bits, mpfr_get_prec(x.get())));
-  mpfi_set_fr(result.get(), x.get());
+  Interval result(std::max(bits, bits_of(x)));
+  mpfi_set_fr(result.get(), raw(x));
   return result;
 }
 
@@ -101,7 +101,7 @@ std::pair<ComplexFloat, ComplexFloat> FloatPolynomial::at(const ComplexFloat& z)
 
 std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit) {
   constexpr int most_rounds = 2000, lost_bits = 4;
-  const Float rounding = ldexp(Float(1), lost_bits - mpfr_get_prec(Float().get()));
+  const Float rounding = ldexp(Float(1), lost_bits - working_bits());
   std::vector<ComplexFloat> zeros = first_guesses(p);
   Float change = 1;
   for (int round = 0; round < most_rounds && change > 0; ++round) {

@@ -34,7 +34,7 @@ std::vector<ComplexFloat> zeros_of(Polynomial p, const Float& unit, const char* 
 }
 
 ComplexFloat rounded(const ComplexFloat& x) {
-  return {x.re.at_working_precision(), x.im.at_working_precision()};
+  return {at_working_precision(x.re), at_working_precision(x.im)};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Compliance rational_compliance(Polynomial numerator, Polynomial denominator, con
   const mpq_class gain =
       numerator.size() < denominator.size() ? mpq_class(0) : mpq_class(numerator.back() / denominator.back());
 
-  const mpfr_prec_t bits = mpfr_get_prec(Float().get());
+  const mpfr_prec_t bits = working_bits();
   const Float unit = ldexp(Float(1), -bits - 8);
   std::vector<ComplianceTerm> terms;
   {

@@ -79,13 +79,13 @@ ComplexInterval whole_symbol(Symbol kernel, const ComplexInterval& z) {
 /// Sets `result` to the number rounded to its precision; std::logic_error if the interval is wider than 2^-precision.
 void set(Complex& result, const ComplexInterval& x) {
   const mpfr_prec_t bits = mpfr_get_prec(mpc_realref(result.get()));
-  Real smallest(64), width(64), other(64);
-  mpfi_mig(smallest.get(), sqrt(square(x.real) + square(x.imag)).get());
-  mpfi_diam_abs(width.get(), x.real.get());
-  mpfi_diam_abs(other.get(), x.imag.get());
-  mpfr_max(width.get(), width.get(), other.get(), MPFR_RNDU);
-  mpfr_mul_2si(width.get(), width.get(), bits + 4, MPFR_RNDU);
-  if (mpfr_lessequal_p(width.get(), smallest.get()) == 0)
+  Float smallest = zero_of_bits(64), width = zero_of_bits(64), other = zero_of_bits(64);
+  mpfi_mig(raw(smallest), sqrt(square(x.real) + square(x.imag)).get());
+  mpfi_diam_abs(raw(width), x.real.get());
+  mpfi_diam_abs(raw(other), x.imag.get());
+  mpfr_max(raw(width), raw(width), raw(other), MPFR_RNDU);
+  mpfr_mul_2si(raw(width), raw(width), bits + 4, MPFR_RNDU);
+  if (mpfr_lessequal_p(raw(width), raw(smallest)) == 0)
     throw std::logic_error("a node of the memory integrals lacks digits");
   mpfi_get_fr(mpc_realref(result.get()), x.real.get());
   mpfi_get_fr(mpc_imagref(result.get()), x.imag.get());

@@ -65,56 +65,48 @@ Rule make_rule(Symbol kernel, const Exact& alpha, double nats) {
 class Integrand {
  public:
   Integrand(const Exact& alpha, const Exact& rate, bool imaginary, mpfr_prec_t bits)
-      : imaginary_(imaginary),
-        alpha_(bits),
-        rate_(bits),
-        size_(bits),
-        sine_(bits),
-        cosine_(bits),
-        real_(bits),
-        imag_(bits),
-        product_(bits) {
-    mpfr_set_q(alpha_.get(), alpha.value().get_mpq_t(), MPFR_RNDN);
-    mpfr_set_q(rate_.get(), rate.value().get_mpq_t(), MPFR_RNDN);
+      : imaginary_(imaginary), alpha_(zero_of_bits(bits)) {
+    mpfr_set_q(raw(alpha_), alpha.value().get_mpq_t(), MPFR_RNDN);
+    mpfr_set_q(raw(rate_), rate.value().get_mpq_t(), MPFR_RNDN);
   }
 
-  const Real& at(const ContourNode& node) {
+  const Float& at(const ContourNode& node) {
     const mpfr_srcptr x = mpc_realref(node.z.get());
     set_wave(x, mpc_imagref(node.z.get()));
     set_weighted_wave(mpc_realref(node.weight.get()), mpc_imagref(node.weight.get()));
     // The denominator is sine_ - i x.
-    mpfr_add(sine_.get(), rate_.get(), mpc_imagref(node.z.get()), MPFR_RNDN);
+    mpfr_add(raw(sine_), raw(rate_), mpc_imagref(node.z.get()), MPFR_RNDN);
     if (imaginary_) {
-      mpfr_fmma(product_.get(), real_.get(), x, imag_.get(), sine_.get(), MPFR_RNDN);
+      mpfr_fmma(raw(product_), raw(real_), x, raw(imag_), raw(sine_), MPFR_RNDN);
     } else {
-      mpfr_fmms(product_.get(), real_.get(), sine_.get(), imag_.get(), x, MPFR_RNDN);
+      mpfr_fmms(raw(product_), raw(real_), raw(sine_), raw(imag_), x, MPFR_RNDN);
     }
-    mpfr_fmma(cosine_.get(), sine_.get(), sine_.get(), x, x, MPFR_RNDN);
-    mpfr_mul(product_.get(), product_.get(), size_.get(), MPFR_RNDN);
-    mpfr_div(product_.get(), product_.get(), cosine_.get(), MPFR_RNDN);
+    mpfr_fmma(raw(cosine_), raw(sine_), raw(sine_), x, x, MPFR_RNDN);
+    mpfr_mul(raw(product_), raw(product_), raw(size_), MPFR_RNDN);
+    mpfr_div(raw(product_), raw(product_), raw(cosine_), MPFR_RNDN);
     return product_;
   }
 
  private:
   /// e^{i z alpha} = size (cosine + i sine)
   void set_wave(mpfr_srcptr x, mpfr_srcptr y) {
-    mpfr_mul(size_.get(), alpha_.get(), y, MPFR_RNDN);
-    mpfr_neg(size_.get(), size_.get(), MPFR_RNDN);
-    mpfr_exp(size_.get(), size_.get(), MPFR_RNDN);
-    mpfr_mul(product_.get(), alpha_.get(), x, MPFR_RNDN);
-    mpfr_sin_cos(sine_.get(), cosine_.get(), product_.get(), MPFR_RNDN);
+    mpfr_mul(raw(size_), raw(alpha_), y, MPFR_RNDN);
+    mpfr_neg(raw(size_), raw(size_), MPFR_RNDN);
+    mpfr_exp(raw(size_), raw(size_), MPFR_RNDN);
+    mpfr_mul(raw(product_), raw(alpha_), x, MPFR_RNDN);
+    mpfr_sin_cos(raw(sine_), raw(cosine_), raw(product_), MPFR_RNDN);
   }
 
   void set_weighted_wave(mpfr_srcptr real, mpfr_srcptr imag) {
-    mpfr_fmms(real_.get(), real, cosine_.get(), imag, sine_.get(), MPFR_RNDN);
-    mpfr_fmma(imag_.get(), real, sine_.get(), imag, cosine_.get(), MPFR_RNDN);
+    mpfr_fmms(raw(real_), real, raw(cosine_), imag, raw(sine_), MPFR_RNDN);
+    mpfr_fmma(raw(imag_), real, raw(sine_), imag, raw(cosine_), MPFR_RNDN);
   }
 
   bool imaginary_;
-  Real alpha_, rate_;
-  Real size_, sine_, cosine_;
-  Real real_, imag_;
-  Real product_;
+  Float alpha_, rate_ = alpha_;
+  Float size_ = alpha_, sine_ = alpha_, cosine_ = alpha_;
+  Float real_ = alpha_, imag_ = alpha_;
+  Float product_ = alpha_;
 };
 
 /// An interval that contains [-e^{-nats}, e^{-nats}] and is little wider.
@@ -163,17 +155,17 @@ Interval contour_memory(Symbol kernel, const Exact& alpha, const Exact& rate, do
   const Rule rule = make_rule(kernel, alpha, nats);
   ContourKey key = rule.key;
   Integrand integrand(alpha, rate, is_odd(kernel), key.bits);
-  Real sum(key.bits);
+  Float sum = zero_of_bits(key.bits);
   for (; key.block * nodes_in_block <= rule.last; ++key.block) {
     const auto nodes = contour_nodes(key);
     const long first = key.block * nodes_in_block;
     const long end = std::min(nodes_in_block, rule.last + 1 - first);
     for (long k = 0; k < end; ++k) {
-      mpfr_add(sum.get(), sum.get(), integrand.at((*nodes)[static_cast<std::size_t>(k)]).get(), MPFR_RNDN);
-      if (first + k == 0) mpfr_div_2ui(sum.get(), sum.get(), 1, MPFR_RNDN);
+      mpfr_add(raw(sum), raw(sum), raw(integrand.at((*nodes)[static_cast<std::size_t>(k)])), MPFR_RNDN);
+      if (first + k == 0) mpfr_div_2ui(raw(sum), raw(sum), 1, MPFR_RNDN);
     }
   }
-  mpfr_mul_d(sum.get(), sum.get(), key.step, MPFR_RNDN);
+  mpfr_mul_d(raw(sum), raw(sum), key.step, MPFR_RNDN);
   const Interval integral = Interval(sum, sum, key.bits) + small(nats);
   if (!is_odd(kernel)) return integral;
   return integral + (rate.sign() == 0 ? finite_part_at_rate_0(alpha, nats) : pole_at_origin(rate, nats));

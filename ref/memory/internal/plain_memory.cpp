@@ -31,14 +31,14 @@ struct WaveKey {
 /// A wave to the precision: z_n has 30 bits more, |z_n| x < 2^21, and no wave exceeds 1.
 ComplexInterval wave(const PlainTerm& term, const Exact& x, mpfr_prec_t precision) {
   constexpr mpfr_prec_t spare_bits = 40, lost_bits = 8;
-  Real middle(precision + spare_bits), way(precision + spare_bits);
+  Float middle = zero_of_bits(precision + spare_bits), way = zero_of_bits(precision + spare_bits);
   Complex value(precision + spare_bits);
-  mpfr_set_q(way.get(), x.value().get_mpq_t(), MPFR_RNDN);
-  mpfi_mid(middle.get(), term.z.imag.get());
-  mpfr_mul(mpc_realref(value.get()), middle.get(), way.get(), MPFR_RNDN);
+  mpfr_set_q(raw(way), x.value().get_mpq_t(), MPFR_RNDN);
+  mpfi_mid(raw(middle), term.z.imag.get());
+  mpfr_mul(mpc_realref(value.get()), raw(middle), raw(way), MPFR_RNDN);
   mpfr_neg(mpc_realref(value.get()), mpc_realref(value.get()), MPFR_RNDN);
-  mpfi_mid(middle.get(), term.z.real.get());
-  mpfr_mul(mpc_imagref(value.get()), middle.get(), way.get(), MPFR_RNDN);
+  mpfi_mid(raw(middle), term.z.real.get());
+  mpfr_mul(mpc_imagref(value.get()), raw(middle), raw(way), MPFR_RNDN);
   mpc_exp(value.get(), value.get(), MPC_RNDNN);
   Interval error(1L, 64);
   mpfi_mul_2si(error.get(), error.get(), lost_bits - precision);

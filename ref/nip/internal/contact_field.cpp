@@ -43,9 +43,7 @@ InnerStresses ContactField::at(const SheetPoint& point, bool symmetric, const Fl
   const FloatStresses value = fine_.at(point.alpha, point.depth);
   const Float error = 2 * largest_difference(value, coarse_.at(point.alpha, point.depth)) +
                       scale_ * power_of_ten(-digits_ - 2) + uncertainty_;
-  const auto estimated = [&](const Float& x) -> Estimate {
-    return {to_real(unit * x), to_real(unit * error), digits_};
-  };
+  const auto estimated = [&](const Float& x) -> Estimate { return {unit * x, unit * error, digits_}; };
   const bool no_shear = point.depth == 0 || (symmetric && point.alpha == 0);
   return {estimated(value.across), estimated(value.along),
           no_shear ? Estimate(exact_zero(digits_)) : estimated(value.shear)};
@@ -133,10 +131,11 @@ GreatestShear ContactField::greatest(bool symmetric, const Float& unit, const Fl
   if (symmetric && abs(fine.point.alpha) < fine.point_error) fine.point.alpha = 0;
   if (abs(fine.point.depth) < fine.point_error) fine.point.depth = 0;
   Estimate value = at(fine.point, symmetric, unit).maximum_shear();
-  value.error = to_real(to_float(value.error) + unit * fine.shear_error);
-  const auto coordinate = [&](const Float& by_fine, const Float& by_coarse, const Float& in_unit) -> Estimate {
+  value.error = at_working_precision(value.error) + unit * fine.shear_error;
+  const auto coordinate = [&](const Float& by_fine, const Float& by_coarse,
+                              const Float& in_unit) -> Estimate {
     const Float error = 2 * abs(by_fine - by_coarse) + fine.point_error + power_of_ten(-digits_ - 2);
-    return {to_real(in_unit * by_fine), to_real(in_unit * error), digits_};
+    return {in_unit * by_fine, in_unit * error, digits_};
   };
   return {value, coordinate(fine.point.alpha, coarse.point.alpha, length),
           coordinate(fine.point.depth, coarse.point.depth, 1)};

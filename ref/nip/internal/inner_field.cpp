@@ -15,7 +15,7 @@ constexpr int first_judged_level = 3, most_levels = 10;
 struct SineAndCosine {
   Float sine, cosine;
 
-  explicit SineAndCosine(const Float& x) { mpfr_sin_cos(sine.get(), cosine.get(), x.get(), MPFR_RNDN); }
+  explicit SineAndCosine(const Float& x) { mpfr_sin_cos(raw(sine), raw(cosine), raw(x), MPFR_RNDN); }
 };
 
 double nats_of(int digits) { return digits * std::numbers::ln10; }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 

@@ -7,11 +7,11 @@ Float chebyshev_sum(const std::vector<Float>& coefficients, const Float& x) {
   Float twofold = 2 * x;
   for (std::size_t n = coefficients.size(); n-- > 0;) {
     const Float& factor = n == 0 ? x : twofold;
-    mpfr_mul(next.get(), factor.get(), now.get(), MPFR_RNDN);
-    mpfr_sub(next.get(), next.get(), last.get(), MPFR_RNDN);
-    mpfr_add(next.get(), next.get(), coefficients[n].get(), MPFR_RNDN);
-    mpfr_swap(last.get(), now.get());
-    mpfr_swap(now.get(), next.get());
+    mpfr_mul(raw(next), raw(factor), raw(now), MPFR_RNDN);
+    mpfr_sub(raw(next), raw(next), raw(last), MPFR_RNDN);
+    mpfr_add(raw(next), raw(next), raw(coefficients[n]), MPFR_RNDN);
+    mpfr_swap(raw(last), raw(now));
+    mpfr_swap(raw(now), raw(next));
   }
   return now;
 }

@@ -3,7 +3,7 @@
 
 namespace nipref::ref {
 
-/// Owner of one MPC number, used as Real is.
+/// Owner of one MPC number, used as Float is.
 class Complex {
  public:
   explicit Complex(mpfr_prec_t precision) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <utility>
 
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -39,7 +39,7 @@ inline ComplexFloat exp(const ComplexFloat& x) {
 /// The principal one.
 inline ComplexFloat log(const ComplexFloat& x) {
   Float angle;
-  mpfr_atan2(angle.get(), x.im.get(), x.re.get(), MPFR_RNDN);
+  mpfr_atan2(raw(angle), raw(x.im), raw(x.re), MPFR_RNDN);
   return {log(abs(x)), std::move(angle)};
 }
 

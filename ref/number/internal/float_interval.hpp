@@ -1,24 +1,15 @@
 #pragma once
 #include <algorithm>
 
-#include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/interval.hpp>
 
-// Between Float and Interval, at the working precision of the thread.
+// Between Float and Interval.
 
 namespace nipref::ref {
 
-inline mpfr_prec_t precision_here() { return mpfr_get_prec(Float().get()); }
-
-/// The number itself, where the second precision holds it.
-inline Interval interval_of(const Float& x) {
-  const Real value = to_real(x);
-  return {value, value, value.precision()};
-}
-inline Interval interval_of(const Float& x, mpfr_prec_t precision) {
-  const Real value = to_real(x);
-  return {value, value, precision};
-}
+/// The number itself, where the precision, which is the number's unless it is given, holds it.
+inline Interval interval_of(const Float& x, mpfr_prec_t precision) { return {x, x, precision}; }
+inline Interval interval_of(const Float& x) { return {x, x, bits_of(x)}; }
 
 /// [lower, upper] of two intervals, from one to the other.
 inline Interval hull(const Interval& x, const Interval& y) {
@@ -27,24 +18,25 @@ inline Interval hull(const Interval& x, const Interval& y) {
   return result;
 }
 
+/// Rounded to the working precision.
 inline Float middle_of(const Interval& x) {
-  Real value(x.precision());
-  mpfi_mid(value.get(), x.get());
-  return to_float(value);
+  Float value = zero_of_bits(x.precision());
+  mpfi_mid(raw(value), x.get());
+  return at_working_precision(value);
 }
 
-/// A number >= the upper end.
+/// A number of the working precision >= the upper end.
 inline Float upper_end(const Interval& x) {
   Float result;
-  mpfr_set(result.get(), x.upper(), MPFR_RNDU);
+  mpfr_set(raw(result), x.upper(), MPFR_RNDU);
   return result;
 }
 
 /// The largest |x|, and the largest distance of x from `centre`, as points.
 inline Interval magnitude_of(const Interval& x) {
-  Real value(x.precision());
-  mpfi_mag(value.get(), x.get());
-  return {value, value, x.precision()};
+  Float value = zero_of_bits(x.precision());
+  mpfi_mag(raw(value), x.get());
+  return interval_of(value);
 }
 inline Interval distance_from(const Float& centre, const Interval& x) {
   return magnitude_of(x - interval_of(centre));

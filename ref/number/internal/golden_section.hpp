@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 

@@ -20,10 +20,10 @@ Interval leading_minor(const IntervalMatrix& x) {
 
 bool is_positive(const Interval& x) { return mpfi_is_strictly_pos(x.get()) > 0; }
 
-void add_magnitude(Real& sum, const Interval& x) {
-  Real magnitude(sum.precision());
-  mpfi_mag(magnitude.get(), x.get());
-  mpfr_add(sum.get(), sum.get(), magnitude.get(), MPFR_RNDU);
+void add_magnitude(Float& sum, const Interval& x) {
+  Float magnitude = zero_of_bits(bits_of(sum));
+  mpfi_mag(raw(magnitude), x.get());
+  mpfr_add(raw(sum), raw(sum), raw(magnitude), MPFR_RNDU);
 }
 
 }  // namespace
@@ -83,14 +83,14 @@ bool is_positive_definite(const IntervalMatrix& x) {
 }
 
 Interval norm_bound(const IntervalMatrix& x) {
-  Real largest(x.precision());
+  Float largest = zero_of_bits(x.precision());
   for (std::size_t i = 0; i < 3; ++i) {
-    Real sum(x.precision());
+    Float sum = zero_of_bits(x.precision());
     for (std::size_t k = 0; k < 3; ++k) {
       add_magnitude(sum, x(i, k).real);
       add_magnitude(sum, x(i, k).imag);
     }
-    mpfr_max(largest.get(), largest.get(), sum.get(), MPFR_RNDU);
+    mpfr_max(raw(largest), raw(largest), raw(sum), MPFR_RNDU);
   }
   return {largest, largest, x.precision()};
 }

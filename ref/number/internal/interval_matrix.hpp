@@ -13,7 +13,7 @@ class IntervalMatrix {
  public:
   IntervalMatrix(const std::function<ComplexInterval(std::size_t row, std::size_t column)>& entry);
 
-  /// Real entries.
+  /// Float entries.
   static IntervalMatrix real(const std::function<Interval(std::size_t row, std::size_t column)>& entry);
 
   [[nodiscard]] const ComplexInterval& operator()(std::size_t row, std::size_t column) const {

@@ -36,8 +36,8 @@ void swap_rows(DenseMatrix<Scalar>& x, Index a, Index b, Index first_column) {
 /// sum += x y; `product` is room for it, so that there is no new number for each.
 void add_product(double& sum, double x, double y, double& /*product*/) { sum += x * y; }
 void add_product(Float& sum, const Float& x, const Float& y, Float& product) {
-  mpfr_mul(product.get(), x.get(), y.get(), MPFR_RNDN);
-  mpfr_add(sum.get(), sum.get(), product.get(), MPFR_RNDN);
+  mpfr_mul(raw(product), raw(x), raw(y), MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(product), MPFR_RNDN);
 }
 
 template <class Scalar>
@@ -52,8 +52,8 @@ void subtract_row(Matrix& x, Matrix::Index row, const Float& factor, Matrix::Ind
                   Matrix::Index first_column) {
   Float product;
   for (Matrix::Index column = first_column; column < x.columns(); ++column) {
-    mpfr_mul(product.get(), factor.get(), x(other, column).get(), MPFR_RNDN);
-    mpfr_sub(x(row, column).get(), x(row, column).get(), product.get(), MPFR_RNDN);
+    mpfr_mul(raw(product), raw(factor), raw(x(other, column)), MPFR_RNDN);
+    mpfr_sub(raw(x(row, column)), raw(x(row, column)), raw(product), MPFR_RNDN);
   }
 }
 

@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 
 namespace nipref::ref {
 
@@ -8,7 +8,7 @@ namespace nipref::ref {
 template <class Function>
 Float local_slope(const Function& f, const Float& x, const Float& reach) {
   // The points leave out about (4 + sqrt 15)^-nodes.
-  const int pairs = static_cast<int>(mpfr_get_prec(Float().get())) / 5 + 4, nodes = 2 * pairs;
+  const int pairs = static_cast<int>(working_bits()) / 5 + 4, nodes = 2 * pairs;
   Float sum = 0;
   for (int j = 0; j < pairs; ++j) {
     // sum_k a_k T_k'(0) over odd k, a_k = (2/nodes) sum_j f_j cos(k theta_j), T_k'(0) = k sin(k pi/2).

@@ -11,13 +11,13 @@ using Limbs = std::vector<mp_limb_t>;
 bool is_negative(const mp_limb_t* x, std::size_t limbs) { return (x[limbs - 1] >> (GMP_NUMB_BITS - 1)) != 0; }
 
 /// kappa as a binary fraction of `limbs` limbs, rounded down; 1 becomes the largest such fraction.
-Limbs fraction(const Real& kappa, std::size_t limbs) {
+Limbs fraction(const Float& kappa, std::size_t limbs) {
   Limbs result(limbs, GMP_NUMB_MAX);
-  if (mpfr_cmp_ui(kappa.get(), 1) >= 0) return result;
-  Real scaled(kappa.precision());
-  mpfr_mul_2ui(scaled.get(), kappa.get(), limbs * GMP_NUMB_BITS, MPFR_RNDD);
+  if (mpfr_cmp_ui(raw(kappa), 1) >= 0) return result;
+  Float scaled = zero_of_bits(bits_of(kappa));
+  mpfr_mul_2ui(raw(scaled), raw(kappa), limbs * GMP_NUMB_BITS, MPFR_RNDD);
   mpz_class integer;
-  mpfr_get_z(integer.get_mpz_t(), scaled.get(), MPFR_RNDD);
+  mpfr_get_z(integer.get_mpz_t(), raw(scaled), MPFR_RNDD);
   std::fill(result.begin(), result.end(), 0);
   std::copy_n(mpz_limbs_read(integer.get_mpz_t()), mpz_size(integer.get_mpz_t()), result.begin());
   return result;
@@ -27,7 +27,7 @@ Limbs fraction(const Real& kappa, std::size_t limbs) {
 /// whenever the nodes are.
 class Recurrence {
  public:
-  Recurrence(const Real& kappa, std::size_t most_limbs)
+  Recurrence(const Float& kappa, std::size_t most_limbs)
       : kappa_(fraction(kappa, most_limbs)),
         fourfold_(most_limbs),
         difference_(most_limbs),
@@ -53,8 +53,8 @@ class Recurrence {
   }
 
   /// 4 b_{j+1} and b_{j+1} - b_{j+2}.
-  [[nodiscard]] Real fourfold(long fraction_bits) const { return number(fourfold_, fraction_bits); }
-  [[nodiscard]] Real difference(long fraction_bits) const { return number(difference_, fraction_bits); }
+  [[nodiscard]] Float fourfold(long fraction_bits) const { return number(fourfold_, fraction_bits); }
+  [[nodiscard]] Float difference(long fraction_bits) const { return number(difference_, fraction_bits); }
 
   /// Throws if 4 b_{j+1}, in units of 2^-F, has more than `bits` bits.
   void check_size(long bits) const {
@@ -77,9 +77,9 @@ class Recurrence {
 
   [[nodiscard]] mpz_class integer(const Limbs& x) const { return signed_integer(x.data(), limbs_); }
 
-  [[nodiscard]] Real number(const Limbs& x, long fraction_bits) const {
-    Real result(static_cast<mpfr_prec_t>(limbs_) * GMP_NUMB_BITS);
-    mpfr_set_z_2exp(result.get(), integer(x).get_mpz_t(), -fraction_bits, MPFR_RNDN);
+  [[nodiscard]] Float number(const Limbs& x, long fraction_bits) const {
+    Float result = zero_of_bits(static_cast<mpfr_prec_t>(limbs_) * GMP_NUMB_BITS);
+    mpfr_set_z_2exp(raw(result), integer(x).get_mpz_t(), -fraction_bits, MPFR_RNDN);
     return result;
   }
 
@@ -105,43 +105,44 @@ Recurrence recur(const Nodes& nodes, const Angle& angle) {
 
 }  // namespace
 
-Angle::Angle(const mpq_class& theta, mpfr_prec_t precision) : sine(precision), half_sine_square(precision) {
-  Real half(precision);
-  Real cosine(precision);
-  mpfr_set_q(half.get(), theta.get_mpq_t(), MPFR_RNDN);
-  mpfr_div_2ui(half.get(), half.get(), 1, MPFR_RNDN);
-  mpfr_sin_cos(half.get(), cosine.get(), half.get(), MPFR_RNDN);
-  mpfr_sqr(half_sine_square.get(), half.get(), MPFR_RNDN);
-  mpfr_mul(sine.get(), half.get(), cosine.get(), MPFR_RNDN);
-  mpfr_mul_2ui(sine.get(), sine.get(), 1, MPFR_RNDN);
+Angle::Angle(const mpq_class& theta, mpfr_prec_t precision)
+    : sine(zero_of_bits(precision)), half_sine_square(sine) {
+  Float half = zero_of_bits(precision);
+  Float cosine = zero_of_bits(precision);
+  mpfr_set_q(raw(half), theta.get_mpq_t(), MPFR_RNDN);
+  mpfr_div_2ui(raw(half), raw(half), 1, MPFR_RNDN);
+  mpfr_sin_cos(raw(half), raw(cosine), raw(half), MPFR_RNDN);
+  mpfr_sqr(raw(half_sine_square), raw(half), MPFR_RNDN);
+  mpfr_mul(raw(sine), raw(half), raw(cosine), MPFR_RNDN);
+  mpfr_mul_2ui(raw(sine), raw(sine), 1, MPFR_RNDN);
 }
 
 mpfr_prec_t angle_precision(const Nodes& nodes) {
   return static_cast<mpfr_prec_t>(nodes.blocks.front().limbs) * GMP_NUMB_BITS + 16;
 }
 
-Real cosine_sum(const Nodes& nodes, const Angle& angle) {
+Float cosine_sum(const Nodes& nodes, const Angle& angle) {
   const long bits = nodes.key.fraction_bits;
   const Recurrence recurrence = recur(nodes, angle);
   // g_0 + cos(theta) b_1 - b_2 = g_0 + (b_1 - b_2) - kappa (4 b_1)/2
-  Real sum(angle.sine.precision());
-  mpfr_mul(sum.get(), angle.half_sine_square.get(), recurrence.fourfold(bits).get(), MPFR_RNDN);
-  mpfr_div_2ui(sum.get(), sum.get(), 1, MPFR_RNDN);
-  mpfr_sub(sum.get(), recurrence.difference(bits).get(), sum.get(), MPFR_RNDN);
+  Float sum = zero_of_bits(bits_of(angle.sine));
+  mpfr_mul(raw(sum), raw(angle.half_sine_square), raw(recurrence.fourfold(bits)), MPFR_RNDN);
+  mpfr_div_2ui(raw(sum), raw(sum), 1, MPFR_RNDN);
+  mpfr_sub(raw(sum), raw(recurrence.difference(bits)), raw(sum), MPFR_RNDN);
   const NodeBlock& block = nodes.blocks.front();
   const mpz_class first = signed_integer(block.values.data(), block.limbs);
-  Real first_node(sum.precision());
-  mpfr_set_z_2exp(first_node.get(), first.get_mpz_t(), -bits, MPFR_RNDN);
-  mpfr_add(sum.get(), sum.get(), first_node.get(), MPFR_RNDN);
+  Float first_node = zero_of_bits(bits_of(sum));
+  mpfr_set_z_2exp(raw(first_node), first.get_mpz_t(), -bits, MPFR_RNDN);
+  mpfr_add(raw(sum), raw(sum), raw(first_node), MPFR_RNDN);
   return sum;
 }
 
 // sin(theta) b_1
-Real sine_sum(const Nodes& nodes, const Angle& angle) {
-  Real result(angle.sine.precision());
-  const Real fourfold = recur(nodes, angle).fourfold(nodes.key.fraction_bits);
-  mpfr_mul(result.get(), fourfold.get(), angle.sine.get(), MPFR_RNDN);
-  mpfr_div_2ui(result.get(), result.get(), 2, MPFR_RNDN);
+Float sine_sum(const Nodes& nodes, const Angle& angle) {
+  Float result = zero_of_bits(bits_of(angle.sine));
+  const Float fourfold = recur(nodes, angle).fourfold(nodes.key.fraction_bits);
+  mpfr_mul(raw(result), raw(fourfold), raw(angle.sine), MPFR_RNDN);
+  mpfr_div_2ui(raw(result), raw(result), 2, MPFR_RNDN);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <gmpxx.h>
 
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 
 namespace nipref::ref {
@@ -9,8 +9,8 @@ namespace nipref::ref {
 /// The angle theta = a h, 0 <= theta <= 16, between neighbouring nodes, to `precision` bits.
 struct Angle {
   Angle(const mpq_class& theta, mpfr_prec_t precision);
-  Real sine;              ///< sin(theta), with a small relative error also as theta -> 0
-  Real half_sine_square;  ///< sin^2(theta/2)
+  Float sine;              ///< sin(theta), with a small relative error also as theta -> 0
+  Float half_sine_square;  ///< sin^2(theta/2)
 };
 
 /// The precision that an Angle needs for the sums over `nodes`.
@@ -26,11 +26,11 @@ mpfr_prec_t angle_precision(const Nodes& nodes);
 /// less than 1 because the product is truncated, less than 1 because kappa is truncated to as many bits as B has, and
 /// at most 1 because of the node's own error. Additions are exact. Hence |error| <= 4 (last + 3) units, which
 /// includes the last steps and the rounding of the Angle.
-Real cosine_sum(const Nodes& nodes, const Angle& angle);
+Float cosine_sum(const Nodes& nodes, const Angle& angle);
 
 /// sum_{j=1}^{last} g_j sin(j theta); |error| <= 4 min(last + 3, theta (last
 /// + 3)^2) units.
-Real sine_sum(const Nodes& nodes, const Angle& angle);
+Float sine_sum(const Nodes& nodes, const Angle& angle);
 
 /// The error bound of a recurrence is this many units for each node, see cosine_sum.
 constexpr long rounding_units = 4;

@@ -228,10 +228,9 @@ Interval closed_part(const FieldIntegrand& integrand, const FieldPoint& at, mpfr
     for (const FieldTerm& term : integrand.terms) {
       sum = sum + Interval(Exact(term.factor), precision) * closed_term(term, integrand.sine, closed);
     }
-    Real width(64);
-    mpfi_diam_abs(width.get(), sum.get());
-    const bool narrow =
-        mpfr_zero_p(width.get()) || static_cast<double>(mpfr_get_exp(width.get())) < log2_width;
+    Float width = zero_of_bits(64);
+    mpfi_diam_abs(raw(width), sum.get());
+    const bool narrow = mpfr_zero_p(raw(width)) || static_cast<double>(mpfr_get_exp(raw(width))) < log2_width;
     if (narrow || precision > most_bits) return sum;
   }
 }

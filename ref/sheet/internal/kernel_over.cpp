@@ -16,7 +16,7 @@ PlainKernel plain(SheetKernel kernel) {
   return kernel == SheetKernel::I3 ? PlainKernel::I3 : PlainKernel::I6_alpha_part;
 }
 
-Interval point(const Real& x, mpfr_prec_t precision) { return {x, x, precision}; }
+Interval point(const Float& x, mpfr_prec_t precision) { return {x, x, precision}; }
 
 }  // namespace
 
@@ -25,15 +25,16 @@ Interval kernel_over(SheetKernel kernel, const Interval& alpha, int residue_term
     throw data::BadInput("y", mpfi_get_d(alpha.get()), "must not be the place of a line load");
   if (residue_terms > 0) return plain_series(plain(kernel), alpha, residue_terms);
   const mpfr_prec_t precision = alpha.precision();
-  Real middle(precision), nearest(precision), farthest(precision);
-  mpfi_mid(middle.get(), alpha.get());
-  mpfi_mig(nearest.get(), alpha.get());
-  mpfi_mag(farthest.get(), alpha.get());
+  Float middle = zero_of_bits(precision), nearest = zero_of_bits(precision),
+        farthest = zero_of_bits(precision);
+  mpfi_mid(raw(middle), alpha.get());
+  mpfi_mig(raw(nearest), alpha.get());
+  mpfi_mag(raw(farthest), alpha.get());
   mpq_class exact;
-  mpfr_get_q(exact.get_mpq_t(), middle.get());
+  mpfr_get_q(exact.get_mpq_t(), raw(middle));
   const Enclosure value = kernel_at(kernel, Exact(exact), digits);
-  Real radius(precision);
-  mpfi_diam_abs(radius.get(), alpha.get());
+  Float radius = zero_of_bits(precision);
+  mpfi_diam_abs(raw(radius), alpha.get());
   const Interval far = point(farthest, precision), slope = 2 * (far + 1L) / point(nearest, precision);
   return point(value.value, precision)
       .widened(point(value.error, precision))

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <nipref/ref/number/float.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
-#include <nipref/ref/number/real.hpp>
 #include <nipref/ref/sheet/internal/nodes.hpp>
 
 namespace nipref::ref {
@@ -43,51 +43,42 @@ long last_node(const NodeKey& key) {
 /// absolute error of at most 2^13/h^2. w exceeds the block's precision by more than that, see guard_bits.
 class SymbolLine {
  public:
-  SymbolLine(const NodeKey& key, mpfr_prec_t precision)
-      : key_(key),
-        x_(precision),
-        e1_(precision),
-        u_(precision),
-        step1_(precision),
-        step_u_(precision),
-        a_(precision),
-        b_(precision),
-        q_(precision) {
-    mpfr_set_d(step1_.get(), -key.step, MPFR_RNDN);
-    mpfr_exp(step1_.get(), step1_.get(), MPFR_RNDN);
-    mpfr_set_d(step_u_.get(), -1.5 * key.step, MPFR_RNDN);
-    mpfr_exp(step_u_.get(), step_u_.get(), MPFR_RNDN);
+  SymbolLine(const NodeKey& key, mpfr_prec_t precision) : key_(key), x_(zero_of_bits(precision)) {
+    mpfr_set_d(raw(step1_), -key.step, MPFR_RNDN);
+    mpfr_exp(raw(step1_), raw(step1_), MPFR_RNDN);
+    mpfr_set_d(raw(step_u_), -1.5 * key.step, MPFR_RNDN);
+    mpfr_exp(raw(step_u_), raw(step_u_), MPFR_RNDN);
   }
 
   void start(long j) {
     place(j);
-    mpfr_neg(e1_.get(), x_.get(), MPFR_RNDN);
-    mpfr_exp(e1_.get(), e1_.get(), MPFR_RNDN);
+    mpfr_neg(raw(e1_), raw(x_), MPFR_RNDN);
+    mpfr_exp(raw(e1_), raw(e1_), MPFR_RNDN);
     if (key_.symbol != Symbol::normal) return;
-    mpfr_mul_d(u_.get(), x_.get(), -1.5, MPFR_RNDN);
-    mpfr_exp(u_.get(), u_.get(), MPFR_RNDN);
+    mpfr_mul_d(raw(u_), raw(x_), -1.5, MPFR_RNDN);
+    mpfr_exp(raw(u_), raw(u_), MPFR_RNDN);
   }
 
   void advance(long j) {
     place(j);
-    mpfr_mul(e1_.get(), e1_.get(), step1_.get(), MPFR_RNDN);
-    if (key_.symbol == Symbol::normal) mpfr_mul(u_.get(), u_.get(), step_u_.get(), MPFR_RNDN);
+    mpfr_mul(raw(e1_), raw(e1_), raw(step1_), MPFR_RNDN);
+    if (key_.symbol == Symbol::normal) mpfr_mul(raw(u_), raw(u_), raw(step_u_), MPFR_RNDN);
   }
 
   /// h G(x) at the current x > 0.
-  const Real& value() {
-    mpfr_sqr(b_.get(), e1_.get(), MPFR_RNDN);  // e^{-2x}
+  const Float& value() {
+    mpfr_sqr(raw(b_), raw(e1_), MPFR_RNDN);  // e^{-2x}
     denominator();
     switch (key_.symbol) {
       case Symbol::normal:
         normal();
         break;
       case Symbol::I3:
-        mpfr_mul_ui(a_.get(), b_.get(), 4, MPFR_RNDN);
+        mpfr_mul_ui(raw(a_), raw(b_), 4, MPFR_RNDN);
         break;
       case Symbol::I4:
         cosh_like(-1);
-        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
+        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
         break;
       case Symbol::I5:
         cosh_like(+1);
@@ -96,61 +87,61 @@ class SymbolLine {
         cosh_like(-1);
         break;
       case Symbol::I6_alpha:
-        mpfr_mul_ui(a_.get(), b_.get(), 4, MPFR_RNDN);
-        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
+        mpfr_mul_ui(raw(a_), raw(b_), 4, MPFR_RNDN);
+        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
         break;
       case Symbol::I6_eta:
         cosh_like(+1);
-        mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
+        mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
         break;
     }
-    mpfr_div(a_.get(), a_.get(), q_.get(), MPFR_RNDN);
-    mpfr_mul_d(a_.get(), a_.get(), key_.step, MPFR_RNDN);
+    mpfr_div(raw(a_), raw(a_), raw(q_), MPFR_RNDN);
+    mpfr_mul_d(raw(a_), raw(a_), key_.step, MPFR_RNDN);
     return a_;
   }
 
  private:
-  void place(long j) { mpfr_set_d(x_.get(), static_cast<double>(j) * key_.step, MPFR_RNDN); }
+  void place(long j) { mpfr_set_d(raw(x_), static_cast<double>(j) * key_.step, MPFR_RNDN); }
 
   /// q = 1 - e^{-4x} + 4 x e^{-2x} = 2 e^{-2x} S.
   void denominator() {
-    mpfr_mul(q_.get(), x_.get(), b_.get(), MPFR_RNDN);
-    mpfr_mul_ui(q_.get(), q_.get(), 4, MPFR_RNDN);
-    mpfr_sqr(a_.get(), b_.get(), MPFR_RNDN);
-    mpfr_ui_sub(a_.get(), 1, a_.get(), MPFR_RNDN);
-    mpfr_add(q_.get(), q_.get(), a_.get(), MPFR_RNDN);
+    mpfr_mul(raw(q_), raw(x_), raw(b_), MPFR_RNDN);
+    mpfr_mul_ui(raw(q_), raw(q_), 4, MPFR_RNDN);
+    mpfr_sqr(raw(a_), raw(b_), MPFR_RNDN);
+    mpfr_ui_sub(raw(a_), 1, raw(a_), MPFR_RNDN);
+    mpfr_add(raw(q_), raw(q_), raw(a_), MPFR_RNDN);
   }
 
   /// a = 2 e^{-x} (1 + sign e^{-2x}), the numerator of 2 cosh x/S or 2 sinh x/S over q.
   void cosh_like(int sign) {
     if (sign > 0) {
-      mpfr_add_ui(a_.get(), b_.get(), 1, MPFR_RNDN);
+      mpfr_add_ui(raw(a_), raw(b_), 1, MPFR_RNDN);
     } else {
-      mpfr_ui_sub(a_.get(), 1, b_.get(), MPFR_RNDN);
+      mpfr_ui_sub(raw(a_), 1, raw(b_), MPFR_RNDN);
     }
-    mpfr_mul(a_.get(), a_.get(), e1_.get(), MPFR_RNDN);
-    mpfr_mul_ui(a_.get(), a_.get(), 2, MPFR_RNDN);
+    mpfr_mul(raw(a_), raw(a_), raw(e1_), MPFR_RNDN);
+    mpfr_mul_ui(raw(a_), raw(a_), 2, MPFR_RNDN);
   }
 
   /// a/q = [(1 - tanh(3x/4)) - (1 - 2 sinh^2 x/S)]/x = [2u/(1+u) - 2 e^{-2x} (1 + 2x - e^{-2x})/q]/x with u =
   /// e^{-3x/2}.
   void normal() {
-    mpfr_mul_ui(a_.get(), x_.get(), 2, MPFR_RNDN);
-    mpfr_add_ui(a_.get(), a_.get(), 1, MPFR_RNDN);
-    mpfr_sub(a_.get(), a_.get(), b_.get(), MPFR_RNDN);
-    mpfr_mul(a_.get(), a_.get(), b_.get(), MPFR_RNDN);
-    mpfr_add_ui(b_.get(), u_.get(), 1, MPFR_RNDN);
-    mpfr_div(b_.get(), u_.get(), b_.get(), MPFR_RNDN);
-    mpfr_mul(b_.get(), b_.get(), q_.get(), MPFR_RNDN);
-    mpfr_sub(a_.get(), b_.get(), a_.get(), MPFR_RNDN);
-    mpfr_mul_ui(a_.get(), a_.get(), 2, MPFR_RNDN);
-    mpfr_div(a_.get(), a_.get(), x_.get(), MPFR_RNDN);
+    mpfr_mul_ui(raw(a_), raw(x_), 2, MPFR_RNDN);
+    mpfr_add_ui(raw(a_), raw(a_), 1, MPFR_RNDN);
+    mpfr_sub(raw(a_), raw(a_), raw(b_), MPFR_RNDN);
+    mpfr_mul(raw(a_), raw(a_), raw(b_), MPFR_RNDN);
+    mpfr_add_ui(raw(b_), raw(u_), 1, MPFR_RNDN);
+    mpfr_div(raw(b_), raw(u_), raw(b_), MPFR_RNDN);
+    mpfr_mul(raw(b_), raw(b_), raw(q_), MPFR_RNDN);
+    mpfr_sub(raw(a_), raw(b_), raw(a_), MPFR_RNDN);
+    mpfr_mul_ui(raw(a_), raw(a_), 2, MPFR_RNDN);
+    mpfr_div(raw(a_), raw(a_), raw(x_), MPFR_RNDN);
   }
 
   const NodeKey& key_;
-  Real x_, e1_, u_;
-  Real step1_, step_u_;
-  Real a_, b_, q_;
+  Float x_, e1_ = x_, u_ = x_;
+  Float step1_ = x_, step_u_ = x_;
+  Float a_ = x_, b_ = x_, q_ = x_;
 };
 
 mpfr_prec_t guard_bits(const NodeKey& key) {
@@ -158,28 +149,28 @@ mpfr_prec_t guard_bits(const NodeKey& key) {
 }
 
 /// g_0, see Nodes.
-void set_origin(Real& value, const NodeKey& key) {
+void set_origin(Float& value, const NodeKey& key) {
   const SymbolBounds& symbol = bounds(key.symbol);
-  mpfr_set_zero(value.get(), 1);
+  mpfr_set_zero(raw(value), 1);
   if (symbol.parity == Parity::odd) return;
   // Every origin_value is a multiple of 1/12, exactly.
-  mpfr_set_d(value.get(), key.step * std::round(12 * symbol.origin_value), MPFR_RNDN);
-  mpfr_div_ui(value.get(), value.get(), 24, MPFR_RNDN);
+  mpfr_set_d(raw(value), key.step * std::round(12 * symbol.origin_value), MPFR_RNDN);
+  mpfr_div_ui(raw(value), raw(value), 24, MPFR_RNDN);
   if (symbol.origin != OriginPole::twofold) return;
-  Real residue(value.precision());
-  mpfr_const_pi(residue.get(), MPFR_RNDN);
-  mpfr_sqr(residue.get(), residue.get(), MPFR_RNDN);
-  mpfr_div_ui(residue.get(), residue.get(), 12, MPFR_RNDN);
-  mpfr_div_d(residue.get(), residue.get(), key.step, MPFR_RNDN);
-  mpfr_sub(value.get(), value.get(), residue.get(), MPFR_RNDN);
+  Float residue = zero_of_bits(bits_of(value));
+  mpfr_const_pi(raw(residue), MPFR_RNDN);
+  mpfr_sqr(raw(residue), raw(residue), MPFR_RNDN);
+  mpfr_div_ui(raw(residue), raw(residue), 12, MPFR_RNDN);
+  mpfr_div_d(raw(residue), raw(residue), key.step, MPFR_RNDN);
+  mpfr_sub(raw(value), raw(value), raw(residue), MPFR_RNDN);
 }
 
 /// Appends `value` in units of 2^-F, rounded, as `limbs` limbs of two's complement.
-void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Real& value, const NodeKey& key) {
-  Real scaled(value.precision());
-  mpfr_mul_2si(scaled.get(), value.get(), key.fraction_bits, MPFR_RNDN);
+void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Float& value, const NodeKey& key) {
+  Float scaled = zero_of_bits(bits_of(value));
+  mpfr_mul_2si(raw(scaled), raw(value), key.fraction_bits, MPFR_RNDN);
   mpz_class integer;
-  mpfr_get_z(integer.get_mpz_t(), scaled.get(), MPFR_RNDN);
+  mpfr_get_z(integer.get_mpz_t(), raw(scaled), MPFR_RNDN);
   const std::size_t size = mpz_size(integer.get_mpz_t());
   if (size > count) throw std::logic_error("a node exceeds its proven bound");
   const std::size_t start = limbs.size();
@@ -190,12 +181,11 @@ void append(std::vector<mp_limb_t>& limbs, std::size_t count, const Real& value,
 
 NodeBlock make_block(const NodeKey& key, long first, long end) {
   const long magnitude = clenshaw_magnitude(key, first);
-  const long bits = std::max(
-      1L, key.fraction_bits + magnitude + 4);  // for 4 b_j, its sign and one spare bit
+  const long bits = std::max(1L, key.fraction_bits + magnitude + 4);  // for 4 b_j, its sign and one spare bit
   NodeBlock block{first, static_cast<std::size_t>((bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS), magnitude, {}};
   const mpfr_prec_t precision = static_cast<mpfr_prec_t>(block.limbs) * GMP_NUMB_BITS + guard_bits(key);
   SymbolLine line(key, precision);
-  Real origin(precision);
+  Float origin = zero_of_bits(precision);
   for (long j = first; j < end; ++j) {
     j == first ? line.start(j) : line.advance(j);
     if (j == 0) set_origin(origin, key);

@@ -27,9 +27,9 @@ Interval coefficient_bound(double variation, long n, mpfr_prec_t precision) {
 }
 
 bool is_above(const Interval& x, const Interval& bound) {
-  Real smallest(x.precision());
-  mpfi_mig(smallest.get(), x.get());
-  return mpfr_greater_p(smallest.get(), bound.upper()) != 0;
+  Float smallest = zero_of_bits(x.precision());
+  mpfi_mig(raw(smallest), x.get());
+  return mpfr_greater_p(raw(smallest), bound.upper()) != 0;
 }
 
 /// Chebyshev coefficients of the derivative: T_n' = 2n (T_{n-1} + T_{n-3} + ...), of T_0 half.
@@ -64,7 +64,7 @@ std::vector<Interval> SmoothKernel::node_values(long index, const Cosines& cosin
 }
 
 SmoothKernel::Panel SmoothKernel::make_panel(long index) {
-  const mpfr_prec_t precision = precision_here();
+  const mpfr_prec_t precision = working_bits();
   const Cosines cosines(points_, precision);
   const std::vector<Interval> values = node_values(index, cosines);
   Coefficients coefficients;
@@ -94,7 +94,7 @@ SmoothKernel::Panel SmoothKernel::make_panel(long index) {
 template <class Evaluate>
 Float SmoothKernel::in_panel(const Float& alpha, const Evaluate& evaluate) {
   const Float place = half_panels_per_unit * abs(alpha);
-  const long index = mpfr_get_si(place.get(), MPFR_RNDD) / 2;
+  const long index = mpfr_get_si(raw(place), MPFR_RNDD) / 2;
   auto panel = panels_.find(index);
   if (panel == panels_.end()) panel = panels_.emplace(index, make_panel(index)).first;
   return evaluate(panel->second, place - middle_of_panel(index));

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <nipref/ref/number/exact.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/ref/number/internal/cosines.hpp>
-#include <nipref/ref/number/internal/float.hpp>
 #include <nipref/ref/number/interval.hpp>
 
 namespace nipref::ref {

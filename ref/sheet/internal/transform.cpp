@@ -120,9 +120,9 @@ Interval transform(Symbol symbol, const Exact& x, double nats) {
   const auto set = nodes(key);
   const Angle angle(x.value() * key.step, angle_precision(*set));
   const bool odd = constants.parity == Parity::odd;
-  const Real sum = odd ? sine_sum(*set, angle) : cosine_sum(*set, angle);
-  Interval value(sum, sum, sum.precision());
-  value = with_origin_terms(value, constants, key, Interval(x, sum.precision()));
+  const Float sum = odd ? sine_sum(*set, angle) : cosine_sum(*set, angle);
+  Interval value(sum, sum, bits_of(sum));
+  value = with_origin_terms(value, constants, key, Interval(x, bits_of(sum)));
   if (lines > 0) value = value + passed_poles(symbol, x, key.step, lines, nats);
   return value.widened(power_of_two(odd ? log2_odd_error(constants, *set, x, top)
                                         : log2_even_error(constants, *set, size, top)));

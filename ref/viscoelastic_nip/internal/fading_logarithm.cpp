@@ -29,7 +29,7 @@ ComplexFloat integral_by_series(const ComplexFloat& z, double nats) {
   const auto size = static_cast<double>(abs(z)), right = static_cast<double>(z.re);
   const WorkingDigits working(digits_of_nats(nats + size - right + std::log(1 + size)) + 3);
   Float euler;
-  mpfr_const_euler(euler.get(), MPFR_RNDN);
+  mpfr_const_euler(raw(euler), MPFR_RNDN);
   ComplexFloat sum = ComplexFloat(std::move(euler)) + log(z.re > 0 ? z : -z);
   const Float least = exp(Float(right - nats)) / (1 + size);
   ComplexFloat power(1);  // z^k/k!
@@ -44,15 +44,15 @@ ComplexFloat integral_by_series(const ComplexFloat& z, double nats) {
 }  // namespace
 
 ComplexFloat scaled_exponential_integral(const ComplexFloat& z) {
-  const double nats = static_cast<double>(mpfr_get_prec(Float().get())) * std::numbers::ln2 + 4;
+  const double nats = static_cast<double>(working_bits()) * std::numbers::ln2 + 4;
   if (static_cast<double>(abs(z)) > nats + 8) return asymptotic_integral(z, nats);
   if (z.is_real()) {
     Float result;
-    mpfr_eint(result.get(), z.re.get(), MPFR_RNDN);
+    mpfr_eint(raw(result), raw(z.re), MPFR_RNDN);
     return exp(-z.re) * result;
   }
   const ComplexFloat long_result = integral_by_series(z, nats);
-  return {long_result.re.at_working_precision(), long_result.im.at_working_precision()};
+  return {at_working_precision(long_result.re), at_working_precision(long_result.im)};
 }
 
 ComplexFloat fading_logarithm(const ComplexFloat& rate, const Float& x) {

@@ -105,7 +105,7 @@ class LoadSteps {
   Float next(const Float& size, const Float& load_here) {
     if (last_size_ && *last_size_ != size) growth_ = log(load_here / *last_load_) / log(size / *last_size_);
     last_size_ = size, last_load_ = load_here;
-    return (size * exp(log(load_ / load_here) / growth_)).at_working_precision();
+    return at_working_precision(size * exp(log(load_ / load_here) / growth_));
   }
   [[nodiscard]] const Float& growth() const { return growth_; }
 
@@ -131,7 +131,7 @@ void RollingContact::measure() {
   const auto apart = [](const Float& x, const Float& y, const Float& scale) { return abs(x - y) / scale; };
   const Float& size = fine_->half_length();
   const Float square = size * size;
-  difference_ = ldexp(Float(1), 20 - mpfr_get_prec(Float().get()));
+  difference_ = ldexp(Float(1), 20 - working_bits());
   const auto take = [&](const Float& x) {
     if (!(x <= difference_)) difference_ = x;
   };

@@ -151,7 +151,7 @@ Float RollingKernel::operator()(const Float& x) {
   if (x <= -far_) return far_upstream();
   if (x >= far_) return far_downstream(x);
   const int sign = x > 0 ? 1 : -1;
-  const long exponent = mpfr_get_exp(x.get());  // |x| from 2^{exponent - 1} to 2^exponent
+  const long exponent = mpfr_get_exp(raw(x));  // |x| from 2^{exponent - 1} to 2^exponent
   Float near, width = 1;
   long place = exponent;
   if (exponent > 1) {

@@ -61,7 +61,7 @@ LoadsOnLength solve_loads(const RollingLoads& problem, const Float& leading_leng
 }
 
 Interval half_thickness_of(const RollingLoads& problem) {
-  return {Exact(problem.half_thickness()), precision_here()};
+  return {Exact(problem.half_thickness()), working_bits()};
 }
 
 /// Force per unit width of what counts as LoadsOnLength::loads do.
@@ -70,7 +70,7 @@ Interval force_unit(const RollingLoads& problem) {
 }
 
 Interval load_of(const RollingLoads& problem, const LoadsOnLength& contact) {
-  Interval sum(precision_here());
+  Interval sum(working_bits());
   for (const Interval& load : contact.loads) sum = sum + load;
   return force_unit(problem) * sum;
 }

@@ -13,7 +13,7 @@ using Terms = std::vector<RollingMemory>;
 
 /// Equal to rounding.
 bool same_rate(const ComplexFloat& x, const ComplexFloat& y) {
-  return abs(x - y) <= ldexp(abs(x), 16 - mpfr_get_prec(Float().get()));
+  return abs(x - y) <= ldexp(abs(x), 16 - working_bits());
 }
 
 void add_term(Terms& terms, const RollingMemory& term) {

@@ -143,8 +143,8 @@ class RollingPressure::Integrals {
   static void accumulate(const Float& factor, const std::vector<Float>& values, std::vector<Float>& sums) {
     Float term;
     for (std::size_t k = 0; k < sums.size(); ++k) {
-      mpfr_mul(term.get(), factor.get(), values[k].get(), MPFR_RNDN);
-      mpfr_add(sums[k].get(), sums[k].get(), term.get(), MPFR_RNDN);
+      mpfr_mul(raw(term), raw(factor), raw(values[k]), MPFR_RNDN);
+      mpfr_add(raw(sums[k]), raw(sums[k]), raw(term), MPFR_RNDN);
     }
   }
 
@@ -165,8 +165,8 @@ void RollingPanel::basis(const Float& from_left, const Float& from_right, std::v
   values[0] = factor;
   if (values.size() > 1) values[1] = factor * x;
   for (std::size_t k = 2; k < values.size(); ++k) {
-    mpfr_mul(values[k].get(), twofold.get(), values[k - 1].get(), MPFR_RNDN);
-    mpfr_sub(values[k].get(), values[k].get(), values[k - 2].get(), MPFR_RNDN);
+    mpfr_mul(raw(values[k]), raw(twofold), raw(values[k - 1]), MPFR_RNDN);
+    mpfr_sub(raw(values[k]), raw(values[k]), raw(values[k - 2]), MPFR_RNDN);
   }
 }
 
@@ -291,7 +291,7 @@ Float RollingPressure::nearly_place_of_peak() const {
     const Float value = pressure(place(Float(i) / samples));
     if (value > largest) largest = value, best = i;
   }
-  const Float step = ldexp(Float(1), -mpfr_get_prec(Float().get()) / 4);
+  const Float step = ldexp(Float(1), -working_bits() / 4);
   const auto slope = [&](const Float& x) { return pressure(place(x + step)) - pressure(place(x - step)); };
   const auto zero = bracketed_root<Float>(slope, Float(best - 1) / samples + 2 * step,
                                           Float(best + 1) / samples - 2 * step, step * step);

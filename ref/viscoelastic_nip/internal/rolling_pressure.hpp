@@ -2,7 +2,7 @@
 #include <memory>
 #include <vector>
 
-#include <nipref/ref/number/internal/float.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 #include <nipref/ref/number/internal/unit_rule.hpp>
 #include <nipref/ref/viscoelastic_nip/internal/rolling_kernel.hpp>

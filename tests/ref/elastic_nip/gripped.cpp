@@ -48,10 +48,10 @@ Float unit_integral(const Integrand& integrand) {
 }
 
 Float kernel(ref::Enclosure (*function)(const ref::Exact&, int), const Float& alpha) {
-  return to_float(function(to_exact(alpha), 30).value);
+  return ref::at_working_precision(function(ref::to_exact(alpha), 30).value);
 }
 Float shear_kernel(const Float& alpha) {
-  return to_float(ref::I6(to_exact(alpha), ref::Exact(1.0), 30).value);
+  return ref::at_working_precision(ref::I6(ref::to_exact(alpha), ref::Exact(1.0), 30).value);
 }
 
 struct Displacement {
@@ -151,11 +151,11 @@ TEST_CASE("ref gripped contact: a thick sheet is a half-space, load pi A^2 (1 + 
 
 TEST_CASE("ref gripped contact: incompressible and thick it is the proven contact without friction") {
   const auto excess = [](double length) {
-    const ref::Real gripped = ref::gripped_for_length(nip_of(0.5), length, 30).load().value;
-    const ref::Real free = ref::converged_for_length(nip_of(0.5), length, 30).load().value;
-    ref::Real result(200);
-    mpfr_sub(result.get(), gripped.get(), free.get(), MPFR_RNDN);
-    return mpfr_get_d(result.get(), MPFR_RNDN) / mpfr_get_d(free.get(), MPFR_RNDN);
+    const ref::Float gripped = ref::gripped_for_length(nip_of(0.5), length, 30).load().value;
+    const ref::Float free = ref::converged_for_length(nip_of(0.5), length, 30).load().value;
+    ref::Float result = ref::zero_of_bits(200);
+    mpfr_sub(ref::raw(result), ref::raw(gripped), ref::raw(free), MPFR_RNDN);
+    return mpfr_get_d(ref::raw(result), MPFR_RNDN) / mpfr_get_d(ref::raw(free), MPFR_RNDN);
   };
   // The linear part of I3 is a creep; the cubic one gives a shear of A^3 of the pressure, what that does to
   // the load is A^6 of it.
@@ -234,7 +234,7 @@ TEST_CASE("ref gripped contact: next to its end the strain outside is the creep,
       CAPTURE(beyond);
       const double y = length / 2 * (1 + beyond);
       const ref::Estimate strain = contact.surface_strain(y);
-      const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
+      const double error = mpfr_get_d(ref::raw(strain.error), MPFR_RNDU);
       CHECK(error <= 1e-16 * size);
       CHECK(std::fabs(strain.to_double() - contact.creep_ratio().to_double()) <=
             per_root * std::sqrt(beyond) * size);

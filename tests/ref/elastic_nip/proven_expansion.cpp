@@ -40,14 +40,15 @@ TEST_CASE("the contact's smooth kernel is I1 with its logarithm added, within it
   SmoothKernel smooth(I1_interval, 40);
   for (const double alpha : {1e-30, 0.001, 0.1, 0.25, 0.7300001, 1.9, 2.0, 7.3, 41.37}) {
     CAPTURE(alpha);
-    const Interval truth = I1_interval(Exact(alpha), 110) + log(Interval(alpha, precision_here()));
-    CHECK(meet(truth, smooth.over(Interval(alpha, precision_here()))));
+    const Interval truth = I1_interval(Exact(alpha), 110) + log(Interval(alpha, working_bits()));
+    CHECK(meet(truth, smooth.over(Interval(alpha, working_bits()))));
     CHECK(smooth(Float(-alpha)) == smooth(Float(alpha)));
   }
   CHECK(static_cast<double>(smooth.error()) < 1e-38);
 }
 
 TEST_CASE("a wrong kernel value in the 25th digit makes the proof fail, one known to no more widens it") {
+  const WorkingDigits working(50);
   const Interval error(1e-25, 64);
   for (const double half_length : {1e-6, 0.5, 1.5}) {
     CAPTURE(half_length);
@@ -134,7 +135,7 @@ TEST_CASE("an expansion too short for its contact has a radius that covers what 
   SmoothKernel smooth(I1_interval, 50);
   for (const double half_length : {0.01, 0.5, 2.0, 4.0}) {
     CAPTURE(half_length);
-    const Interval here(half_length, precision_here());
+    const Interval here(half_length, working_bits());
     const auto solve = [&](int n) {
       const ChebyshevSystem system(Float(half_length), n, smooth);
       return prove(system, system.solution(), here);
@@ -178,7 +179,7 @@ TEST_CASE("what an expansion for one half length misses at another is in its rad
 TEST_CASE("a place that may be inside or outside has results for both") {
   const auto contact = SolvedContact::of_half_length(Exact(1.25), 25, I1_interval);
   const WorkingDigits working(contact.working_digits());
-  const Interval beta(0.25, precision_here()), step(1e-18, precision_here());
+  const Interval beta(0.25, working_bits()), step(1e-18, working_bits());
   const SurfacePoint inside{step / 2}, outside{-(step / 2)}, either{either_side(step)};
   const auto covers = [&](const auto& result) {
     const Interval both = result(either);
@@ -231,10 +232,10 @@ TEST_CASE("displacements of the contact are the integrals of ref's kernels over 
       CHECK(static_cast<double>(abs(middle_of(proven) - summed)) <= 1e-22 * half_length);
     };
     agree(contact->indentation(), displacement(0, I1_interval));
-    const SurfacePoint outside{Interval(-0.5, precision_here())};
+    const SurfacePoint outside{Interval(-0.5, working_bits())};
     agree(contact->normal_displacement(outside), displacement(1.5, I1_interval));
     const Float along = displacement(1.5, I3_interval) - middle_of(contact->load()) / 8;
-    agree(contact->tangential_displacement(outside, Interval(0.25, precision_here())), along);
+    agree(contact->tangential_displacement(outside, Interval(0.25, working_bits())), along);
     agree(contact->load(), 2 * A * integral([&](const Float&, const Float& rest) { return pressure(rest); }));
   }
 }

@@ -17,11 +17,11 @@ TEST_CASE(
   const ref::LongContactFit thin = ref::thin_nip_of_length(nip, length, 18);
   const ref::ConvergedElasticNip contact = ref::converged_for_length(nip, length, 18);
   const auto check = [](const ref::Estimate& found, const ref::Enclosure& truth) {
-    ref::Real distance(64);
-    mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
+    ref::Float distance = ref::zero_of_bits(64);
+    mpfr_sub(ref::raw(distance), ref::raw(found.value), ref::raw(truth.value), MPFR_RNDA);
     const double allowed =
-        mpfr_get_d(found.error.get(), MPFR_RNDU) + mpfr_get_d(truth.error.get(), MPFR_RNDU);
-    CHECK(std::fabs(mpfr_get_d(distance.get(), MPFR_RNDA)) <= allowed);
+        mpfr_get_d(ref::raw(found.error), MPFR_RNDU) + mpfr_get_d(ref::raw(truth.error), MPFR_RNDU);
+    CHECK(std::fabs(mpfr_get_d(ref::raw(distance), MPFR_RNDA)) <= allowed);
     CHECK(allowed <
           1e-16 * std::fabs(truth.to_double()));  // of the displacements, that is, not of the strain
   };
@@ -40,12 +40,12 @@ TEST_CASE(
     CAPTURE(length);
     const ref::Estimate found = ref::thin_nip_of_length(nip, length, 21).peak_pressure;
     const ref::Enclosure truth = ref::converged_for_length(nip, length, 26).peak_pressure();
-    ref::Real distance(64);
-    mpfr_sub(distance.get(), found.value.get(), truth.value.get(), MPFR_RNDA);
-    mpfr_abs(distance.get(), distance.get(), MPFR_RNDA);
-    mpfr_add(distance.get(), distance.get(), truth.error.get(), MPFR_RNDU);
-    const double error = mpfr_get_d(found.error.get(), MPFR_RNDU);
-    CHECK(mpfr_get_d(distance.get(), MPFR_RNDU) <= error);
+    ref::Float distance = ref::zero_of_bits(64);
+    mpfr_sub(ref::raw(distance), ref::raw(found.value), ref::raw(truth.value), MPFR_RNDA);
+    mpfr_abs(ref::raw(distance), ref::raw(distance), MPFR_RNDA);
+    mpfr_add(ref::raw(distance), ref::raw(distance), ref::raw(truth.error), MPFR_RNDU);
+    const double error = mpfr_get_d(ref::raw(found.error), MPFR_RNDU);
+    CHECK(mpfr_get_d(ref::raw(distance), MPFR_RNDU) <= error);
     CHECK(error <= most * truth.to_double());
   }
 }

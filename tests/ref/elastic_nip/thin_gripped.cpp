@@ -17,7 +17,7 @@ TEST_CASE(
   const ref::ThinGrippedNip thin = ref::thin_gripped_nip_of_length(nip, length, 12);
   const auto panels = fast::converged_for_length(nip, data::Friction::full, length, 1e-13);
   const auto check = [](const ref::Estimate& truth, const fast::Estimate& found) {
-    const double error = mpfr_get_d(truth.error.get(), MPFR_RNDU);
+    const double error = mpfr_get_d(ref::raw(truth.error), MPFR_RNDU);
     CHECK(std::fabs(truth.error_of(found.value)) <= found.error + error);
     CHECK(error < 1e-12 * std::fabs(found.value));
     CHECK(found.error < 1e-10 * std::fabs(found.value));

@@ -47,7 +47,7 @@ TEST_CASE("the reference's ellipse under a compliance with a narrow peak, wherev
       const ref::Float off = ref::to_float(Exact(mpq_class(degrees.value() - peak.value())));
       const ref::Float s = sin(off * ref::pi() / 180), none = 0;
       const ref::Float compliance = 1 + 1 / (gap + s * s);
-      return {ref::to_real(compliance), ref::to_real(none), ref::to_real(none), ref::to_real(none)};
+      return {compliance, none, none, none};
     };
   };
   for (const double gap : {1e-2, 1e-6, 1e-9}) {
@@ -76,7 +76,7 @@ TEST_CASE("what the reference cannot make an ellipse of is refused by name") {
   refused(surface, Exact::parse("1e-5000"), "curvature_ratio = 1e-5000");
   const ref::SurfaceAnswer no_number = [&](const Exact& degrees, int digits) {
     ref::LineAnswer line = surface(degrees, digits);
-    mpfr_set_nan(line.compliance.get());
+    mpfr_set_nan(ref::raw(line.compliance));
     return line;
   };
   refused(no_number, Exact(1.0), "surface = nan");
@@ -93,7 +93,7 @@ TEST_CASE("the reference's contact of a sphere at rest is Hertz's, the force giv
   CHECK(contact.span(Exact(33.0)).to_double() == doctest::Approx(2 * a).epsilon(1e-14));
   CHECK(contact.peak_pressure().to_double() ==
         doctest::Approx(3 * force / (2 * std::numbers::pi * a * a)).epsilon(1e-14));
-  CHECK(mpfr_get_d(contact.orientation().error.get(), MPFR_RNDN) == 90);
+  CHECK(mpfr_get_d(ref::raw(contact.orientation().error), MPFR_RNDN) == 90);
   const ref::EllipticContact back(isotropic_surface(0.25, 1e-30), body, data::GivenSpan{2 * a}, 20);
   CHECK(back.force().to_double() == doctest::Approx(force).epsilon(1e-14));
 }

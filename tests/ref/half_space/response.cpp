@@ -31,13 +31,13 @@ namespace {
 
 Float value(const Estimate& x) {
   Float result;
-  mpfr_set(result.backend().data(), x.value.get(), MPFR_RNDN);
+  mpfr_set(result.backend().data(), ref::raw(x.value), MPFR_RNDN);
   return result;
 }
 
 Float bound(const Estimate& x) {
   Float result;
-  mpfr_set(result.backend().data(), x.error.get(), MPFR_RNDN);
+  mpfr_set(result.backend().data(), ref::raw(x.error), MPFR_RNDN);
   return result;
 }
 

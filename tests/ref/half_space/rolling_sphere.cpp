@@ -29,8 +29,8 @@ TEST_CASE("the reference's rolling sphere keeps its digits where K Knn - S^2 van
   const double rayleigh = 0.92741270970293665;  // nu = 0.3
   const auto surface = isotropic_surface(0.3, (1 - 1e-13) * rayleigh);
   const auto agree = [](const ref::Estimate& few, const ref::Estimate& many) {
-    const ref::Float off = abs(ref::to_float(few.value) - ref::to_float(many.value));
-    CHECK(off <= ref::to_float(few.error) + ref::to_float(many.error));
+    const ref::Float off = abs(ref::at_working_precision(few.value) - ref::at_working_precision(many.value));
+    CHECK(off <= ref::at_working_precision(few.error) + ref::at_working_precision(many.error));
   };
   agree(ref::rolling_index(surface, Exact(0.0), 30), ref::rolling_index(surface, Exact(0.0), 60));
   agree(ref::rolling_span_ratio(surface, Exact(90.0), 30), ref::rolling_span_ratio(surface, Exact(90.0), 60));

@@ -157,9 +157,9 @@ namespace {
 
 /// Whether two enclosures meet, each not wider than 2 e^{-nats} by much.
 void check_same(const Interval& x, const Interval& y, double nats) {
-  Real width(64);
-  mpfi_diam_abs(width.get(), Interval(x - y).get());
-  CHECK(mpfr_get_d(width.get(), MPFR_RNDU) <= 5 * std::exp(-nats));
+  Float width = zero_of_bits(64);
+  mpfi_diam_abs(raw(width), Interval(x - y).get());
+  CHECK(mpfr_get_d(raw(width), MPFR_RNDU) <= 5 * std::exp(-nats));
   CHECK(contains_zero(x - y));
 }
 

@@ -350,11 +350,11 @@ TEST_CASE("moving load: the bounds hold against more digits, whatever the rate a
       CAPTURE(alpha);
       const auto difference = [&](auto value) {
         const Enclosure few = value(16), many = value(24);
-        Real error(64), allowed(64);
-        mpfr_sub(error.get(), few.value.get(), many.value.get(), MPFR_RNDA);
+        Float error = zero_of_bits(64), allowed = zero_of_bits(64);
+        mpfr_sub(raw(error), raw(few.value), raw(many.value), MPFR_RNDA);
         // Far from the load a value may have far more digits than were asked for, and fewer when more were.
-        mpfr_add(allowed.get(), few.error.get(), many.error.get(), MPFR_RNDU);
-        CHECK(mpfr_cmpabs(error.get(), allowed.get()) <= 0);
+        mpfr_add(raw(allowed), raw(few.error), raw(many.error), MPFR_RNDU);
+        CHECK(mpfr_cmpabs(raw(error), raw(allowed)) <= 0);
       };
       difference(
           [&](int n) { return moving_load_steady_normal_displacement(exact(alpha), one, one, solid, n); });
@@ -379,12 +379,12 @@ TEST_CASE("moving load: a start that has faded is worked out to the digits that 
     return moving_load_normal_displacement(exact("1000"), exact(T), exact("0.5"), one, solid, 40);
   };
   const Enclosure here = value("5e-324"), at_start = value("0");
-  Real difference(64), allowed(64);
-  mpfr_sub(difference.get(), here.value.get(), at_start.value.get(), MPFR_RNDA);
-  mpfr_add(allowed.get(), here.error.get(), at_start.error.get(), MPFR_RNDU);
-  CHECK(mpfr_cmpabs(difference.get(), allowed.get()) <= 0);
-  mpfr_div(allowed.get(), allowed.get(), here.value.get(), MPFR_RNDA);
-  CHECK(std::fabs(mpfr_get_d(allowed.get(), MPFR_RNDA)) < 2e-40);
+  Float difference = zero_of_bits(64), allowed = zero_of_bits(64);
+  mpfr_sub(raw(difference), raw(here.value), raw(at_start.value), MPFR_RNDA);
+  mpfr_add(raw(allowed), raw(here.error), raw(at_start.error), MPFR_RNDU);
+  CHECK(mpfr_cmpabs(raw(difference), raw(allowed)) <= 0);
+  mpfr_div(raw(allowed), raw(allowed), raw(here.value), MPFR_RNDA);
+  CHECK(std::fabs(mpfr_get_d(raw(allowed), MPFR_RNDA)) < 2e-40);
 }
 
 TEST_CASE("moving load: bad arguments are refused") {

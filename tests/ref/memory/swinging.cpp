@@ -25,9 +25,9 @@ ComplexInterval rate_of(const std::string& real, const std::string& imaginary) {
 bool has_zero(const Interval& x) { return mpfi_has_zero(x.get()) > 0; }
 
 double width(const Interval& x) {
-  Real found(64);
-  mpfi_diam_abs(found.get(), x.get());
-  return mpfr_get_d(found.get(), MPFR_RNDU);
+  Float found = zero_of_bits(64);
+  mpfi_diam_abs(raw(found), x.get());
+  return mpfr_get_d(raw(found), MPFR_RNDU);
 }
 
 }  // namespace

@@ -41,12 +41,12 @@ FloatStresses summed(const Float& half_length, const Tractions& tractions, doubl
     const Float left = 2 * half_length * half * half, right = 2 * half_length * other * other;
     const Float weight = rule.weight[i] * ref::pi() * half_length * sin(angle);
     const ref::FaceTraction here = tractions(left, right);
-    const ref::Exact from = to_exact(alpha + half_length - left), at(depth);
+    const ref::Exact from = ref::to_exact(alpha + half_length - left), at(depth);
     for (const auto load : {data::SheetLoad::normal, data::SheetLoad::shear}) {
       const Float force = weight * (load == data::SheetLoad::normal ? here.pressure : here.shear);
-      sum.across += force * to_float(ref::sheet_across(from, at, load, 20).value);
-      sum.along += force * to_float(ref::sheet_along(from, at, load, 20).value);
-      sum.shear += force * to_float(ref::sheet_shear(from, at, load, 20).value);
+      sum.across += force * ref::at_working_precision(ref::sheet_across(from, at, load, 20).value);
+      sum.along += force * ref::at_working_precision(ref::sheet_along(from, at, load, 20).value);
+      sum.shear += force * ref::at_working_precision(ref::sheet_shear(from, at, load, 20).value);
     }
   }
   return sum;

@@ -30,8 +30,8 @@ TEST_CASE("the solutions of all systems within the errors are enclosed") {
         const Vector solution = solve(matrix, moved);
         for (long k = 0; k < n; ++k) {
           const Interval& found = enclosed->unknowns[0][static_cast<std::size_t>(k)];
-          CHECK(mpfr_cmp(found.lower(), solution(k).get()) <= 0);
-          CHECK(mpfr_cmp(found.upper(), solution(k).get()) >= 0);
+          CHECK(mpfr_cmp(found.lower(), raw(solution(k))) <= 0);
+          CHECK(mpfr_cmp(found.upper(), raw(solution(k))) >= 0);
         }
       }
     }

@@ -59,7 +59,7 @@ TEST_CASE("the bound reaches both ends of the interval, wherever its middle was 
     Interval interval(1L, 53);
     mpfi_put_d(interval.get(), 1 + std::ldexp(static_cast<double>(last), -52));
     const Enclosure made = enclosure_of(interval, 16);
-    const double middle = made.to_double(), error = mpfr_get_d(made.error.get(), MPFR_RNDN);
+    const double middle = made.to_double(), error = mpfr_get_d(raw(made.error), MPFR_RNDN);
     CHECK(middle - error <= 1);
     CHECK(middle + error >= 1 + std::ldexp(static_cast<double>(last), -52));
   }
@@ -222,8 +222,8 @@ TEST_CASE("exact numbers are read exactly or not at all") {
 
 TEST_CASE("a number known exactly has no error, but its text may") {
   const auto known = [](double value) {
-    Enclosure result{nipref::ref::Real(53), nipref::ref::Real(64), 16};
-    mpfr_set_d(result.value.get(), value, MPFR_RNDN);
+    Enclosure result{nipref::ref::zero_of_bits(53), nipref::ref::zero_of_bits(64), 16};
+    mpfr_set_d(raw(result.value), value, MPFR_RNDN);
     return result;
   };
   CHECK(known(0.5).error_text() == "0");
@@ -235,9 +235,9 @@ TEST_CASE("a number known exactly has no error, but its text may") {
 }
 
 TEST_CASE("0 has no last place: beside it stands the error alone") {
-  Real zero(64), error(64);
-  mpfr_set_zero(zero.get(), 1);
-  mpfr_set_d(error.get(), 0x1p-100, MPFR_RNDN);
+  Float zero = zero_of_bits(64), error = zero_of_bits(64);
+  mpfr_set_zero(raw(zero), 1);
+  mpfr_set_d(raw(error), 0x1p-100, MPFR_RNDN);
   const Estimate nothing(zero, error, 16);
   CHECK(nothing.value_text() == "0");
   CHECK(std::stod(nothing.error_text()) == doctest::Approx(0x1p-100).scale(0).epsilon(0.1));

@@ -89,9 +89,9 @@ TEST_CASE("summation and residues agree on the field where both converge") {
     Interval common(400);
     mpfi_intersect(common.get(), by_sum.get(), by_roots.get());
     CHECK(mpfi_is_empty(common.get()) == 0);
-    Real width(64);
-    mpfi_diam_abs(width.get(), by_sum.get());
-    CHECK(mpfr_get_d(width.get(), MPFR_RNDU) < 1e-80);
+    Float width = zero_of_bits(64);
+    mpfi_diam_abs(raw(width), by_sum.get());
+    CHECK(mpfr_get_d(raw(width), MPFR_RNDU) < 1e-80);
   }
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("the field keeps its digits towards the load, and is exactly 0 where i
   const Exact just_inside(1 - 0x1p-53), tiny = Exact::parse("1e-300"), zero(0.0), one(1.0);
   for (const SheetLoad load : {n, s}) {
     const Enclosure along = sheet_along(tiny, just_inside, load, 30);
-    CHECK(mpfr_cmp_d(along.error.get(), 1e-30) <= 0);
+    CHECK(mpfr_cmp_d(raw(along.error), 1e-30) <= 0);
     CHECK(sheet_across(tiny, one, load, 30).to_double() == 0);
     CHECK(sheet_shear(tiny, zero, load, 30).to_double() == 0);
   }

@@ -18,9 +18,9 @@ Interval subtracted_part(Symbol symbol, const Exact& x, mpfr_prec_t precision) {
 }
 
 double log2_width(const Interval& x) {
-  Real width(mpfr_prec_t{64});
-  mpfi_diam_abs(width.get(), x.get());
-  return static_cast<double>(mpfr_get_exp(width.get()));
+  Float width = zero_of_bits(64);
+  mpfi_diam_abs(raw(width), x.get());
+  return static_cast<double>(mpfr_get_exp(raw(width)));
 }
 
 }  // namespace

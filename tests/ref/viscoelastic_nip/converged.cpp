@@ -111,9 +111,9 @@ TEST_CASE("ref rolling contact: without memory it is the proven elastic contact,
   const auto proven = ref::converged_for_length(elastic, 0.15, 30);
   const auto same = [](const char* name, const ref::Estimate& mine, const ref::Enclosure& theirs) {
     CAPTURE(name);
-    ref::Real difference(200);
-    mpfr_sub(difference.get(), mine.value.get(), theirs.value.get(), MPFR_RNDN);
-    CHECK(mpfr_cmpabs(difference.get(), mine.error.get()) <= 0);
+    ref::Float difference = ref::zero_of_bits(200);
+    mpfr_sub(ref::raw(difference), ref::raw(mine.value), ref::raw(theirs.value), MPFR_RNDN);
+    CHECK(mpfr_cmpabs(ref::raw(difference), ref::raw(mine.error)) <= 0);
   };
   same("load", rolled.load(), proven.load());
   same("indentation", rolled.indentation(), proven.indentation());
@@ -136,10 +136,10 @@ TEST_CASE("ref rolling contact: without memory a long one is the thin sheet's") 
   const ref::LongContactFit thin = ref::thin_nip_of_length(elastic, length, 19);
   const auto same = [](const ref::Estimate& mine, const ref::Estimate& theirs) {
     CAPTURE(mine.value_text());
-    ref::Real difference(200);
-    mpfr_sub(difference.get(), mine.value.get(), theirs.value.get(), MPFR_RNDN);
-    CHECK(mpfr_cmpabs(difference.get(), mine.error.get()) <= 0);
-    CHECK(mpfr_cmpabs(theirs.error.get(), mine.error.get()) <= 0);
+    ref::Float difference = ref::zero_of_bits(200);
+    mpfr_sub(ref::raw(difference), ref::raw(mine.value), ref::raw(theirs.value), MPFR_RNDN);
+    CHECK(mpfr_cmpabs(ref::raw(difference), ref::raw(mine.error)) <= 0);
+    CHECK(mpfr_cmpabs(ref::raw(theirs.error), ref::raw(mine.error)) <= 0);
   };
   same(rolled.load(), thin.load);
   same(rolled.indentation(), thin.indentation);
@@ -229,10 +229,10 @@ TEST_CASE("ref rolling contact: the length that a load needs gives it back, and 
   for (const auto& result : rolling_results({-0.07, -0.02, 0.03})) {
     CAPTURE(result.name);
     const ref::Estimate first = result.reference(near), second = result.reference(fine);
-    ref::Real difference(200);
-    mpfr_sub(difference.get(), first.value.get(), second.value.get(), MPFR_RNDN);
-    CHECK(mpfr_cmpabs(difference.get(), first.error.get()) <= 0);
-    CHECK(mpfr_cmpabs(second.error.get(), first.error.get()) <= 0);
+    ref::Float difference = ref::zero_of_bits(200);
+    mpfr_sub(ref::raw(difference), ref::raw(first.value), ref::raw(second.value), MPFR_RNDN);
+    CHECK(mpfr_cmpabs(ref::raw(difference), ref::raw(first.error)) <= 0);
+    CHECK(mpfr_cmpabs(ref::raw(second.error), ref::raw(first.error)) <= 0);
   }
   CHECK(fine.unknowns() > near.unknowns());
   CHECK(fine.normal_kernel_values() > 0);
@@ -250,7 +250,7 @@ TEST_CASE(
         CAPTURE(y);
         const ref::Estimate strain = truth.surface_strain(y);
         const fast::Estimate found = computed.surface_strain(y);
-        const double error = mpfr_get_d(strain.error.get(), MPFR_RNDU);
+        const double error = mpfr_get_d(ref::raw(strain.error), MPFR_RNDU);
         CHECK(error <= std::pow(10, -digits) * length / nip.roller_radius);
         CHECK(std::fabs(strain.error_of(found.value)) <= found.error + error);
       }

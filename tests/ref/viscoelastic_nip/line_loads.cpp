@@ -14,12 +14,12 @@ namespace {
 
 data::ViscoelasticNip nip_of(const data::ViscoelasticMaterial& material) { return {6, 0.5, material, 1}; }
 
-double error(const ref::Estimate& number) { return mpfr_get_d(number.error.get(), MPFR_RNDU); }
+double error(const ref::Estimate& number) { return mpfr_get_d(ref::raw(number.error), MPFR_RNDU); }
 
 double difference(const ref::Estimate& a, const ref::Estimate& b) {
-  ref::Real both(200);
-  mpfr_sub(both.get(), a.value.get(), b.value.get(), MPFR_RNDN);
-  return std::fabs(mpfr_get_d(both.get(), MPFR_RNDN));
+  ref::Float both = ref::zero_of_bits(200);
+  mpfr_sub(ref::raw(both), ref::raw(a.value), ref::raw(b.value), MPFR_RNDN);
+  return std::fabs(mpfr_get_d(ref::raw(both), MPFR_RNDN));
 }
 
 void check_like_fast(const ref::ViscoelasticLineLoads& mine, const fast::ViscoelasticLineLoads& theirs,

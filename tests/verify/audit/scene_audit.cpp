@@ -112,7 +112,7 @@ TEST_CASE("a wrong reference is seen as well, and what is refused or fails is to
   verify::SceneSolvers solvers = with(overstate);
   solvers.ref = [](const data::Scene& scene, int digits) {
     auto solution = verify::solve_by_ref(scene, digits);
-    mpfr_set_d(solution.results.front().numbers.front().value.get(), 1e9, MPFR_RNDN);
+    mpfr_set_d(nipref::ref::raw(solution.results.front().numbers.front().value), 1e9, MPFR_RNDN);
     return solution;
   };
   CHECK(audited(elastic, solvers).uncovered == 1);

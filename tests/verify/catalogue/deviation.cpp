@@ -12,9 +12,9 @@ using namespace nipref;
 
 /// An enclosure made by hand: the value of a double and a bound.
 ref::Enclosure enclosure(double value, double bound) {
-  ref::Enclosure result{ref::Real(53), ref::Real(53), 16};
-  mpfr_set_d(result.value.get(), value, MPFR_RNDN);
-  mpfr_set_d(result.error.get(), bound, MPFR_RNDN);
+  ref::Enclosure result{ref::Float(53), ref::Float(53), 16};
+  mpfr_set_d(ref::raw(result.value), value, MPFR_RNDN);
+  mpfr_set_d(ref::raw(result.error), bound, MPFR_RNDN);
   return result;
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("the reference's own error bound is added") {
 
 TEST_CASE("a difference below the smallest double is not lost") {
   ref::Enclosure truth = enclosure(0x1p-1074, 0);
-  mpfr_mul_2si(truth.value.get(), truth.value.get(), -1, MPFR_RNDN);  // half of the smallest double
+  mpfr_mul_2si(ref::raw(truth.value), ref::raw(truth.value), -1, MPFR_RNDN);  // half of the smallest double
   CHECK(verify::deviation(0, truth, 0).ulps == 0.5);
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 using namespace nipref;
 
-ref::Real decimal(const std::string& text) {
-  ref::Real number(200);
-  mpfr_set_str(number.get(), text.c_str(), 10, MPFR_RNDN);
+ref::Float decimal(const std::string& text) {
+  ref::Float number = ref::zero_of_bits(200);
+  mpfr_set_str(ref::raw(number), text.c_str(), 10, MPFR_RNDN);
   return number;
 }
 

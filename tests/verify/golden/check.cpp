@@ -76,9 +76,9 @@ TEST_CASE("a reference that moves by less than any double sees is found") {
   Quantity moved = quantity;
   moved.by_ref = [by_ref = quantity.by_ref](std::span<const ref::Exact> x, int digits) {
     ref::Estimate reference = by_ref(x, digits);
-    ref::Real step(64);
-    mpfr_mul_d(step.get(), reference.value.get(), 1e-45, MPFR_RNDN);
-    mpfr_add(reference.value.get(), reference.value.get(), step.get(), MPFR_RNDN);
+    ref::Float step = ref::zero_of_bits(64);
+    mpfr_mul_d(ref::raw(step), ref::raw(reference.value), 1e-45, MPFR_RNDN);
+    mpfr_add(ref::raw(reference.value), ref::raw(reference.value), ref::raw(step), MPFR_RNDN);
     return reference;
   };
   const verify::CheckedGolden checked = verify::check_rows(moved, last_of(golden("I1"), 10), {});
@@ -96,7 +96,7 @@ TEST_CASE("a bound too wide to say anything is useless, and not wrong") {
   Quantity coarse = file.quantity();
   coarse.by_ref = [by_ref = coarse.by_ref](std::span<const ref::Exact> x, int digits) {
     ref::Estimate reference = by_ref(x, digits);
-    mpfr_set_d(reference.error.get(), 1, MPFR_RNDU);
+    mpfr_set_d(ref::raw(reference.error), 1, MPFR_RNDU);
     return reference;
   };
   file.rows.erase(file.rows.begin() + 1);

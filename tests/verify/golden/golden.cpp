@@ -45,7 +45,7 @@ TEST_CASE("golden values are read as they are written") {
   REQUIRE(golden.rows.size() == 2);
   CHECK(golden.rows[0].arguments == verify::Point{-24, 2, 8, 16, 0, 2, 2, 1024});
   CHECK(golden.rows[0].number().to_double() == 1.25e-3);
-  CHECK(mpfr_cmp_d(golden.rows[0].number().error.get(), 1e-40) >= 0);
+  CHECK(mpfr_cmp_d(nipref::ref::raw(golden.rows[0].number().error), 1e-40) >= 0);
   CHECK(golden.rows[0].proven);
   CHECK_FALSE(golden.rows[1].proven);
   CHECK(verify::golden_text(golden.quantity(), golden) == text);

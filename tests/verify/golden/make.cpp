@@ -18,9 +18,9 @@ const verify::Provenance nowhere{"0", "a compiler", "4", std::string(40, 'a'), t
 Quantity with_wrong_reference(Quantity quantity, double part) {
   quantity.by_ref = [by_ref = quantity.by_ref, part](std::span<const ref::Exact> arguments, int digits) {
     ref::Estimate reference = by_ref(arguments, digits);
-    ref::Real moved(reference.value.precision());
-    mpfr_mul_d(moved.get(), reference.value.get(), part, MPFR_RNDN);
-    mpfr_add(reference.value.get(), reference.value.get(), moved.get(), MPFR_RNDN);
+    ref::Float moved = ref::zero_of_bits(ref::bits_of(reference.value));
+    mpfr_mul_d(ref::raw(moved), ref::raw(reference.value), part, MPFR_RNDN);
+    mpfr_add(ref::raw(reference.value), ref::raw(reference.value), ref::raw(moved), MPFR_RNDN);
     return reference;
   };
   return quantity;
@@ -41,7 +41,7 @@ TEST_CASE("golden values of a kernel: all confirmed, of all origins, the same ag
   for (const verify::GoldenRow& row : made.file.rows) {
     CHECK(row.proven);
     CHECK(row.confirmed_by.starts_with("integral along the real axis"));
-    CHECK(mpfr_cmp_d(row.number().error.get(), 1e-40 * std::max(row.scale, 1e-200)) <= 0);
+    CHECK(mpfr_cmp_d(ref::raw(row.number().error), 1e-40 * std::max(row.scale, 1e-200)) <= 0);
   }
   CHECK(verify::golden_text(quantity, made.file) ==
         verify::golden_text(quantity, verify::make_golden(quantity, options, nowhere).file));

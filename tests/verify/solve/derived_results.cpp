@@ -210,9 +210,9 @@ TEST_CASE("the reference has strain and slip, proven without friction, and fast 
 namespace {
 
 ref::Estimate exactly(double value) {
-  ref::Real number(64);
-  mpfr_set_d(number.get(), value, MPFR_RNDN);
-  return {number, ref::Real(64), 16};
+  ref::Float number = ref::zero_of_bits(64);
+  mpfr_set_d(ref::raw(number), value, MPFR_RNDN);
+  return {number, ref::zero_of_bits(64), 16};
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST_CASE(
   }
   auto by_ref = verify::solve_by_ref(data::load_scene(data::example_scene("thick-frictionless")), 40);
   for (const auto& result : by_ref.results) CHECK(result.met() == true);
-  mpfr_set_d(by_ref.results.front().numbers.front().error.get(), 1e-36, MPFR_RNDU);
+  mpfr_set_d(nipref::ref::raw(by_ref.results.front().numbers.front().error), 1e-36, MPFR_RNDU);
   CHECK(by_ref.results.front().met() == false);
   CHECK(by_ref.missed().size() == 1);
 }

@@ -32,8 +32,9 @@ using RefNumber = data::WithError<long double, double>;
 
 /// A number of the reference; its error includes the rounding to a long double, which has 19 digits.
 RefNumber ref_number(const ref::Estimate& number) {
-  const long double value = mpfr_get_ld(number.value.get(), MPFR_RNDN);
-  return {value, mpfr_get_d(number.error.get(), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
+  const long double value = mpfr_get_ld(ref::raw(number.value), MPFR_RNDN);
+  return {value,
+          mpfr_get_d(ref::raw(number.error), MPFR_RNDU) + 1e-19 * std::fabs(static_cast<double>(value))};
 }
 
 /// A value with which a number is compared.

@@ -46,9 +46,9 @@ struct OnIsotropic {
 };
 
 /// x + sign y, rounded once.
-ref::Real sum(const ref::Real& x, const ref::Real& y, int sign) {
-  ref::Real result(std::max(x.precision(), y.precision()) + 8);
-  (sign > 0 ? mpfr_add : mpfr_sub)(result.get(), x.get(), y.get(), MPFR_RNDN);
+ref::Float sum(const ref::Float& x, const ref::Float& y, int sign) {
+  ref::Float result = ref::zero_of_bits(std::max(ref::bits_of(x), ref::bits_of(y)) + 8);
+  (sign > 0 ? mpfr_add : mpfr_sub)(ref::raw(result), ref::raw(x), ref::raw(y), MPFR_RNDN);
   return result;
 }
 

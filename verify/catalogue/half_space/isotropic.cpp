@@ -82,7 +82,7 @@ ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const Lin
       ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, poisson, unit), data::SymmetryAxis::normal);
   // Near the critical speed the bounds are those of the compliance, which is much larger than what is across.
   const auto bound_over_value = [](const ref::Enclosure& found) {
-    return mpfr_get_exp(found.error.get()) - mpfr_get_exp(found.value.get());
+    return mpfr_get_exp(ref::raw(found.error)) - mpfr_get_exp(ref::raw(found.value));
   };
   ref::Enclosure found = ref::line_response(solid, line.speed, line.motion, line.psi, digits).*member;
   const auto asked = static_cast<long>(-digits / std::log10(2.0));

@@ -67,12 +67,12 @@ double nip_accuracy(fast::Accuracy accuracy) { return std::clamp(accuracy.rtol()
 
 ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor) {
   const mpq_class size = abs(factor);
-  ref::Real rounding(64);
-  mpfr_mul_q(number.value.get(), number.value.get(), factor.get_mpq_t(), MPFR_RNDN);
-  mpfr_mul_q(number.error.get(), number.error.get(), size.get_mpq_t(), MPFR_RNDU);
-  mpfr_abs(rounding.get(), number.value.get(), MPFR_RNDU);
-  mpfr_mul_2si(rounding.get(), rounding.get(), -number.value.precision(), MPFR_RNDU);
-  mpfr_add(number.error.get(), number.error.get(), rounding.get(), MPFR_RNDU);
+  ref::Float rounding = ref::zero_of_bits(64);
+  mpfr_mul_q(ref::raw(number.value), ref::raw(number.value), factor.get_mpq_t(), MPFR_RNDN);
+  mpfr_mul_q(ref::raw(number.error), ref::raw(number.error), size.get_mpq_t(), MPFR_RNDU);
+  mpfr_abs(ref::raw(rounding), ref::raw(number.value), MPFR_RNDU);
+  mpfr_mul_2si(ref::raw(rounding), ref::raw(rounding), -ref::bits_of(number.value), MPFR_RNDU);
+  mpfr_add(ref::raw(number.error), ref::raw(number.error), ref::raw(rounding), MPFR_RNDU);
   return number;
 }
 

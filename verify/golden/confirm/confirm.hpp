@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/verify/catalogue/named_point.hpp>
 
 namespace nipref::verify {
@@ -13,8 +13,8 @@ namespace nipref::verify {
 /// nor its arithmetic: its numbers are Boost's over MPFR and MPC.
 struct Confirmation {
   std::string method;
-  ref::Real value;
-  ref::Real error;  ///< estimate: the change of the value when the method's own work is halved
+  ref::Float value;
+  ref::Float error;  ///< estimate: the change of the value when the method's own work is halved
 };
 
 using Confirm = std::function<Confirmation(const NamedPoint& point)>;

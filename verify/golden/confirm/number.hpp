@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/verify/golden/confirm/confirm.hpp>
 
 /// The numbers that the second methods compute with.
@@ -34,9 +34,9 @@ Float to_number(const mpq_class& x) {
 
 template <class Float>
 Confirmation confirmation(std::string method, const Float& value, const Float& error) {
-  ref::Real v(mpfr_get_prec(value.backend().data())), e(64);
-  mpfr_set(v.get(), value.backend().data(), MPFR_RNDN);
-  mpfr_abs(e.get(), error.backend().data(), MPFR_RNDU);
+  ref::Float v = ref::zero_of_bits(mpfr_get_prec(value.backend().data())), e = ref::zero_of_bits(64);
+  mpfr_set(ref::raw(v), value.backend().data(), MPFR_RNDN);
+  mpfr_abs(ref::raw(e), error.backend().data(), MPFR_RNDU);
   return {std::move(method), std::move(v), std::move(e)};
 }
 

@@ -37,7 +37,7 @@ inline bool is_finite(const ref::Estimate&) { return true; }
 
 inline long double magnitude_of(const fast::Estimate& number) { return std::fabs(number.value); }
 inline long double magnitude_of(const ref::Estimate& number) {
-  return std::fabs(mpfr_get_ld(number.value.get(), MPFR_RNDN));
+  return std::fabs(mpfr_get_ld(ref::raw(number.value), MPFR_RNDN));
 }
 
 /// The places at which a result of this shape is wanted.

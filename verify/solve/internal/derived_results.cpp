@@ -16,7 +16,8 @@ Estimate exactly(double value, const Estimate&) { return {value, 0}; }
 ref::Estimate exactly(double value, const ref::Estimate& like) { return ref::exactly(value, like.digits); }
 
 bool same(const ref::Estimate& a, const ref::Estimate& b) {
-  return mpfr_equal_p(a.value.get(), b.value.get()) != 0 && mpfr_equal_p(a.error.get(), b.error.get()) != 0;
+  return mpfr_equal_p(ref::raw(a.value), ref::raw(b.value)) != 0 &&
+         mpfr_equal_p(ref::raw(a.error), ref::raw(b.error)) != 0;
 }
 
 /// int p Y dY from a to b, each of which may be an end of the contact, next to which p is like a square root.

@@ -125,19 +125,20 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
   const ref::Exact step = ref::Exact::parse("1e-" + std::to_string(digits + below_a_rounding));
   const auto ln_K = [&](int sign) {
     const ref::Exact moved(mpq_class(speed.value() * (1 + sign * step.value())));
-    ref::Real value =
+    ref::Float value =
         ref::line_response(solid, moved, motion, psi, 2 * digits + below_a_rounding + guard).compliance.value;
-    mpfr_log(value.get(), value.get(), MPFR_RNDN);
+    mpfr_log(ref::raw(value), ref::raw(value), MPFR_RNDN);
     return value;
   };
-  ref::Real slope = ln_K(1);
-  const ref::Real below = ln_K(-1);
-  mpfr_sub(slope.get(), slope.get(), below.get(), MPFR_RNDN);
-  ref::Real two_steps(slope.precision());
-  mpfr_set_q(two_steps.get(), mpq_class(2 * step.value()).get_mpq_t(), MPFR_RNDN);
-  mpfr_div(slope.get(), slope.get(), two_steps.get(), MPFR_RNDN);
-  ref::Real error(64);
-  mpfr_set_q(error.get(), ref::Exact::parse("1e-" + std::to_string(digits)).value().get_mpq_t(), MPFR_RNDU);
+  ref::Float slope = ln_K(1);
+  const ref::Float below = ln_K(-1);
+  mpfr_sub(ref::raw(slope), ref::raw(slope), ref::raw(below), MPFR_RNDN);
+  ref::Float two_steps = ref::zero_of_bits(ref::bits_of(slope));
+  mpfr_set_q(ref::raw(two_steps), mpq_class(2 * step.value()).get_mpq_t(), MPFR_RNDN);
+  mpfr_div(ref::raw(slope), ref::raw(slope), ref::raw(two_steps), MPFR_RNDN);
+  ref::Float error = ref::zero_of_bits(64);
+  mpfr_set_q(ref::raw(error), ref::Exact::parse("1e-" + std::to_string(digits)).value().get_mpq_t(),
+             MPFR_RNDU);
   return {slope, error, digits};
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include <nipref/data/bad_input.hpp>
-#include <nipref/ref/number/real.hpp>
+#include <nipref/ref/number/float.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
 
 namespace nipref::verify {
@@ -67,12 +67,12 @@ std::string exp_sinh_I1(const std::string& alpha, int digits) {
 
 double decimal_distance(const std::string& first, const std::string& second) {
   constexpr mpfr_prec_t precision = 3500;  // bits of 1050 digits
-  ref::Real x(precision);
-  ref::Real y(precision);
-  mpfr_set_str(x.get(), first.c_str(), 10, MPFR_RNDN);
-  mpfr_set_str(y.get(), second.c_str(), 10, MPFR_RNDN);
-  mpfr_sub(x.get(), x.get(), y.get(), MPFR_RNDN);
-  return std::fabs(mpfr_get_d(x.get(), MPFR_RNDN));
+  ref::Float x = ref::zero_of_bits(precision);
+  ref::Float y = ref::zero_of_bits(precision);
+  mpfr_set_str(ref::raw(x), first.c_str(), 10, MPFR_RNDN);
+  mpfr_set_str(ref::raw(y), second.c_str(), 10, MPFR_RNDN);
+  mpfr_sub(ref::raw(x), ref::raw(x), ref::raw(y), MPFR_RNDN);
+  return std::fabs(mpfr_get_d(ref::raw(x), MPFR_RNDN));
 }
 
 }  // namespace nipref::verify

@@ -1,0 +1,47 @@
+#pragma once
+#include <mpfr.h>
+
+#include <boost/multiprecision/mpfr.hpp>
+
+namespace nipref::ref {
+
+/// A floating-point number of MPFR with the arithmetic of a built-in type. A copy is exact and has the precision of the
+/// original. A result is rounded once, to nearest, to the precision of its operands or the working precision of the
+/// thread, see WorkingDigits, whichever is larger; but where an operand is a temporary, Boost 1.81 computes in its place,
+/// with its bits. Boost counts in decimal digits (its member precision() does too), so that a result has up to two bits
+/// less than an operand that has bits of its own. Numbers of more than the working precision are thus for MPFR's
+/// functions.
+using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
+                                            boost::multiprecision::et_off>;
+
+/// The number as MPFR's own functions take it, where the bits and the direction of rounding are chosen.
+inline mpfr_ptr raw(Float& x) { return x.backend().data(); }
+inline mpfr_srcptr raw(const Float& x) { return x.backend().data(); }
+
+inline mpfr_prec_t bits_of(const Float& x) { return mpfr_get_prec(raw(x)); }
+
+/// 0 with bits of its own, whatever the working precision is.
+Float zero_of_bits(mpfr_prec_t bits);
+
+/// While it lives, new numbers of this thread have this many decimal digits.
+class WorkingDigits {
+ public:
+  explicit WorkingDigits(int digits);
+  WorkingDigits(const WorkingDigits&) = delete;
+  WorkingDigits& operator=(const WorkingDigits&) = delete;
+  ~WorkingDigits();
+
+ private:
+  unsigned before_;
+};
+
+/// The bits of new numbers of this thread.
+mpfr_prec_t working_bits();
+/// The same number, rounded to them.
+Float at_working_precision(const Float& x);
+
+Float pi();
+/// The root of the sum of the squares, without overflow and rounded once.
+Float hypot(const Float& x, const Float& y);
+
+}  // namespace nipref::ref
