@@ -34,12 +34,6 @@ LocalSlope::LocalSlope(int points) {
   }
 }
 
-double LocalSlope::operator()(const std::function<double(double)>& f, double x, double reach) const {
-  double sum = 0;
-  for (const auto& [place, weight] : nodes_) sum += weight * (f(x + reach * place) - f(x - reach * place));
-  return sum / reach;
-}
-
 Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {
   const bool rises = f.value(a) < 0;
   const double place = internal::last_that([&](double x) { return (f.value(x) < 0) == rises; }, a, b);

@@ -1,0 +1,77 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <vector>
+
+#include <nipref/fast/nip/internal/tractions.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// Linear equations for the tractions of a contact and further unknowns.
+struct Equations {
+  Eigen::MatrixXd on_tractions;  ///< columns of Tractions
+  Eigen::MatrixXd on_unknowns;
+  Eigen::VectorXd right;
+  /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
+  Eigen::MatrixXd layers;
+};
+
+/// A linear functional of a solution, plus a constant.
+struct Functional {
+  Eigen::RowVectorXd on_tractions, on_unknowns;
+  double constant = 0;
+  double cancelled = 0;  ///< size of what cancels in it for this solution, for its rounding
+};
+
+/// The solution x of M x = r by elimination, refined once.
+///
+/// The error of a number J(x). Let c_l be the coefficients of the true tractions beyond the terms that are solved for, and
+/// M_l their columns. The terms solved for are wrong by M^-1 sum M_l c_l, so that with the adjoint solution z,
+/// M^T z = J, the number is wrong by
+///     sum_l c_l (J_l - z . M_l).
+/// Of each expansion the next two columns are known. Their coefficients are taken to be as large as the largest of the
+/// last three that were solved for: coefficients of functions that are analytic on and around a panel fall geometrically
+/// (panels.hpp chooses them to fall by 1.6 or more a term), so that this also covers the sum over what is farther out. A
+/// wide panel does not resolve what the ends still cause there; its coefficients are at least that (Panel::unresolved).
+/// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
+/// units in the last place (Skeel 1980), and these numbers have such an error themselves, as the kernels are right to two
+/// units, and that of the quadrature: in all d = 4 u + tolerance. As independent random numbers (Higham and Mary 2019) they change the number by
+///     d (sum_i z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
+/// and the evaluation of J by 8 u times what the sizes of its terms add up to.
+class Solution {
+ public:
+  /// tolerance: of the quadrature behind the equations, relative.
+  Solution(Tractions tractions, const Equations& equations, double tolerance);
+
+  [[nodiscard]] const Tractions& tractions() const { return tractions_; }
+  [[nodiscard]] double half_length() const { return tractions_.half_length(); }
+  [[nodiscard]] double unknown(int number) const { return unknowns_(number); }
+  /// A functional of one further unknown, and one of the tractions alone.
+  [[nodiscard]] Functional of_unknown(int number) const;
+  [[nodiscard]] Functional of_tractions(Eigen::RowVectorXd row) const;
+  /// g at 0 <= e <= A, see Tractions.
+  [[nodiscard]] std::complex<double> traction(double e) const { return tractions_.value(e, coefficients_); }
+  [[nodiscard]] double value(const Functional& functional) const;
+  [[nodiscard]] Estimate estimate(const Functional& functional) const;
+  /// The part of the error that is rounding.
+  [[nodiscard]] double rounding(const Functional& functional) const;
+  [[nodiscard]] int size() const { return static_cast<int>(elimination_.rows()); }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd adjoint(const Functional& functional) const;
+  [[nodiscard]] double rounding(const Functional& functional, const Eigen::VectorXd& adjoint) const;
+  void take_tails();
+
+  Tractions tractions_;
+  std::vector<int> solved_, left_out_;  ///< columns
+  Eigen::MatrixXd layers_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> elimination_;
+  Eigen::MatrixXd left_out_columns_;
+  Eigen::VectorXd coefficients_;  ///< of all columns, 0 of those left out
+  Eigen::VectorXd unknowns_;
+  Eigen::RowVectorXd tails_;  ///< of each column that is left out
+  Eigen::VectorXd equation_errors_;
+};
+
+}  // namespace nipref::fast

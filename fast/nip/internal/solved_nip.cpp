@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/nip/internal/solved_nip.hpp>
+
+namespace nipref::fast {
+namespace {
+
+constexpr double longer_by = 1e-3;
+/// Between refinements: a factor of about a hundred.
+constexpr double nats_of_step = 4.6;
+constexpr double most_nats = 42;
+
+}  // namespace
+
+Functional load_of(const Solution& solution) {
+  return solution.of_tractions(solution.tractions().integrals(1e-16).row(0));
+}
+
+SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_length,
+                     std::optional<double> load, double accuracy)
+    : equations_(std::move(equations)),
+      load_(load),
+      accuracy_(accuracy),
+      tolerance_(std::max(1e-16, 1e-5 * accuracy)),
+      near_(half_length),
+      exponent_(LengthSearch::usual_exponent) {
+  // The coefficient behind the last three may be a hundred times smaller.
+  solve_to(-std::log(accuracy));
+  while (shortfall().all > 1 && refine()) {
+  }
+}
+
+std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats, double tolerance) const {
+  CountedKernels kernels = this->kernels();
+  auto solved = std::make_unique<const Solution>(
+      equations_->solve(half_length, panels(near_, equations_->resolution(nats)), tolerance, kernels));
+  kernels.count_system(solved->size());
+  return solved;
+}
+
+void SolvedNip::solve_to(double nats) {
+  nats_ = nats;
+  longer_.reset();
+  length_error_.reset();
+  if (load_)
+    solve_for_load(nats);
+  else
+    solution_ = solve(near_, nats, tolerance_);
+}
+
+void SolvedNip::solve_for_load(double nats) {
+  constexpr double few_nats = 5, rough = 1e-3;
+  const auto settle = [&](double these_nats, double tolerance, double until, bool lays_out) {
+    for (LengthSearch search(*load_, near_, {until, longest_sought}, exponent_);;) {
+      const double half_length = search.length();
+      // The layout follows only large changes of the length: with each new layout the load jumps.
+      if (lays_out) near_ = half_length;
+      solution_ = solve(half_length, these_nats, tolerance);
+      const bool settled = search.settled(solution_->value(load_of(*solution_)));
+      exponent_ = search.exponent();
+      if (settled && !std::isfinite(search.residual()))
+        throw data::BadInput("load", *load_,
+                             "over its unit, must be one for which a contact length is found");
+      if (settled) return;
+    }
+  };
+  if (!solution_) settle(few_nats, 1e-6, rough, true);
+  near_ = half_length();
+  settle(nats, tolerance_, std::max(1e-2 * accuracy_, 1e-15), false);
+}
+
+const Solution& SolvedNip::longer() const {
+  if (!longer_) longer_ = solve(half_length() * (1 + longer_by), nats_, tolerance_);
+  return *longer_;
+}
+
+double SolvedNip::length_error() const {
+  if (!load_) return 0;
+  if (!length_error_) {
+    const Estimate load = last().estimate(load_of(last()));
+    const double growth = (longer().value(load_of(longer())) - load.value) / (longer_by * half_length());
+    length_error_ = (load.error + std::fabs(load.value - *load_)) / std::fabs(growth);
+  }
+  return *length_error_;
+}
+
+Estimate SolvedNip::estimate(const Number& number) const {
+  return estimate(number, [&](const Solution& solution) { return solution.value(number(solution)); });
+}
+
+Estimate SolvedNip::estimate(const Number& linearised,
+                             const std::function<double(const Solution&)>& value) const {
+  Estimate result = last().estimate(linearised(last()));
+  result.value = value(last());
+  if (load_)
+    result.error += std::fabs(value(longer()) - result.value) / (longer_by * half_length()) * length_error();
+  return result;
+}
+
+SolvedNip::Shortfall SolvedNip::shortfall() const {
+  std::vector<AccuracyTarget> targets = equations_->accuracy_targets(last());
+  targets.push_back({load_of(last()), 0});
+  Shortfall largest{0, 0};
+  for (const auto& [number, scale] : targets) {
+    const Estimate estimate = last().estimate(number);
+    const double size = accuracy_ * std::max(scale, std::fabs(estimate.value));
+    largest.all = std::max(largest.all, estimate.error / size);
+    largest.rounding = std::max(largest.rounding, last().rounding(number) / size);
+    if (std::isnan(estimate.error)) largest.all = estimate.error;
+  }
+  if (std::isnan(largest.all)) {
+    throw data::BadInput("contact's half length", half_length(),
+                         "in half-thicknesses, must be one that can be solved in double with this sheet");
+  }
+  return largest;
+}
+
+bool SolvedNip::refine() {
+  constexpr double least_tolerance = 1e-16;
+  const Shortfall now = shortfall();
+  const bool rounds = now.all <= 2 * now.rounding, integrates_best = tolerance_ <= least_tolerance;
+  if (nats_ >= most_nats || (rounds && integrates_best)) return false;
+  const double missing = std::max(now.all > 1 ? std::log(now.all) : 0, nats_of_step);
+  tolerance_ = std::max(least_tolerance, tolerance_ * std::exp(-missing));
+  solve_to(rounds ? nats_ : std::min(nats_ + std::min(missing, 3 * nats_of_step), most_nats));
+  return true;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,92 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/panels.hpp>
+#include <nipref/fast/nip/internal/solution.hpp>
+
+namespace nipref::fast {
+
+/// A number that has to meet the accuracy, relative to `scale` or to its value if that is larger.
+struct AccuracyTarget {
+  Functional number;
+  double scale = 0;
+};
+
+/// What is special to a kind of nip, dimensionless: lengths in half-thicknesses b, tractions times 2 R N/b, displacements
+/// times 2 R/b^2, loads times 2 R N/b^2, N the compliance of the normal displacement (at once).
+class NipEquations {
+ public:
+  virtual ~NipEquations() = default;
+  /// The resolution of a contact of half length A whose coefficients are to fall to e^-nats.
+  [[nodiscard]] virtual Resolution resolution(double nats) const = 0;
+  /// tolerance: of the quadratures.
+  [[nodiscard]] virtual Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
+                                       CountedKernels& kernels) const = 0;
+  /// Beside the load.
+  [[nodiscard]] virtual std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const = 0;
+  /// Where the search for the length begins.
+  [[nodiscard]] virtual double half_length_guess(double load) const = 0;
+};
+
+/// The load, int Re g dy.
+Functional load_of(const Solution& solution);
+
+/// The contact of a given length, or of the length that carries a given load: solved with as many terms as the accuracy
+/// needs, once.
+///
+/// The length for a load is sought with few terms first, then by secants with all of them. A number J of a contact of
+/// given load has the error of its solution and |dJ/dA| dA, dA = dW/(dW/dA) with the error dW of the load; derivatives
+/// with respect to the half length A are differences from a contact that is longer by a thousandth.
+class SolvedNip {
+ public:
+  using Number = std::function<Functional(const Solution&)>;
+
+  SolvedNip(std::shared_ptr<const NipEquations> equations, double half_length, std::optional<double> load,
+            double accuracy);
+
+  [[nodiscard]] const Solution& last() const { return *solution_; }
+  [[nodiscard]] double half_length() const { return solution_->half_length(); }
+  [[nodiscard]] Estimate half_length_estimate() const { return {half_length(), length_error()}; }
+  /// `number` gives the functional for a solution; in a contact of given load, for one of another length, too.
+  [[nodiscard]] Estimate estimate(const Number& number) const;
+  /// The same for a number that is a function of linear ones.
+  [[nodiscard]] Estimate estimate(const Number& linearised,
+                                  const std::function<double(const Solution&)>& value) const;
+  /// Solves with more terms; false where rounding rules, so that more do not help.
+  bool refine();
+
+  /// Of the quadratures in functionals.
+  static constexpr double tolerance() { return 1e-16; }
+  [[nodiscard]] CountedKernels kernels() const { return {Accuracy(), *work_}; }
+  [[nodiscard]] const Work& work() const { return *work_; }
+
+ private:
+  [[nodiscard]] std::unique_ptr<const Solution> solve(double half_length, double nats,
+                                                      double tolerance) const;
+  void solve_to(double nats);
+  void solve_for_load(double nats);
+  /// Relative to the accuracy: 1 or less where all targets meet it; and the same of rounding alone.
+  struct Shortfall {
+    double all, rounding;
+  };
+  [[nodiscard]] Shortfall shortfall() const;
+  [[nodiscard]] double length_error() const;
+  [[nodiscard]] const Solution& longer() const;
+
+  std::shared_ptr<const NipEquations> equations_;
+  std::optional<double> load_;
+  double accuracy_, tolerance_;
+  double near_;  ///< half length
+  double nats_ = 0;
+  double exponent_;  ///< d ln load/d ln length
+  std::unique_ptr<Work> work_ = std::make_unique<Work>();
+  std::unique_ptr<const Solution> solution_;
+  mutable std::unique_ptr<const Solution> longer_;
+  mutable std::optional<double> length_error_;
+};
+
+}  // namespace nipref::fast
