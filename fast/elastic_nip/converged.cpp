@@ -97,11 +97,15 @@ struct ConvergedElasticNip::Implementation {
     return solution.of_tractions(
         solution.tractions().rows(place, false, kernel, SolvedNip::tolerance()).row(0));
   }
-  /// The kernel of the pressure is at most 1/4 + beta/2; what is on both sides of the place cancels.
+  /// The kernel that couples the pressure to v and the shear to u is at most 1/4 + beta/2; what is on both sides of a place
+  /// cancels.
+  [[nodiscard]] double cancelling_sides(const Solution& solution) const {
+    return (0.25 + std::fabs(equations->beta()) / 2) * solution.value(solution.load());
+  }
   [[nodiscard]] Functional tangential(const Solution& solution, double y) const {
     CountedKernels kernels = solved.kernels();
     Functional result = at_surface(solution, equations->tangential(kernels), y);
-    result.cancelled = (0.25 + std::fabs(equations->beta()) / 2) * solution.value(load_of(solution));
+    result.cancelled = cancelling_sides(solution);
     return result;
   }
   /// Mean strain of the surface in a contact without friction.
@@ -171,7 +175,7 @@ Estimate ConvergedElasticNip::contact_length() const {
 }
 
 Estimate ConvergedElasticNip::load() const {
-  return times(implementation_->units.load, implementation_->solved.estimate(load_of));
+  return times(implementation_->units.load, implementation_->solved.estimate(&Solution::load));
 }
 
 Estimate ConvergedElasticNip::indentation() const {
@@ -233,7 +237,9 @@ Estimate ConvergedElasticNip::peak_shear_position() const {
                                 const auto shear = [&](double at) -> Eigen::RowVectorXd {
                                   return traction_at(solution, shear_row, at).on_tractions;
                                 };
-                                return solution.of_tractions(local_slope(shear, e, reach(e)));
+                                Functional slope = solution.of_tractions(local_slope(shear, e, reach(e)));
+                                slope.cancelled = local_slope.condition() * size(e) / reach(e);
+                                return slope;
                               });
                             }};
   const auto difference = [&](double e, double other) {
@@ -265,7 +271,7 @@ Estimate ConvergedElasticNip::normal_displacement(double y) const {
     const double half_length = solution.half_length();
     if (position > half_length) {
       Functional outside = nip.at_surface(solution, nip.equations->normal(kernels), position);
-      outside.cancelled = half_length * half_length;
+      outside.cancelled = half_length * half_length + (nip.grips() ? nip.cancelling_sides(solution) : 0);
       return outside;
     }
     Functional inside = solution.of_unknown(ElasticEquations::edge_displacement);

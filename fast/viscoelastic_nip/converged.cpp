@@ -141,7 +141,7 @@ struct ConvergedViscoelasticNip::Implementation {
     Functional result =
         solution.of_tractions(row(solution, tangential, place) - row(solution, tangential, reference));
     const double farthest = 2 * solution.half_length() + std::max(0.0, -place.e);
-    result.cancelled = kernels.tangential_size(farthest) * solution.value(load_of(solution));
+    result.cancelled = kernels.tangential_size(farthest) * solution.value(solution.load());
     return result;
   }
   /// Mean strain of the surface in the contact.
@@ -158,7 +158,7 @@ struct ConvergedViscoelasticNip::Implementation {
     const auto at = [&](const Solution& solution, const ContactPlace& place) {
       Functional here = solution.of_tractions(row(solution, strain, place));
       here.on_tractions -= equations->sheet().theta2_at_once * pressure_at(solution, place).on_tractions;
-      here.cancelled = kernels.strain_size() * solution.value(load_of(solution));
+      here.cancelled = kernels.strain_size() * solution.value(solution.load());
       return here;
     };
     const ContactPlace here = place(position(y));
@@ -222,7 +222,7 @@ Estimate ConvergedViscoelasticNip::trailing_length() const {
 }
 
 Estimate ConvergedViscoelasticNip::load() const {
-  return times(implementation_->units.load, implementation_->solved.estimate(load_of));
+  return times(implementation_->units.load, implementation_->solved.estimate(&Solution::load));
 }
 
 namespace {
@@ -295,17 +295,19 @@ Estimate ConvergedViscoelasticNip::peak_pressure_position() const {
     const Panel& panel = last.tractions().panels()[last.tractions().panel_of(e)];
     return std::min(e / 4, panel.width() / 8);
   };
-  const PlaceFunction slope{
-      [&](double y) { return local_slope(value, y, reach(y)); },
-      [&](double y) {
-        const ContactPlace here = nip.place(y);
-        return nip.solved.estimate([&](const Solution& solution) {
-          const auto pressure = [&](double e) -> Eigen::RowVectorXd {
-            return pressure_at(solution, {here.trailing, e}).on_tractions;
-          };
-          return solution.of_tractions((here.trailing ? 1 : -1) * local_slope(pressure, here.e, reach(y)));
-        });
-      }};
+  const PlaceFunction slope{[&](double y) { return local_slope(value, y, reach(y)); },
+                            [&](double y) {
+                              const ContactPlace here = nip.place(y);
+                              return nip.solved.estimate([&](const Solution& solution) {
+                                const auto pressure = [&](double e) -> Eigen::RowVectorXd {
+                                  return pressure_at(solution, {here.trailing, e}).on_tractions;
+                                };
+                                Functional slope = solution.of_tractions(
+                                    (here.trailing ? 1 : -1) * local_slope(pressure, here.e, reach(y)));
+                                slope.cancelled = local_slope.condition() * value(y) / reach(y);
+                                return slope;
+                              });
+                            }};
   const auto difference = [&](double y, double other) {
     const Estimate here = nip.pressure(y), there = nip.pressure(other);
     return Estimate{here.value - there.value, here.error + there.error};

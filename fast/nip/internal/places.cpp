@@ -34,6 +34,12 @@ LocalSlope::LocalSlope(int points) {
   }
 }
 
+double LocalSlope::condition() const {
+  double sum = 0;
+  for (const Node& node : nodes_) sum += 2 * std::fabs(node.weight);
+  return sum;
+}
+
 Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {
   const bool rises = f.value(a) < 0;
   const double place = internal::last_that([&](double x) { return (f.value(x) < 0) == rises; }, a, b);

@@ -24,6 +24,9 @@ class LocalSlope {
     return sum;
   }
 
+  /// The sum of the weights' magnitudes: what multiplies the rounding of f over the reach.
+  [[nodiscard]] double condition() const;
+
  private:
   struct Node {
     double place, weight;

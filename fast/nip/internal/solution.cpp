@@ -8,11 +8,12 @@ namespace nipref::fast {
 namespace {
 
 constexpr double unit_roundoff = 0x1p-53;
+constexpr double least_fall = 1.6;
 
 }  // namespace
 
 Solution::Solution(Tractions tractions, const Equations& equations, double tolerance)
-    : tractions_(std::move(tractions)), layers_(equations.layers) {
+    : tractions_(std::move(tractions)), integrals_(tractions_.integrals()), layers_(equations.layers) {
   for (std::size_t p = 0; p < tractions_.panels().size(); ++p) {
     const int terms = tractions_.panels()[p].terms;
     for (int component = 0; component < tractions_.components(); ++component) {
@@ -49,15 +50,19 @@ Solution::Solution(Tractions tractions, const Equations& equations, double toler
 
 void Solution::take_tails() {
   tails_.resize(static_cast<Eigen::Index>(left_out_.size()));
-  Eigen::Index next = 0;
+  Eigen::Index next_column = 0;
   for (std::size_t p = 0; p < tractions_.panels().size(); ++p) {
     const Panel& panel = tractions_.panels()[p];
     const int terms = panel.terms;
     const double unresolved =
         panel.unresolved > 0 ? panel.unresolved * std::abs(traction(std::min(1.0, half_length()))) : 0;
-    for (int component = 0; component < tractions_.components(); ++component, next += Tractions::left_out) {
-      const auto last = coefficients_.segment(tractions_.column(p, component) + terms - 3, 3);
-      tails_.segment(next, Tractions::left_out).setConstant(std::max(last.cwiseAbs().maxCoeff(), unresolved));
+    for (int component = 0; component < tractions_.components();
+         ++component, next_column += Tractions::left_out) {
+      double next = 0;
+      for (int k = 1; k <= 3; ++k)
+        next = std::max(next, std::fabs(coefficients_(tractions_.column(p, component) + terms - k)) /
+                                  std::pow(least_fall, k));
+      tails_.segment(next_column, Tractions::left_out).setConstant(2 * std::max(next, unresolved));
     }
   }
 }

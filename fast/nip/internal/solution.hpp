@@ -30,13 +30,14 @@ struct Functional {
 /// M_l their columns. The terms solved for are wrong by M^-1 sum M_l c_l, so that with the adjoint solution z,
 /// M^T z = J, the number is wrong by
 ///     sum_l c_l (J_l - z . M_l).
-/// Of each expansion the next two columns are known. Their coefficients are taken to be as large as the largest of the
-/// last three that were solved for: coefficients of functions that are analytic on and around a panel fall geometrically
-/// (panels.hpp chooses them to fall by 1.6 or more a term), so that this also covers the sum over what is farther out. A
-/// wide panel does not resolve what the ends still cause there; its coefficients are at least that (Panel::unresolved).
+/// Of each expansion the next two columns are known. Coefficients of functions that are analytic on and around a panel fall
+/// geometrically, and panels.hpp chooses panels on which they fall by 1.6 or more a term: the next coefficient is at most
+/// the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow. A wide panel does not resolve what
+/// the ends still cause there; its coefficients are at least that (Panel::unresolved).
 /// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
 /// units in the last place (Skeel 1980), and these numbers have such an error themselves, as the kernels are right to two
-/// units, and that of the quadrature: in all d = 4 u + tolerance. As independent random numbers (Higham and Mary 2019) they change the number by
+/// units, and that of the quadrature: in all d = 4 u + tolerance. As independent random numbers (Higham and Mary 2019)
+/// they change the number by
 ///     d (sum_i z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
 /// and the evaluation of J by 8 u times what the sizes of its terms add up to.
 class Solution {
@@ -47,6 +48,9 @@ class Solution {
   [[nodiscard]] const Tractions& tractions() const { return tractions_; }
   [[nodiscard]] double half_length() const { return tractions_.half_length(); }
   [[nodiscard]] double unknown(int number) const { return unknowns_(number); }
+  /// The integrals of Re g and of y Im g over the contact: the load and, in rolling, the moment.
+  [[nodiscard]] Functional load() const { return of_tractions(integrals_.row(0)); }
+  [[nodiscard]] Functional moment() const { return of_tractions(integrals_.row(1)); }
   /// A functional of one further unknown, and one of the tractions alone.
   [[nodiscard]] Functional of_unknown(int number) const;
   [[nodiscard]] Functional of_tractions(Eigen::RowVectorXd row) const;
@@ -64,6 +68,7 @@ class Solution {
   void take_tails();
 
   Tractions tractions_;
+  Eigen::MatrixXd integrals_;
   std::vector<int> solved_, left_out_;  ///< columns
   Eigen::MatrixXd layers_;
   Eigen::PartialPivLU<Eigen::MatrixXd> elimination_;

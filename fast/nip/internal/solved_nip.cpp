@@ -10,15 +10,18 @@ namespace nipref::fast {
 namespace {
 
 constexpr double longer_by = 1e-3;
+/// How far, relatively, a contact that the search has passed may be to tell derivatives.
+constexpr double nearest_neighbour = 1e-5, farthest_neighbour = 1e-2;
 /// Between refinements: a factor of about a hundred.
 constexpr double nats_of_step = 4.6;
 constexpr double most_nats = 42;
 
-}  // namespace
-
-Functional load_of(const Solution& solution) {
-  return solution.of_tractions(solution.tractions().integrals(1e-16).row(0));
+bool is_neighbour(double ratio) {
+  const double difference = std::fabs(ratio - 1);
+  return difference > nearest_neighbour && difference < farthest_neighbour;
 }
+
+}  // namespace
 
 SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_length,
                      std::optional<double> load, double accuracy)
@@ -28,8 +31,8 @@ SolvedNip::SolvedNip(std::shared_ptr<const NipEquations> equations, double half_
       tolerance_(std::max(1e-16, 1e-5 * accuracy)),
       near_(half_length),
       exponent_(LengthSearch::usual_exponent) {
-  // The coefficient behind the last three may be a hundred times smaller.
-  solve_to(-std::log(accuracy));
+  // The last of the terms that a panel has beyond its degree are smaller than the accuracy asks.
+  solve_to(std::max(-std::log(accuracy) - nats_of_step, 1.0));
   while (shortfall().all > 1 && refine()) {
   }
 }
@@ -44,7 +47,7 @@ std::unique_ptr<const Solution> SolvedNip::solve(double half_length, double nats
 
 void SolvedNip::solve_to(double nats) {
   nats_ = nats;
-  longer_.reset();
+  neighbour_.reset();
   length_error_.reset();
   if (load_)
     solve_for_load(nats);
@@ -59,8 +62,10 @@ void SolvedNip::solve_for_load(double nats) {
       const double half_length = search.length();
       // The layout follows only large changes of the length: with each new layout the load jumps.
       if (lays_out) near_ = half_length;
-      solution_ = solve(half_length, these_nats, tolerance);
-      const bool settled = search.settled(solution_->value(load_of(*solution_)));
+      auto before = std::exchange(solution_, solve(half_length, these_nats, tolerance));
+      if (!lays_out && before && is_neighbour(before->half_length() / half_length))
+        neighbour_ = std::move(before);
+      const bool settled = search.settled(solution_->value(solution_->load()));
       exponent_ = search.exponent();
       if (settled && !std::isfinite(search.residual()))
         throw data::BadInput("load", *load_,
@@ -70,20 +75,25 @@ void SolvedNip::solve_for_load(double nats) {
   };
   if (!solution_) settle(few_nats, 1e-6, rough, true);
   near_ = half_length();
+  solution_.reset();
   settle(nats, tolerance_, std::max(1e-2 * accuracy_, 1e-15), false);
 }
 
-const Solution& SolvedNip::longer() const {
-  if (!longer_) longer_ = solve(half_length() * (1 + longer_by), nats_, tolerance_);
-  return *longer_;
+const Solution& SolvedNip::neighbour() const {
+  if (!neighbour_) neighbour_ = solve(half_length() * (1 + longer_by), nats_, tolerance_);
+  return *neighbour_;
+}
+
+double SolvedNip::growth(const std::function<double(const Solution&)>& value) const {
+  return (value(neighbour()) - value(last())) / (neighbour().half_length() - half_length());
 }
 
 double SolvedNip::length_error() const {
   if (!load_) return 0;
   if (!length_error_) {
-    const Estimate load = last().estimate(load_of(last()));
-    const double growth = (longer().value(load_of(longer())) - load.value) / (longer_by * half_length());
-    length_error_ = (load.error + std::fabs(load.value - *load_)) / std::fabs(growth);
+    const auto load = [](const Solution& solution) { return solution.value(solution.load()); };
+    const Estimate solved = last().estimate(last().load());
+    length_error_ = (solved.error + std::fabs(solved.value - *load_)) / std::fabs(growth(load));
   }
   return *length_error_;
 }
@@ -96,14 +106,13 @@ Estimate SolvedNip::estimate(const Number& linearised,
                              const std::function<double(const Solution&)>& value) const {
   Estimate result = last().estimate(linearised(last()));
   result.value = value(last());
-  if (load_)
-    result.error += std::fabs(value(longer()) - result.value) / (longer_by * half_length()) * length_error();
+  if (load_) result.error += std::fabs(growth(value)) * length_error();
   return result;
 }
 
 SolvedNip::Shortfall SolvedNip::shortfall() const {
   std::vector<AccuracyTarget> targets = equations_->accuracy_targets(last());
-  targets.push_back({load_of(last()), 0});
+  targets.push_back({last().load(), 0});
   Shortfall largest{0, 0};
   for (const auto& [number, scale] : targets) {
     const Estimate estimate = last().estimate(number);

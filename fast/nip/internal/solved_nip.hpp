@@ -32,15 +32,13 @@ class NipEquations {
   [[nodiscard]] virtual double half_length_guess(double load) const = 0;
 };
 
-/// The load, int Re g dy.
-Functional load_of(const Solution& solution);
-
 /// The contact of a given length, or of the length that carries a given load: solved with as many terms as the accuracy
 /// needs, once.
 ///
 /// The length for a load is sought with few terms first, then by secants with all of them. A number J of a contact of
 /// given load has the error of its solution and |dJ/dA| dA, dA = dW/(dW/dA) with the error dW of the load; derivatives
-/// with respect to the half length A are differences from a contact that is longer by a thousandth.
+/// with respect to the half length A are differences from a contact of another length, one that the search has passed or
+/// one that is longer by a thousandth.
 class SolvedNip {
  public:
   using Number = std::function<Functional(const Solution&)>;
@@ -75,7 +73,9 @@ class SolvedNip {
   };
   [[nodiscard]] Shortfall shortfall() const;
   [[nodiscard]] double length_error() const;
-  [[nodiscard]] const Solution& longer() const;
+  [[nodiscard]] const Solution& neighbour() const;
+  /// A number's difference from the neighbour's, by the half length.
+  [[nodiscard]] double growth(const std::function<double(const Solution&)>& value) const;
 
   std::shared_ptr<const NipEquations> equations_;
   std::optional<double> load_;
@@ -85,7 +85,7 @@ class SolvedNip {
   double exponent_;  ///< d ln load/d ln length
   std::unique_ptr<Work> work_ = std::make_unique<Work>();
   std::unique_ptr<const Solution> solution_;
-  mutable std::unique_ptr<const Solution> longer_;
+  mutable std::unique_ptr<const Solution> neighbour_;
   mutable std::optional<double> length_error_;
 };
 

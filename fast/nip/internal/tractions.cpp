@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include <nipref/fast/nip/internal/layer.hpp>
@@ -40,6 +41,12 @@ Tractions::Kernel both_parts(const Weights& weights) {
       }};
 }
 
+std::shared_ptr<const std::vector<UnitNode>> cached_rule(double tolerance) {
+  static Cache<double, std::vector<UnitNode>> rules(
+      [](const double& key) { return double_exponential_rule(key); });
+  return rules.at(tolerance);
+}
+
 Eigen::ArrayXd array(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -64,26 +71,27 @@ Tractions::Tractions(double half_length, std::vector<Panel> panels, bool is_comp
 
 void Tractions::Nodes::clear() {
   for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->clear();
-  mirrored.clear();
+  on_this_half = 0;
 }
 
-void Tractions::Nodes::append(double at, double from_other, double w, double distance, bool is_mirrored) {
-  e.push_back(at);
-  other.push_back(from_other);
-  weight.push_back(w);
-  alpha.push_back(distance);
-  mirrored.push_back(is_mirrored);
+void Tractions::Nodes::grow(std::size_t count) {
+  for (std::vector<double>* values : {&e, &other, &weight, &alpha}) values->resize(values->size() + count);
 }
 
 /// `singular` is outside the piece or at one of its ends.
 void Tractions::append_piece(double from, double to, double singular, bool mirrored,
                              const std::vector<UnitNode>& rule, Nodes& nodes) const {
-  const double width = to - from;
+  const double width = to - from, beyond = 2 * half_length_ - to, sign = mirrored ? -1 : 1;
+  std::size_t i = nodes.e.size();
+  nodes.grow(rule.size());
   for (const UnitNode& node : rule) {
     const double distance = singular <= from ? (from - singular) + width * node.from_left
                                              : -((singular - to) + width * node.from_right);
-    nodes.append(from + width * node.from_left, (2 * half_length_ - to) + width * node.from_right,
-                 width * node.weight, mirrored ? -distance : distance, mirrored);
+    nodes.e[i] = from + width * node.from_left;
+    nodes.other[i] = beyond + width * node.from_right;
+    nodes.weight[i] = width * node.weight;
+    nodes.alpha[i] = sign * distance;
+    ++i;
   }
 }
 
@@ -102,11 +110,15 @@ void Tractions::append_panel(const Panel& panel, double singular, bool mirrored,
         (panel.at_end ? 2 : 1) * (panel.terms + left_out) + (panel.about_middle ? panel.terms : 0);
     const int count = static_cast<int>(degree / 2.0 + 2 - std::log(tolerance) / 3.5 + panel.width());
     const auto gauss = rules.at(count);
-    for (std::size_t i = 0; i < gauss->at.size(); ++i) {
+    std::size_t next = nodes.e.size();
+    nodes.grow(gauss->at.size());
+    for (std::size_t i = 0; i < gauss->at.size(); ++i, ++next) {
       const double xi = gauss->at[i], x = panel.at_end ? xi * xi : xi, slope = panel.at_end ? 2 * xi : 1;
       const double e = panel.left + panel.width() * x, distance = e - singular;
-      nodes.append(e, 2 * half_length_ - e, panel.width() * slope * gauss->weight[i],
-                   mirrored ? -distance : distance, mirrored);
+      nodes.e[next] = e;
+      nodes.other[next] = 2 * half_length_ - e;
+      nodes.weight[next] = panel.width() * slope * gauss->weight[i];
+      nodes.alpha[next] = mirrored ? -distance : distance;
     }
     return;
   }
@@ -196,8 +208,11 @@ void Tractions::add_rows(std::size_t p, const Nodes& nodes, const Kernel& kernel
   kernel.at(alpha, on_p, on_q);
   const Eigen::ArrayXd weight = array(nodes.weight);
   Eigen::ArrayXd signed_weight = weight;
-  for (Eigen::Index i = 0; i < count; ++i)
-    if (nodes.mirrored[static_cast<std::size_t>(i)] != trailing) signed_weight(i) = -weight(i);
+  const auto on_this_half = static_cast<Eigen::Index>(nodes.on_this_half);
+  if (trailing)
+    signed_weight.head(on_this_half) *= -1;
+  else
+    signed_weight.tail(count - on_this_half) *= -1;
   for (int i = 0; i < kernel.functionals; ++i) {
     const Eigen::ArrayXd wp = weight * on_p.row(i).transpose().array();
     if (!is_complex_) {
@@ -220,15 +235,16 @@ Eigen::MatrixXd Tractions::rows(std::span<const double> places, bool trailing, c
                                 double tolerance) const {
   Eigen::MatrixXd result =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(places.size()) * kernel.functionals, columns_);
-  const std::vector<UnitNode> rule = double_exponential_rule(tolerance);
+  const auto rule = cached_rule(tolerance);
   const double reach = -std::log(tolerance) / 2.1;
   Nodes nodes;
   for (std::size_t place = 0; place < places.size(); ++place) {
     for (std::size_t p = 0; p < panels_.size(); ++p) {
       nodes.clear();
-      append_panel(panels_[p], places[place], false, kernel, reach, rule, tolerance, nodes);
+      append_panel(panels_[p], places[place], false, kernel, reach, *rule, tolerance, nodes);
+      nodes.on_this_half = nodes.e.size();
       if (!panels_[p].about_middle)
-        append_panel(panels_[p], 2 * half_length_ - places[place], true, kernel, reach, rule, tolerance,
+        append_panel(panels_[p], 2 * half_length_ - places[place], true, kernel, reach, *rule, tolerance,
                      nodes);
       if (nodes.e.empty()) continue;
       add_rows(p, nodes, kernel, trailing,
@@ -246,7 +262,11 @@ std::size_t Tractions::panel_of(double e) const {
 
 Eigen::MatrixXd Tractions::values(double e) const {
   Nodes nodes;
-  nodes.append(e, 2 * half_length_ - e, 1, 0, false);
+  nodes.e = {e};
+  nodes.other = {2 * half_length_ - e};
+  nodes.weight = {1};
+  nodes.alpha = {0};
+  nodes.on_this_half = 1;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2, columns_);
   add_rows(panel_of(e), nodes, both_parts([](double) { return std::array{1.0, 1.0}; }), false, result);
   return result;
@@ -282,9 +302,10 @@ Complex Tractions::value(double e, const Eigen::VectorXd& coefficients) const {
 }
 
 /// The nodes' alpha is their y.
-Eigen::MatrixXd Tractions::integrals(double tolerance) const {
+Eigen::MatrixXd Tractions::integrals() const {
+  constexpr double tolerance = 1e-16;
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(2, columns_);
-  const std::vector<UnitNode> rule = double_exponential_rule(tolerance);
+  const auto rule = cached_rule(tolerance);
   for (std::size_t p = 0; p < panels_.size(); ++p) {
     const Panel& panel = panels_[p];
     std::vector<double> ends{panel.left, panel.about_middle ? half_length_ : panel.right};
@@ -292,8 +313,8 @@ Eigen::MatrixXd Tractions::integrals(double tolerance) const {
     std::ranges::sort(ends);
     Nodes nodes;
     for (std::size_t i = 1; i < ends.size(); ++i)
-      append_piece(ends[i - 1], ends[i], half_length_, true, rule, nodes);
-    nodes.mirrored.assign(nodes.e.size(), false);
+      append_piece(ends[i - 1], ends[i], half_length_, true, *rule, nodes);
+    nodes.on_this_half = nodes.e.size();
     add_rows(p, nodes, both_parts([](double y) { return std::array{2.0, 2 * y}; }), false, result);
   }
   return result;

@@ -67,18 +67,19 @@ class Tractions {
   [[nodiscard]] Eigen::MatrixXd values(double e) const;
   [[nodiscard]] std::complex<double> value(double e, const Eigen::VectorXd& coefficients) const;
   /// The integrals of Re g and of y Im g over the contact: two rows.
-  [[nodiscard]] Eigen::MatrixXd integrals(double tolerance) const;
+  [[nodiscard]] Eigen::MatrixXd integrals() const;
   /// Matching points of the panels, as many as terms, and `more` at the end.
   [[nodiscard]] std::vector<double> matching_points(int more) const;
 
  private:
-  /// Nodes on one panel.
+  /// Nodes on one panel, those on the half of the place first.
   struct Nodes {
     std::vector<double> e, other;  ///< distances from the end of this half and of the other
     std::vector<double> weight, alpha;
-    std::vector<bool> mirrored;
+    std::size_t on_this_half = 0;
+
     void clear();
-    void append(double at, double from_other, double w, double distance, bool is_mirrored);
+    void grow(std::size_t count);
   };
   /// The ends of the pieces into which the layers cut the panel at the end.
   void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;

@@ -226,18 +226,15 @@ double RollingEquations::half_length_guess(double load) const {
 }
 
 double eccentricity(const Solution& solution) {
-  const Eigen::MatrixXd integrals = solution.tractions().integrals(1e-16);
   return solution.unknown(RollingEquations::offset) +
-         solution.value(solution.of_tractions(integrals.row(1))) /
-             solution.value(solution.of_tractions(integrals.row(0)));
+         solution.value(solution.moment()) / solution.value(solution.load());
 }
 
 Functional linearised_eccentricity(const Solution& solution) {
-  const Eigen::MatrixXd integrals = solution.tractions().integrals(1e-16);
-  const double load = solution.value(solution.of_tractions(integrals.row(0)));
-  const double moment = solution.value(solution.of_tractions(integrals.row(1)));
+  const double load = solution.value(solution.load()), moment = solution.value(solution.moment());
   Functional result = solution.of_unknown(RollingEquations::offset);
-  result.on_tractions = integrals.row(1) / load - moment / load * (integrals.row(0) / load);
+  result.on_tractions =
+      solution.moment().on_tractions / load - moment / load * (solution.load().on_tractions / load);
   return result;
 }
 

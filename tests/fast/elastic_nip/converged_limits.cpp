@@ -23,7 +23,7 @@ struct Contact {
   fast::SolvedNip solved;
 
   [[nodiscard]] double half_length() const { return solved.half_length(); }
-  [[nodiscard]] fast::Estimate load() const { return solved.estimate(fast::load_of); }
+  [[nodiscard]] fast::Estimate load() const { return solved.estimate(&fast::Solution::load); }
   [[nodiscard]] double edge_displacement() const {
     return solved.last().unknown(fast::ElasticEquations::edge_displacement);
   }

@@ -54,7 +54,7 @@ double pressure(const Solution& solution, bool trailing, double e) {
   return trailing ? g.real() - g.imag() : g.real() + g.imag();
 }
 
-double carried_load(const Solution& solution) { return solution.value(fast::load_of(solution)); }
+double carried_load(const Solution& solution) { return solution.value(solution.load()); }
 
 using Result = std::function<Estimate(const ConvergedViscoelasticNip&)>;
 
