@@ -41,10 +41,12 @@ Solution::Solution(Tractions tractions, const Equations& equations, double toler
   coefficients_(solved_) = solution.head(terms);
   if (layers_.size() > 0)
     coefficients_.tail(layers_.rows()) = layers_.leftCols(unknowns) * unknowns_ + layers_.col(unknowns);
-  equation_errors_ = (4 * unit_roundoff + tolerance) *
+  equation_errors_ = (8 * unit_roundoff + tolerance) *
                      (matrix.array().square().matrix() * solution.array().square().matrix() +
                       right.array().square().matrix())
                          .cwiseSqrt();
+  equation_errors_.tail(equations.memories) *=
+      (16 * unit_roundoff + tolerance) / (8 * unit_roundoff + tolerance);
   take_tails();
 }
 
@@ -94,7 +96,7 @@ Eigen::VectorXd Solution::adjoint(const Functional& f) const {
 double Solution::rounding(const Functional& f, const Eigen::VectorXd& adjoint) const {
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  return equation_errors_.cwiseProduct(adjoint).norm() + 8 * unit_roundoff * (of_terms + f.cancelled);
+  return equation_errors_.cwiseProduct(adjoint).norm() + 16 * unit_roundoff * (of_terms + f.cancelled);
 }
 
 double Solution::rounding(const Functional& f) const { return rounding(f, adjoint(f)); }

@@ -15,6 +15,8 @@ struct Equations {
   Eigen::VectorXd right;
   /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
   Eigen::MatrixXd layers;
+  int memories =
+      0;  ///< last equations, whose numbers are memories of kernels, right to eight units in the last place
 };
 
 /// A linear functional of a solution, plus a constant.
@@ -35,11 +37,12 @@ struct Functional {
 /// the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow. A wide panel does not resolve what
 /// the ends still cause there; its coefficients are at least that (Panel::unresolved).
 /// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
-/// units in the last place (Skeel 1980), and these numbers have such an error themselves, as the kernels are right to two
-/// units, and that of the quadrature: in all d = 4 u + tolerance. As independent random numbers (Higham and Mary 2019)
-/// they change the number by
-///     d (sum_i z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
-/// and the evaluation of J by 8 u times what the sizes of its terms add up to.
+/// units in the last place (Skeel 1980), and these numbers have such an error themselves, and that of the quadrature. As the
+/// kernels are right to two units, weights and rates to about as many, and the kernels' memories to eight, in all d_i =
+/// 8 u + tolerance or 16 u + tolerance. As
+/// independent random numbers (Higham and Mary 2019) they change the number by
+///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
+/// and the evaluation of J by 16 u times what the sizes of its terms add up to.
 class Solution {
  public:
   /// tolerance: of the quadrature behind the equations, relative.

@@ -196,6 +196,7 @@ Solution RollingEquations::solve(double half_length, const std::vector<Panel>& p
   }
   add_layers(modes, equations);
   add_closure(modes, tractions, tolerance, kernels, equations);
+  equations.memories = static_cast<int>(unknowns - 2);
   return {tractions, equations, tolerance};
 }
 
