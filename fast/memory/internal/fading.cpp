@@ -1,14 +1,11 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <type_traits>
-#include <utility>
 
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
-#include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
@@ -94,94 +91,6 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
-/// Up to the distance from which on the kernel less its limit is a sum of waves, and these.
-template <typename Rate>
-auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
-  const auto plain = one_word(rate);
-  if (start.at.high >= nearest) return memory_from_far(kernel, start.waves, plain);
-  const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
-  const Two way = -start.at + Two{nearest, 0};
-  return by_pieces(kernel, start, &end, way, rate, accuracy) -
-         limit(kernel) * way.high * phi1(plain * way.high) +
-         faded(rate, way) * memory_from_far(kernel, end.waves, plain);
-}
-
-/// The derivatives of I1(w) + ln w, which is analytic but for |Im w| >= 2, on [0, 1]: those of a polynomial through
-/// Chebyshev points.
-class SmoothPart {
- public:
-  static constexpr int derivatives = 7;
-
-  SmoothPart() {
-    Coefficients now{};
-    for (std::size_t k = 0; k < points; ++k) {
-      for (std::size_t j = 0; j < points; ++j) {
-        const double angle = (static_cast<double>(j) + 0.5) * pi / points, w = half * std::cos(angle);
-        now[k] += 2.0 / points * (I1(w) + std::log(std::fabs(w))) * std::cos(static_cast<double>(k) * angle);
-      }
-    }
-    for (Coefficients& next : of_derivative_) {
-      // c'_(k-1) = c'_(k+1) + 2 k c_k; the first coefficients count twice.
-      next = {};
-      for (std::size_t k = points - 1; k > 0; --k)
-        next[k - 1] = next[k + 1] + 2 * static_cast<double>(k) * now[k] / half;
-      now = next;
-    }
-  }
-  /// The derivative of that order, from 1 on.
-  [[nodiscard]] double operator()(int order, double w) const {
-    const Coefficients& c = of_derivative_[static_cast<std::size_t>(order - 1)];
-    const double t = w / half;
-    double above = 0, here = 0;
-    for (std::size_t k = points - 1; k > 0; --k) above = std::exchange(here, 2 * t * here - above + c[k]);
-    return t * here - above + c[0] / 2;
-  }
-
- private:
-  static constexpr std::size_t points = 36;  ///< even, so that none is at 0
-  static constexpr double half = 1.25;
-  using Coefficients = std::array<double, points + 1>;
-  std::array<Coefficients, derivatives> of_derivative_{};
-};
-
-/// int_0^length e^(-rate x) d/dw (I1(w + x) + ln(w + x)) dx up to w + length = 1: by Gauss's rule, and for rates that
-/// oscillate, whose size is at least `short_from`, by parts.
-constexpr double short_from = 60;
-const SmoothPart& smooth_part() {
-  static const SmoothPart part;
-  return part;
-}
-double smooth_slope_memory(double w, double rate, double) {
-  static const GaussRule rule = gauss_legendre(32);
-  const double length = std::min(nearest - w, 40 / rate);
-  double sum = 0;
-  for (std::size_t i = 0; i < rule.at.size(); ++i)
-    sum += length * rule.weight[i] * std::exp(-rate * length * rule.at[i]) *
-           smooth_part()(1, w + length * rule.at[i]);
-  return sum;
-}
-Complex smooth_slope_memory(double w, Complex rate, Complex kept) {
-  Complex sum = 0, power = 1;
-  for (int order = 1; order <= SmoothPart::derivatives; ++order) {
-    power /= rate;
-    sum += (smooth_part()(order, w) - kept * smooth_part()(order, nearest)) * power;
-  }
-  return sum;
-}
-
-/// I1' is -1/w and a smooth rest up to `nearest`, and a sum of waves from there on.
-template <typename Rate>
-auto slope_memory(const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
-  const auto plain = one_word(rate);
-  const double w = start.at.high;
-  if (plain == 0.0) return decltype(0.0 * plain)(-kernel_at(Kernel::I1, start, accuracy));
-  if (w >= nearest) return slope_memory_from_far(Kernel::I1, start.waves, plain);
-  const auto kept = faded(rate, {nearest - w, 0});
-  const auto rest =
-      slope_memory_from_far(Kernel::I1, nearest_waves(accuracy), plain) + scaled_E1(plain * nearest);
-  return smooth_slope_memory(w, plain, kept) - scaled_E1(plain * w) + kept * rest;
-}
-
 /// The integral of e^(-L w) I1(w) over all w, continued analytically to those L for which it diverges: pi times the
 /// kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
 double whole_line(double L) {
@@ -229,25 +138,6 @@ double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade,
 
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy) {
   return by_pieces(kernel, start, nullptr, {}, rate, accuracy);
-}
-
-double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
-                                  Accuracy accuracy) {
-  return beside_limit(kernel, start, fade, accuracy);
-}
-
-Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, Complex rate,
-                                   Accuracy accuracy) {
-  return beside_limit(kernel, start, rate, accuracy);
-}
-
-double steady_memory_of_slope(const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
-  return slope_memory(start, fade, accuracy);
-}
-
-Complex steady_memory_of_slope(const SurfacePoint& start, Complex rate, Accuracy accuracy) {
-  if (std::abs(rate) > short_from) return slope_memory(start, rate, accuracy);
-  return rate * steady_memory(Kernel::I1, start, rate, accuracy) - kernel_at(Kernel::I1, start, accuracy);
 }
 
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,

@@ -35,17 +35,7 @@ double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy);
 
-/// int_start^inf e^(-rate (w - start)) (I(w) - l) dw, l the limit of I far ahead of the load.
-double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
-                                  Accuracy accuracy);
-Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy);
-
-/// int_start^inf e^(-rate (w - start)) I1'(w) dw ahead of the load, start > 0, to a few units in the last place of its size
-/// also where it is far smaller than I1; to 1e-10 of it for complex rates.
-double steady_memory_of_slope(const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
-Complex steady_memory_of_slope(const SurfacePoint& start, Complex rate, Accuracy accuracy);
-
-/// The integral of steady_memory up to end = start + length. `length` is an argument of its own because a short length is lost in
+/// The same integral up to end = start + length. `length` is an argument of its own because a short length is lost in
 /// the rounding of end - start.
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy);

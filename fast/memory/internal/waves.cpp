@@ -125,12 +125,6 @@ Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
 }
 
 template <typename Rate>
-Rate slope_memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
-  return sum_over<Rate>(kernel, from,
-                        [&](int, Complex exponent) { return exponent * inverse(rate - exponent); });
-}
-
-template <typename Rate>
 Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length) {
   return sum_over<Rate>(kernel, from,
                         [&](int, Complex exponent) { return length * phi1((rate - exponent) * length); });
@@ -159,8 +153,6 @@ double residues_behind(Kernel kernel, const Waves& at, double rate) {
 
 template double memory_from_far(Kernel, const Waves&, double);
 template Complex memory_from_far(Kernel, const Waves&, Complex);
-template double slope_memory_from_far(Kernel, const Waves&, double);
-template Complex slope_memory_from_far(Kernel, const Waves&, Complex);
 template double memory_of_piece_ahead(Kernel, const Waves&, double, double);
 template Complex memory_of_piece_ahead(Kernel, const Waves&, Complex, double);
 template double memory_of_piece_behind(Kernel, const Waves&, const Waves&, double, double, double);

@@ -78,19 +78,4 @@ double scaled_E1(double x) {
   return std::exp(x) * boost::math::expint(1, x, Double());
 }
 
-/// By the power series or, from |z| = 4 on, the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))), from its end.
-std::complex<double> scaled_E1(std::complex<double> z) {
-  if (std::abs(z) < 4) {
-    std::complex<double> sum = 0, power = -1;
-    for (int k = 1; k < 40; ++k) {
-      power *= -z / static_cast<double>(k);
-      sum += power / static_cast<double>(k);
-    }
-    return std::exp(z) * (sum - std::numbers::egamma - std::log(z));
-  }
-  std::complex<double> rest = 0;
-  for (int k = 80; k > 0; --k) rest = static_cast<double>(k) * k / (z + (2.0 * k + 1) - rest);
-  return 1.0 / (z + 1.0 - rest);
-}
-
 }  // namespace nipref::fast::internal

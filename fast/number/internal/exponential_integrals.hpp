@@ -18,8 +18,7 @@ double ein_ratio(double x);
 /// e^-x (1/x) int_0^x (e^t - 1)/t dt, 1 at 0.
 double faded_ein_ratio(double x);
 
-/// e^x E1(x), x > 0; of complex z, Re z >= 0, a few dozen units in the last place.
+/// e^x E1(x), x > 0.
 double scaled_E1(double x);
-std::complex<double> scaled_E1(std::complex<double> z);
 
 }  // namespace nipref::fast::internal
