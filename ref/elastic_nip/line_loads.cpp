@@ -114,8 +114,8 @@ NearlyKnownSystem gripped_system(const Problem& problem, const Lengths& lengths,
   const NearlyKnownSystem above = frictionless_system(problem, lengths, normal);
   NearlyKnownSystem system{Matrix(2 * m + 1, 2 * m + 1), Matrix(2 * m + 1, 2),
                            2 * std::max({normal.error, coupling.error, tangential.error}), Vector(2)};
-  system.matrix.set_block(0, 0, above.matrix);
-  system.right.set_block(0, 0, above.right);
+  system.matrix.topLeftCorner(above.matrix.rows(), above.matrix.cols()) = above.matrix;
+  system.right.topLeftCorner(above.right.rows(), above.right.cols()) = above.right;
   for (int i = 0; i <= m; ++i) {
     for (int k = 1; k <= m; ++k) {
       const int near = 2 * (i - k) + 1, far = 2 * (i + k) - 1;

@@ -27,16 +27,17 @@ Estimate bulk_wave_speed(const ExactStiffness& solid, const SurfaceDirection& di
   const WorkingDigits working(digits_of(precision));
   const IntervalMatrix q = acoustic_matrices(solid, direction, Interval(precision)).q;
   const Matrix matrix = middle(q).re;
-  const auto [values, vectors] = symmetric_eigen(matrix);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Float, 3, 3>> eigen(matrix);
+  const Matrix vectors = eigen.eigenvectors();
   const Matrix::Index number = in_order(vectors)[static_cast<std::size_t>(wave)];
-  const Vector vector = vectors.column(number);
-  const Float eigenvalue = values(number);
-  const Float residual = norm(matrix * vector - eigenvalue * vector) / norm(vector);
+  const Vector vector = vectors.col(number);
+  const Float eigenvalue = eigen.eigenvalues()(number);
+  const Float residual = (matrix * vector - eigenvalue * vector).norm() / vector.norm();
   const Float modulus = to_float(Exact(solid.voigt[2][2]));
   const Float density = to_float(Exact(solid.density));
   const Float speed = sqrt(eigenvalue * modulus / density);
   // The speed has half the relative error of the eigenvalue, rounding included.
-  const Float rounding = norm(matrix) * pow(Float(2), 16 - static_cast<long>(precision));
+  const Float rounding = matrix.norm() * pow(Float(2), 16 - static_cast<long>(precision));
   const Float error = speed * (residual + rounding) / eigenvalue;
   return {speed, error, digits};
 }

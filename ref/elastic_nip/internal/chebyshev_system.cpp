@@ -60,11 +60,11 @@ Float largest_of(const Vector& x) {
 }
 
 /// Solved in double, scaled so that nothing underflows.
-Vector solved_in_double(const DenseMatrix<double>& factor, const Vector& right) {
+Vector solved_in_double(const Eigen::LLT<Eigen::MatrixXd>& factor, const Vector& right) {
   const Float scale = largest_of(right);
-  DenseMatrix<double> x(right.size());
+  Eigen::VectorXd x(right.size());
   for (Index i = 0; i < right.size(); ++i) x(i) = static_cast<double>(right(i) / scale);
-  solve_factored(factor, x);
+  factor.solveInPlace(x);
   Vector result(right.size());
   for (Index i = 0; i < right.size(); ++i) result(i) = x(i) * scale;
   return result;
@@ -87,13 +87,13 @@ ChebyshevSystem::ChebyshevSystem(Float half_length, int size, SmoothKernel& kern
 
 Vector ChebyshevSystem::solution() const {
   const NodeSystem nodes(*this);
-  DenseMatrix<double> factor(size_, size_);
+  DenseMatrix<double> in_double(size_, size_);  // its lower triangle
   Vector right(size_);
   for (int i = 0; i < size_; ++i) {
     right(i) = size_ * middle_of(cosines_(2L * i + 1));
-    for (int j = 0; j <= i; ++j) factor(i, j) = static_cast<double>(nodes.at(i, j));
+    for (int j = 0; j <= i; ++j) in_double(i, j) = static_cast<double>(nodes.at(i, j));
   }
-  factor_positive(factor);
+  const Eigen::LLT<Eigen::MatrixXd> factor(in_double);
   Vector y(size_);
   Vector rest = right;
   const Float enough = size_ * std::numeric_limits<Float>::epsilon() * largest_of(right);

@@ -150,26 +150,26 @@ GripOperator<Float> operator_of(const Float& half_length, const Float& epsilon, 
 }
 
 GripOperator<double> in_double(const GripOperator<Float>& from) {
-  return {in_double(from.closed),
-          in_double(from.moments),
-          in_double(from.pressures),
-          in_double(from.shears),
-          in_double(from.even),
-          in_double(from.odd),
-          in_double(from.normal_by_pressure),
-          in_double(from.normal_by_shear),
-          in_double(from.tangential_by_pressure),
-          in_double(from.tangential_by_shear)};
+  return {from.closed.cast<double>(),
+          from.moments.cast<double>(),
+          from.pressures.cast<double>(),
+          from.shears.cast<double>(),
+          from.even.cast<double>(),
+          from.odd.cast<double>(),
+          from.normal_by_pressure.cast<double>(),
+          from.normal_by_shear.cast<double>(),
+          from.tangential_by_pressure.cast<double>(),
+          from.tangential_by_shear.cast<double>()};
 }
 
 // Unknowns: r_k, minus the constant of the normal displacement over A, minus the creep. Rows: normal
 // displacements at the matching points, tangential ones.
 
 DenseMatrix<double> system_matrix(const GripOperator<double>& to, const Vector& points) {
-  const Index terms = to.closed.columns(), half = points.size();
+  const Index terms = to.closed.cols(), half = points.size();
   DenseMatrix<double> result(2 * half, 2 * half);
-  result.set_block(0, 0, to.normal(to.closed, to.moments));
-  result.set_block(half, 0, to.tangential(to.closed, to.moments));
+  result.topLeftCorner(half, terms) = to.normal(to.closed, to.moments);
+  result.bottomLeftCorner(half, terms) = to.tangential(to.closed, to.moments);
   for (Index i = 0; i < half; ++i) {
     result(i, terms) = 1;
     result(half + i, terms + 1) = static_cast<double>(points(i));
@@ -178,12 +178,12 @@ DenseMatrix<double> system_matrix(const GripOperator<double>& to, const Vector& 
 }
 
 Vector applied(const GripOperator<Float>& to, const Vector& points, const Vector& x) {
-  const Index terms = to.closed.columns(), half = points.size();
-  const Vector r = x.block(0, 0, terms, 1);
+  const Index terms = to.closed.cols(), half = points.size();
+  const Vector r = x.topRows(terms);
   const Vector coefficients = to.closed * r, f = to.moments * r;
   Vector result(2 * half);
-  result.set_block(0, 0, to.normal(coefficients, f));
-  result.set_block(half, 0, to.tangential(coefficients, f));
+  result.topRows(half) = to.normal(coefficients, f);
+  result.bottomRows(half) = to.tangential(coefficients, f);
   for (Index i = 0; i < half; ++i) {
     result(i) += x(terms);
     result(half + i) += points(i) * x(terms + 1);
@@ -210,9 +210,9 @@ GripExpansion::GripExpansion(Float half_length, Float beta, const GripLayout& la
   if (!solved) throw std::logic_error("a linear system that refinement does not solve");
   ++expansions_solved;
   const Vector& x = *solved;
-  coefficients_ = x.block(0, 0, layout.terms, 1);
+  coefficients_ = x.topRows(layout.terms);
   creep_ = -x(layout.terms + 1);
-  load_ = half_length_ * (to.moments.block(0, 0, 1, layout.terms) * coefficients_)(0);
+  load_ = half_length_ * (to.moments.topLeftCorner(1, layout.terms) * coefficients_)(0);
   // At t = 1 the closed part is -int ln(1 - t) f/pi, of which the sum over T_n has all but the constant.
   Float constant = 0;
   for (long k = 0; k < layout.terms; ++k) {

@@ -11,16 +11,21 @@ struct AcousticPencil {
   [[nodiscard]] DenseMatrix<Scalar> at(const Scalar& s) const {
     return q + s * (r + r.transpose()) + s * s * t;
   }
-  [[nodiscard]] Scalar lowest_value(const Scalar& s) const { return symmetric_eigen(at(s)).values(0); }
+  [[nodiscard]] Scalar lowest_value(const Scalar& s) const {
+    return Eigen::SelfAdjointEigenSolver<Square>(at(s), Eigen::EigenvaluesOnly).eigenvalues()(0);
+  }
   /// The eigenvector of the smallest eigenvalue.
   [[nodiscard]] DenseMatrix<Scalar> lowest_vector(const Scalar& s) const {
-    return symmetric_eigen(at(s)).vectors.column(0);
+    return Eigen::SelfAdjointEigenSolver<Square>(at(s)).eigenvectors().col(0);
   }
   /// Half the derivative of the smallest eigenvalue, x.((r + r^T) + 2 s t).x/2.
   [[nodiscard]] Scalar half_slope(const Scalar& s) const {
-    const auto x = lowest_vector(s);
-    return dot(x, r * x) + s * dot(x, t * x);
+    const Eigen::Matrix<Scalar, 3, 1> x = lowest_vector(s);
+    return x.dot(r * x) + s * x.dot(t * x);
   }
+
+ private:
+  using Square = Eigen::Matrix<Scalar, 3, 3>;
 };
 
 }  // namespace nipref::ref

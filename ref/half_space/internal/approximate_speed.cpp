@@ -52,7 +52,7 @@ double determinant(const Impedance<double>& x) {
 }
 
 double determinant(const Pencil& pencil, double inertia) {
-  const Square q = pencil.q - inertia * Square::identity(3);
+  const Square q = pencil.q - inertia * Square::Identity(3, 3);
   const auto impedance = barnett_lothe_impedance(q, pencil.r, pencil.t, 1e-7, 60);
   return impedance ? determinant(*impedance) : -1;
 }

@@ -28,17 +28,17 @@ std::optional<Impedance<Scalar>> barnett_lothe_impedance(const DenseMatrix<Scala
   using Square = DenseMatrix<Scalar>;
   const Square compliance = t.inverse();
   Square z(6, 6);
-  z.set_block(0, 0, -(compliance * r.transpose()));
-  z.set_block(0, 3, compliance);
-  z.set_block(3, 0, r * compliance * r.transpose() - q);
-  z.set_block(3, 3, -(r * compliance));
+  z.topLeftCorner(3, 3) = -compliance * r.transpose();
+  z.topRightCorner(3, 3) = compliance;
+  z.bottomLeftCorner(3, 3) = r * compliance * r.transpose() - q;
+  z.bottomRightCorner(3, 3) = -r * compliance;
   for (int doubling = 0; doubling < most_doublings; ++doubling) {
     const Square next = (z - z.inverse()) / Scalar(2);
-    const Scalar change = squared_norm(next - z);
+    const Scalar change = (next - z).squaredNorm();
     z = next;
-    if (!(change < small * small * squared_norm(z))) continue;
-    const Square re = z.block(0, 3, 3, 3).inverse();
-    const Square im = re * z.block(0, 0, 3, 3);
+    if (!(change < small * small * z.squaredNorm())) continue;
+    const Square re = z.topRightCorner(3, 3).inverse();
+    const Square im = re * z.topLeftCorner(3, 3);
     return Impedance<Scalar>{(re + re.transpose()) / Scalar(2), (im - im.transpose()) / Scalar(2)};
   }
   return std::nullopt;

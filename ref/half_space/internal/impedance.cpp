@@ -57,9 +57,9 @@ Complex lyapunov_solution(const Complex& g) {
   for (Index k = 0; k < 9; ++k) {
     Vector unit(9);
     unit(k) = 1;
-    operator_matrix.set_block(0, k, packed(lyapunov(unpacked(unit), g)));
+    operator_matrix.col(k) = packed(lyapunov(unpacked(unit), g));
   }
-  return unpacked(solve(operator_matrix, packed({Matrix::identity(3), Matrix(3, 3)})));
+  return unpacked(solve(operator_matrix, packed({Matrix::Identity(3, 3), Matrix(3, 3)})));
 }
 
 bool is_below(const Interval& x, long bound) { return mpfi_cmp_si(x.get(), bound) < 0; }

@@ -13,7 +13,7 @@ Float row_sum_norm(const Matrix& matrix) {
   Float largest = 0;
   for (Matrix::Index i = 0; i < matrix.rows(); ++i) {
     Float sum = 0;
-    for (Matrix::Index j = 0; j < matrix.columns(); ++j) sum += abs(matrix(i, j));
+    for (Matrix::Index j = 0; j < matrix.cols(); ++j) sum += abs(matrix(i, j));
     largest = larger(largest, sum);
   }
   return largest;
@@ -28,12 +28,12 @@ std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& sys
   const Float unit = (n + 2) * std::numeric_limits<Float>::epsilon();
   const Float size = row_sum_norm(system.matrix) + n * system.error;
   const Float inverse_size = row_sum_norm(inverse);
-  const Float defect = row_sum_norm(Matrix::identity(n) - inverse * system.matrix) +
+  const Float defect = row_sum_norm(Matrix::Identity(n, n) - inverse * system.matrix) +
                        unit * inverse_size * size + inverse_size * n * system.error;
   if (!(defect < 0.5)) return std::nullopt;
   EnclosedSolutions result{{}, 0, 0, size * inverse_size};
-  for (Matrix::Index column = 0; column < system.right.columns(); ++column) {
-    const Vector right = system.right.column(column), unknowns = inverse * right;
+  for (Matrix::Index column = 0; column < system.right.cols(); ++column) {
+    const Vector right = system.right.col(column), unknowns = inverse * right;
     const Vector residual = right - system.matrix * unknowns;
     const Float of_residual = unit * (size * largest_entry(unknowns) + 4 * largest_entry(right)) +
                               n * system.error * largest_entry(unknowns) +

@@ -1,4 +1,3 @@
-#include <Eigen/LU>
 #include <limits>
 #include <utility>
 
@@ -15,8 +14,7 @@ constexpr int most_corrections = 60;
 std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
                                        const std::function<Vector(const Vector&)>& apply) {
   const Vector::Index size = right.size();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> eliminated(
-      Eigen::Map<const Eigen::MatrixXd>(&matrix(0, 0), size, size));
+  const Eigen::PartialPivLU<Eigen::MatrixXd> eliminated(matrix);
   Vector x(size), rest = right;
   const Float enough = size * std::numeric_limits<Float>::epsilon() * largest_entry(right);
   for (int round = 0; round < most_corrections && largest_entry(rest) > enough; ++round) {
@@ -36,7 +34,7 @@ std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const 
 }
 
 Vector refined_solution(const Matrix& matrix, const Vector& right) {
-  auto solution = refined_solution(in_double(matrix), right, [&](const Vector& x) { return matrix * x; });
+  auto solution = refined_solution(matrix.cast<double>(), right, [&](const Vector& x) { return matrix * x; });
   return solution ? *std::move(solution) : solve(matrix, right);
 }
 

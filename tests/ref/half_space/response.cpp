@@ -256,7 +256,7 @@ TEST_CASE("doubling steps are the trapezoidal rule of Barnett and Lothe's integr
     }
     return result;
   };
-  const Square q = matrix({0, 5, 4}, {0, 5, 4}) - 0.02 * Square::identity(3);  // psi = 0
+  const Square q = matrix({0, 5, 4}, {0, 5, 4}) - 0.02 * Square::Identity(3, 3);  // psi = 0
   const Square r = matrix({0, 5, 4}, {4, 3, 2});
   const Square t = matrix({4, 3, 2}, {4, 3, 2});
   Square s(3, 3), h(3, 3);
@@ -272,8 +272,8 @@ TEST_CASE("doubling steps are the trapezoidal rule of Barnett and Lothe's integr
   const auto impedance = ref::barnett_lothe_impedance(q, r, t, 1e-8, 30);
   REQUIRE(impedance.has_value());
   const Square inverse = h.inverse();
-  CHECK(squared_norm(impedance->re - inverse) < 1e-22 * squared_norm(inverse));
-  CHECK(squared_norm(impedance->im - inverse * s) < 1e-22 * squared_norm(inverse));
+  CHECK((impedance->re - inverse).squaredNorm() < 1e-22 * inverse.squaredNorm());
+  CHECK((impedance->im - inverse * s).squaredNorm() < 1e-22 * inverse.squaredNorm());
 }
 
 TEST_CASE("a proven impedance contains the one that is known better, and is not wide") {

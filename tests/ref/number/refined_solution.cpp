@@ -39,7 +39,7 @@ TEST_CASE(
   // Its condition number is 1e44.
   CHECK(difference(refined_solution(hilbert, hilbert * truth), truth) <= 1e-14);
   const Vector nothing(n);
-  CHECK(squared_norm(refined_solution(well, nothing)) == 0);
+  CHECK(refined_solution(well, nothing).squaredNorm() == 0);
 }
 
 TEST_CASE("a solution whose residual is not a number is refused") {
