@@ -8,6 +8,6 @@ using namespace nipref;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string older(reinterpret_cast<const char*>(data), size);
   if (verify::is_report(older))
-    static_cast<void>(verify::comparison_text(verify::compare_reports(older, older), 3));
+    static_cast<void>(verify::comparison_json(verify::compare_reports(older, older)));
   return 0;
 }

@@ -8,28 +8,6 @@
 #include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
-namespace {
-
-std::string promise_text(const AuditResult& result, fast::Accuracy accuracy) {
-  return accuracy.rtol() > fast::Accuracy::best_rtol ? fmt::format("{:.1e} scale", accuracy.rtol())
-                                                     : fmt::format("{:g} ulp", result.promise);
-}
-
-std::string verdict_text(const AuditResult& result) {
-  if (!result.kept()) return bad("BROKEN");
-  return good(result.few_points() ? "kept, few" : "kept");
-}
-
-/// "37 of 38 kept; closest to its promise: F1, 90 %"
-std::string summary(const std::vector<AuditResult>& results) {
-  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
-  const auto kept = std::ranges::count_if(results, &AuditResult::kept);
-  return fmt::format("{}; closest to its promise: {}, {:.0f} %\n",
-                     verdict(all_kept(results), fmt::format("{} of {} kept", kept, results.size())),
-                     closest->quantity->name, 100 * closest->allowance_used);
-}
-
-}  // namespace
 
 std::string point_text(const Quantity& quantity, const Point& point) {
   std::string text;
@@ -44,22 +22,6 @@ Json point_json(const Quantity& quantity, const Point& point) {
   const auto exact = [](double x) { return fmt::format("{:a}", x); };
   for (const auto& [name, value] : written_point(quantity, point, exact)) arguments.set(name, value);
   return arguments;
-}
-
-std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy) {
-  TextTable table({"verdict", "quantity", ">points", ">max ulp", ">mean ulp", ">promise", ">used"});
-  for (const AuditResult& result : results) {
-    table.add({verdict_text(result), result.quantity->name, std::to_string(result.points),
-               fmt::format("{:.4g}", result.max_error_ulp), fmt::format("{:.3g}", result.spread.mean),
-               promise_text(result, accuracy), fmt::format("{:.0f}%", 100 * result.allowance_used)});
-    table.add_below("worst at" + point_text(*result.quantity, result.worst));
-  }
-  std::string text = summary(results) + "\n" + table.text();
-  if (std::ranges::any_of(results, &AuditResult::few_points)) {
-    text += fmt::format("few: fewer than {} points, which say little; --density or --points looks at more\n",
-                        enough_points);
-  }
-  return text;
 }
 
 Json audit_row_json(const AuditResult& result) {

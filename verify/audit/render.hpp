@@ -11,9 +11,6 @@ namespace nipref::verify {
 std::string point_text(const Quantity& quantity, const Point& point);
 Json point_json(const Quantity& quantity, const Point& point);
 
-/// Table for people, one line a quantity; the verdict is "kept, few" where few points found it kept.
-std::string audit_text(const std::vector<AuditResult>& results, fast::Accuracy accuracy);
-
 Json audit_row_json(const AuditResult& result);
 /// The "rows" of an audit.
 Json audit_json(const std::vector<AuditResult>& results);

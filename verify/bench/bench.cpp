@@ -9,9 +9,7 @@
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/statement.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 
@@ -116,36 +114,21 @@ std::string quartiles_text(const BenchRow& row) {
   return fmt::format("{:+.0f}..{:+.0f}%", percent(row.quartile_1), percent(row.quartile_3));
 }
 
-/// The table of one quantity and range.
-std::string group_text(std::span<const BenchRow> rows) {
-  TextTable table({" method", ">ns/value", ">quartiles", ">ratio", ">max ulp", ">max rel"});
-  for (const BenchRow& row : rows) {
-    table.add({(row.pareto_optimal ? "*" : " ") + row.method, fmt::format("{:.3g}", row.nanoseconds),
-               quartiles_text(row), or_dash(row.ratio, 3), or_dash(row.max_error_ulp, 3),
-               or_dash(row.max_relative_error, 2)});
-  }
-  return fmt::format("\n{} {}\n", rows.front().quantity, rows.front().arguments) + table.text();
+Json row_json(const BenchRow& row) {
+  return {{"quantity", row.quantity},
+          {"range", row.arguments},
+          {"method", row.method},
+          {"max_error_ulp", row.max_error_ulp},
+          {"max_relative_error", row.max_relative_error},
+          {"times",
+           {{"nanoseconds", row.nanoseconds},
+            {"quartiles", std::vector<Json>{row.quartile_1, row.quartile_3}},
+            {"ratio", row.ratio},
+            {"pareto_optimal", row.pareto_optimal}}},
+          {"_quartiles", quartiles_text(row)}};
 }
 
 }  // namespace
-
-std::string bench_text(const std::vector<BenchRow>& rows) {
-  std::string text;
-  for (const auto& ways : ways_to_same_values(rows)) text += group_text(ways);
-  return text;
-}
-
-std::string ratios_text(const std::vector<BenchRatio>& ratios) {
-  std::string text;
-  for (const BenchRatio& ratio : ratios) {
-    text += fmt::format("{}  {:>8.1f} times, asked for {:>5g}: {}\n",
-                        verdict(ratio.met(), ratio.met() ? "met   " : "MISSED"), ratio.measured, ratio.target,
-                        ratio.what);
-  }
-  if (!std::ranges::all_of(ratios, &BenchRatio::met))
-    text += "A missed ratio of times fails the run with --strict only: times depend on the machine.\n";
-  return text;
-}
 
 Json ratio_json(const BenchRatio& ratio) {
   return {{"what", ratio.what}, {"ratio", ratio.measured}, {"wanted", ratio.target}, {"met", ratio.met()}};
@@ -159,21 +142,17 @@ Json bench_json(const BenchReport& report) {
     }
     return these;
   };
-  const auto row_json = [](const BenchRow& row) {
-    return Json{{"quantity", row.quantity},
-                {"range", row.arguments},
-                {"method", row.method},
-                {"max_error_ulp", row.max_error_ulp},
-                {"max_relative_error", row.max_relative_error},
-                {"times",
-                 {{"nanoseconds", row.nanoseconds},
-                  {"quartiles", std::vector<Json>{row.quartile_1, row.quartile_3}},
-                  {"ratio", row.ratio},
-                  {"pareto_optimal", row.pareto_optimal}}}};
+  const auto ways_json = [](std::span<const BenchRow> ways) {
+    return Json{{"quantity", ways.front().quantity},
+                {"range", ways.front().arguments},
+                {"ways", json_list(ways, row_json)}};
   };
   return {{"rows", json_list(report.rows, row_json)},
           {"error_ratios", ratios(true)},
-          {"times", {{"ratios", ratios(false)}}}};
+          {"times", {{"ratios", ratios(false)}}},
+          {"_ratios", json_list(report.ratios, ratio_json)},
+          {"_missed", !std::ranges::all_of(report.ratios, &BenchRatio::met)},
+          {"_ways", json_list(ways_to_same_values(report.rows), ways_json)}};
 }
 
 }  // namespace nipref::verify

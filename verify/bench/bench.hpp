@@ -81,12 +81,6 @@ std::vector<BenchRow> bench(const Quantity& quantity, const BenchProgress& progr
 /// The rows that follow each other and are ways to the same values.
 std::vector<std::span<const BenchRow>> ways_to_same_values(const std::vector<BenchRow>& rows);
 
-/// Table for people, one line a row; quantity and range are not repeated.
-std::string bench_text(const std::vector<BenchRow>& rows);
-
-/// The promised ratios with their verdicts.
-std::string ratios_text(const std::vector<BenchRatio>& ratios);
-
 /// {"what", "ratio", "wanted", "met"}
 Json ratio_json(const BenchRatio& ratio);
 

@@ -68,21 +68,10 @@ int AuditRun::answer(std::ostream& out) const {
   if (!file_ || (!line_.option("shard") && !interrupted())) return works_.answer(line_, out, finished());
   const std::string folder = line_.option("out").value();
   const std::string shard = fmt::format("{}/{}", shard_.index + 1, shard_.of);
-  const auto members = [&] {
-    return Json{{"run", folder},
-                {"shard", shard},
-                {"blocks_done", done_},
-                {"blocks_there", there_->count()},
-                {"blocks", there_->of()}};
-  };
-  const auto text = [&] {
-    return fmt::format("{}: {} of {} blocks were there at the start; shard {} did {} more\n", folder,
-                       there_->count(), there_->of(), shard, done_) +
-           (interrupted()
-                ? "the same command goes on\n"
-                : fmt::format("nipref merge {} tells what was found when all shards are done\n", folder));
-  };
-  return write_answer(line_, out, "audit", true, members, text);
+  const Json members{{"run", folder},          {"shard", shard},
+                     {"blocks_done", done_},   {"blocks_there", there_->count()},
+                     {"blocks", there_->of()}, {"_interrupted", interrupted()}};
+  return write_answer(line_, out, "audit", true, members, "audit_shard.txt");
 }
 
 int audit_verb(const CommandLine& line, std::ostream& out) {

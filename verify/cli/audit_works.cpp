@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 
 #include <nipref/data/bad_input.hpp>
@@ -134,24 +135,36 @@ Audited AuditWorks::found(std::size_t finished) const {
 
 int AuditWorks::answer(const CommandLine& line, std::ostream& out, std::size_t finished) const {
   const Audited audited = found(finished);
-  const auto& [quantities, of_contacts] = audited;
-  const auto text = [&] {
-    std::string all = quantities.empty() ? "" : audit_text(quantities, accuracy_);
-    if (hard_cases_)
-      all += "\n" + contact_audit_text(of_contacts.hard_cases) + "\n" + scene_tally_text(of_contacts.scenes);
-    return all.empty() ? "nothing that was changed has a part in a quantity\n" : folded(all);
-  };
-  return write_answer(
-      line, out, "audit", all_kept(quantities) && of_contacts.kept(),
-      [&] { return audits_json(audited, accuracy_); }, text);
+  Json answer = audits_json(audited, accuracy_);
+  answer.set("_of_contacts", hard_cases_ != nullptr);
+  answer.set("_of_nothing", audited.quantities.empty() && !hard_cases_);
+  return write_answer(line, out, "audit", all_kept(audited.quantities) && audited.contacts.kept(), answer,
+                      "audit.txt");
 }
+
+namespace {
+
+/// How many promises were kept, and the result that uses the largest share of its promised error; null without results.
+Json closest_json(const std::vector<AuditResult>& results) {
+  if (results.empty()) return {};
+  const auto closest = std::ranges::max_element(results, {}, &AuditResult::allowance_used);
+  return {{"all", all_kept(results)},
+          {"kept", std::ranges::count_if(results, &AuditResult::kept)},
+          {"of", results.size()},
+          {"closest", closest->quantity->name},
+          {"used", closest->allowance_used},
+          {"few", std::ranges::any_of(results, &AuditResult::few_points) ? Json(enough_points) : Json()}};
+}
+
+}  // namespace
 
 Json audits_json(const Audited& audited, fast::Accuracy accuracy) {
   const bool is_full = accuracy.rtol() <= fast::Accuracy::best_rtol;
   return {{"rtol", is_full ? Json() : Json(accuracy.rtol())},
           {"rows", audit_json(audited.quantities)},
           {"contacts", contact_audit_json(audited.contacts.hard_cases)},
-          {"scenes", scene_tally_json(audited.contacts.scenes)}};
+          {"scenes", scene_tally_json(audited.contacts.scenes)},
+          {"_of_quantities", closest_json(audited.quantities)}};
 }
 
 }  // namespace nipref::verify

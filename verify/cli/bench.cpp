@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -18,20 +16,11 @@
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 
 namespace {
-
-constexpr auto notes =
-    "\nMedians and quartiles of interleaved rounds, one thread. ratio: of times, over fast at full accuracy, or over ref.\n"
-    "*: none of the ways to the same values was as quick and more right, or as right and quicker.\n"
-    "max ulp, max rel: largest error against ref, in units in the last place of the scale (at N digits 10^-N of the scale) and "
-    "relative to the value.\n"
-    "GSL has no multiprecision quadrature, so that nothing of it stands beside ref.\n";
 
 /// What this run was asked for, to ask the same of an older program.
 std::vector<std::string> words_of(const CommandLine& line) {
@@ -124,18 +113,6 @@ std::vector<AgainstRow> bench_against(const std::string& old_program, const std:
   return rows;
 }
 
-std::string against_text(const std::vector<AgainstRow>& rows) {
-  TextTable table({"method", ">old ns", ">new ns", ">ratio", ">of rounds", ">old ulp", ">new ulp"});
-  for (const AgainstRow& row : rows) {
-    table.add({row.method, fmt::format("{:.4g}", row.old_nanoseconds),
-               fmt::format("{:.4g}", row.new_nanoseconds), fmt::format("{:.3g}", row.ratio),
-               fmt::format("{:.2f}..{:.2f}", row.least_ratio, row.largest_ratio), or_dash(row.old_ulp, 3),
-               or_dash(row.new_ulp, 3)});
-    table.add_below(row.quantity + " " + row.range);
-  }
-  return table.text();
-}
-
 Json against_json(const std::vector<AgainstRow>& rows) {
   return json_list(rows, [](const AgainstRow& row) {
     return Json{{"quantity", row.quantity},
@@ -157,12 +134,8 @@ int against_verb(const CommandLine& line, std::ostream& out) {
   Progress progress(standard_error(line.has("quiet")));
   const std::vector<AgainstRow> rows = bench_against(*line.option("against"), words_of(line), progress);
   const auto too_slow = [&](const AgainstRow& row) { return most && row.slower_by(*most); };
-  return write_answer(
-      line, out, "bench_against", std::ranges::none_of(rows, too_slow),
-      [&] {
-        return Json{{"rows", against_json(rows)}};
-      },
-      [&] { return against_text(rows); });
+  return write_answer(line, out, "bench_against", std::ranges::none_of(rows, too_slow),
+                      {{"rows", against_json(rows)}}, "bench_against.txt");
 }
 
 }  // namespace
@@ -175,11 +148,9 @@ int bench_verb(const CommandLine& line, std::ostream& out) {
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   const BenchReport report = bench_all(selected, progress, others.all());
-  return write_answer(
-      line, out, "bench", all_met(report, line.has("strict")), [&] { return bench_json(report); },
-      [&] {
-        return folded(ratios_text(report.ratios) + bench_text(report.rows) + notes + machine_text() + "\n");
-      });
+  Json answer = bench_json(report);
+  answer.set("_machine", version_json());
+  return write_answer(line, out, "bench", all_met(report, line.has("strict")), answer, "bench.txt");
 }
 
 std::vector<std::string_view> bench_groups() {

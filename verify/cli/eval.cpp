@@ -19,7 +19,6 @@
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -187,6 +186,16 @@ Json answer_json(const EvalAnswer& answer) {
           {"times", {{"seconds", answer.seconds}}}};
 }
 
+/// The answer as the text shows it: the number's digits as they were computed.
+Json shown_json(const EvalAnswer& answer) {
+  Json shown = answer_json(answer);
+  shown.append({{"path", answer.path},
+                {"value", answer.value},
+                {"error", answer.error},
+                {"accuracy", answer.met ? Json(fmt::format("{:g}", answer.accuracy)) : Json()}});
+  return shown;
+}
+
 Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
              const std::vector<EvalAnswer>& answers) {
   Json given = Json::object();
@@ -199,27 +208,11 @@ Json to_json(const EvalRequest& request, const ParsedArguments& arguments,
           {"scale", scale},
           {"ulp_of_scale", scale ? Json(ulp_of(*scale)) : Json()},
           {"caveat", Json::unless_empty(caveat_of(request))},
-          {"results", results}};
-}
-
-std::string answers_text(const EvalRequest& request, const ParsedArguments& arguments,
-                         const std::vector<EvalAnswer>& answers) {
-  std::string text = fmt::format("{} = {}\n", request.quantity->name, request.quantity->definition);
-  for (const auto& [name, given] : written_arguments(*request.quantity, arguments.text))
-    text += fmt::format("  {} = {}\n", name, given);
-  for (const EvalAnswer& answer : answers) {
-    text += fmt::format("{:4} ({} digits, {:.2g} s)\n  value        {}\n", answer.path, answer.digits,
-                        answer.seconds, answer.value);
-    if (answer.error)
-      text += fmt::format("  {}  {}\n", answer.proven ? "error bound" : "estimated error", *answer.error);
-    if (answer.met) text += fmt::format("  {}\n", met_text(answer.accuracy, *answer.met, " of the scale"));
-  }
-  if (const auto scale = scale_of(request, arguments, answers.front()))
-    text += fmt::format("scale          {} ({}); one ulp of it is {:.3g}\n", *scale, request.quantity->scale,
-                        ulp_of(*scale));
-  if (request.form != nullptr) text += fmt::format("not the quantity itself: {}\n", request.form->differs);
-  if (const auto caveat = caveat_of(request); !caveat.empty()) text += fmt::format("{}\n", caveat);
-  return folded(text);
+          {"results", results},
+          {"_definition", request.quantity->definition},
+          {"_answers", json_list(answers, shown_json)},
+          {"_scale", request.quantity->scale},
+          {"_differs", request.form == nullptr ? Json() : Json(request.form->differs)}};
 }
 
 std::vector<Axis> axes_of(const CommandLine& line, const Assignments& given) {
@@ -278,9 +271,7 @@ int eval_verb(const CommandLine& line, std::ostream& out) {
   const ParsedArguments arguments = parse_arguments(*request.quantity, given);
   const std::vector<EvalAnswer> answers = answers_to(request, arguments);
   const bool met = std::ranges::none_of(answers, [](const EvalAnswer& one) { return one.met == false; });
-  return write_answer(
-      line, out, "eval", met, [&] { return to_json(request, arguments, answers); },
-      [&] { return answers_text(request, arguments, answers); });
+  return write_answer(line, out, "eval", met, to_json(request, arguments, answers), "eval.txt");
 }
 
 }  // namespace nipref::verify

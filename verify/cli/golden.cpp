@@ -93,9 +93,8 @@ class Destination {
   bool is_file_ = false;
 };
 
-int answer(const CommandLine& line, std::ostream& out, const std::string& text, const Json& json, bool kept) {
-  return write_answer(
-      line, out, "golden", kept, [&] { return json; }, [&] { return folded(text); });
+int answer(const CommandLine& line, std::ostream& out, const Json& members, bool kept) {
+  return write_answer(line, out, "golden", kept, members, "golden_" + line.words.front() + ".txt");
 }
 
 /// What is not asked for is the quantity's own.
@@ -124,7 +123,7 @@ int make(const CommandLine& line, std::ostream& out) {
     destination.write(*quantity, made.file);
     files.push_back({quantity->name, destination.file_of(*quantity).string(), std::move(made)});
   });
-  return answer(line, out, made_text(files), made_json(files), kept);
+  return answer(line, out, made_json(files), kept);
 }
 
 /// A word is a quantity, or a file.
@@ -163,7 +162,7 @@ int check(const CommandLine& line, std::ostream& out) {
   progress.each("golden check", paths, name,
                 [&](const fs::path& path) { files.push_back(check_golden(path, options)); });
   const bool kept = folder.empty() && std::ranges::all_of(files, &CheckedGolden::kept);
-  return answer(line, out, checked_text(folder, files), checked_json(folder, files), kept);
+  return answer(line, out, checked_json(folder, files), kept);
 }
 
 int update(const CommandLine& line, std::ostream& out) {
@@ -191,7 +190,7 @@ int update(const CommandLine& line, std::ostream& out) {
   // What is told comes before what is written.
   const bool kept =
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
-  const int status = answer(line, out, updated_text(files), updated_json(files), kept);
+  const int status = answer(line, out, updated_json(files), kept);
   for (const UpdatedFile& file : files) {
     if (!file.updated.changed.empty()) destination.write(find_quantity(file.quantity), file.updated.file);
   }
@@ -209,7 +208,7 @@ int list(const CommandLine& line, std::ostream& out) {
       missing.push_back(quantity->name);
     }
   }
-  return answer(line, out, listed_text(files, missing), listed_json(files, missing), true);
+  return answer(line, out, listed_json(files, missing), true);
 }
 
 }  // namespace

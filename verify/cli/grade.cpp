@@ -131,12 +131,7 @@ int grade_verb(const CommandLine& line, std::ostream& out) {
       of_all += folded(graded_text(graded)) + (line.has("ctest") ? measurements(graded) : "");
     return of_all;
   };
-  return write_answer(
-      line, out, "grade", kept,
-      [&] {
-        return Json{{"rows", json_list(all, graded_json)}};
-      },
-      text);
+  return write_answer(line, out, "grade", kept, {{"rows", json_list(all, graded_json)}}, text);
 }
 
 }  // namespace nipref::verify

@@ -20,37 +20,17 @@ const char* words_of(Comparison comparison) {
                                              : "not comparable";
 }
 
-std::string speed_line(const std::optional<Speed>& speed, const std::string& other) {
-  return speed ? speed_text(*speed, other) : "not measured beside " + other + ", as it fails";
-}
-
-std::string behaviour_text(const Graded& graded) {
-  const Behaviour& behaviour = *graded.behaviour;
-  std::string text;
-  if (!behaviour.faults.empty())
-    text += "  FAULTS, with any of which it falls short:\n" +
-            faults_text(*graded.grade.found.quantity, behaviour.faults);
-  text += "  speed: " + speed_line(behaviour.to_fast, "fast") + "\n";
-  if (const auto& older = behaviour.to_older) {
-    text += fmt::format("  speed: {}: {}, {:g} % slower is allowed\n", speed_line(older->speed, older->older),
-                        older->kept() ? "kept" : "TOO SLOW", 100 * older->allowed);
-  }
-  return text;
-}
-
 Json baseline_json(const Graded& graded) {
   if (!graded.against_baseline) return {};
   return {{"comparison", words_of(graded.against_baseline->comparison)},
           {"words", graded.against_baseline->words}};
 }
 
-Json speed_json(const std::optional<Speed>& speed) {
+Json speed_json(const std::optional<Speed>& speed, const std::string& other) {
   if (!speed) return {};
-  return {{"nanoseconds", speed->nanoseconds},
-          {"other_nanoseconds", speed->other_nanoseconds},
-          {"lower_ratio", speed->lower_ratio},
-          {"ratio", speed->ratio},
-          {"upper_ratio", speed->upper_ratio}};
+  return {{"nanoseconds", speed->nanoseconds}, {"other_nanoseconds", speed->other_nanoseconds},
+          {"lower_ratio", speed->lower_ratio}, {"ratio", speed->ratio},
+          {"upper_ratio", speed->upper_ratio}, {"_other", other}};
 }
 
 Json older_json(const std::optional<Slowdown>& older) {
@@ -58,14 +38,14 @@ Json older_json(const std::optional<Slowdown>& older) {
   return {{"file", older->older},
           {"allowed_slowdown", older->allowed},
           {"kept", older->kept()},
-          {"speed", speed_json(older->speed)}};
+          {"speed", speed_json(older->speed, older->older)}};
 }
 
 Json times_json(const Graded& graded) {
   Json times{{"seconds", graded.seconds}};
   if (const auto& behaviour = graded.behaviour)
     times.append(
-        {{"to_fast", speed_json(behaviour->to_fast)}, {"to_older", older_json(behaviour->to_older)}});
+        {{"to_fast", speed_json(behaviour->to_fast, "fast")}, {"to_older", older_json(behaviour->to_older)}});
   return times;
 }
 
@@ -118,15 +98,7 @@ std::optional<double> promise_option(const CommandLine& line) {
   return text ? std::optional(parse_real("promise", *text)) : std::nullopt;
 }
 
-std::string graded_text(const Graded& graded) {
-  std::string text = grade_text(graded.grade);
-  if (graded.behaviour) text += behaviour_text(graded);
-  if (graded.against_baseline)
-    text += fmt::format("  baseline: {}: {}\n", words_of(graded.against_baseline->comparison),
-                        graded.against_baseline->words);
-  for (const std::string& remark : graded.remarks) text += "  " + remark + "\n";
-  return text;
-}
+std::string graded_text(const Graded& graded) { return text_of("grade.txt", graded_json(graded)); }
 
 Json graded_json(const Graded& graded) {
   Json row = grade_json(graded.grade);
@@ -135,7 +107,9 @@ Json graded_json(const Graded& graded) {
               {"faults",
                faults_json(*graded.grade.found.quantity, graded.behaviour ? graded.behaviour->faults : none)},
               {"remarks", json_list(graded.remarks, [](const std::string& remark) { return Json(remark); })},
-              {"times", times_json(graded)}});
+              {"times", times_json(graded)},
+              {"_behaviour", graded.behaviour.has_value()},
+              {"_faulty", graded.behaviour && !graded.behaviour->faults.empty()}});
   return row;
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <fstream>
 #include <nipref_build_info.hpp>
@@ -33,13 +31,6 @@ std::optional<unsigned> cores() {
 
 Json known(std::string_view text) { return text == "unknown" ? Json() : Json::unless_empty(text); }
 
-std::string libraries_text() {
-  std::string text;
-  for (const auto& [name, version] : build_info::libraries)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, version);
-  return text;
-}
-
 Json libraries_json() {
   Json libraries = Json::object();
   for (const auto& [name, version] : build_info::libraries) libraries.set(name, known(version));
@@ -47,18 +38,6 @@ Json libraries_json() {
 }
 
 }  // namespace
-
-std::string machine_text() {
-  return fmt::format("{}, {} cores; fast runs its code for {}",
-                     processor_name().value_or("unknown processor"),
-                     cores() ? std::to_string(*cores()) : "unknown", fast::instruction_set());
-}
-
-std::string version_text() {
-  return fmt::format("nipref {}\ncommit: {}, {}\ncompiler: {}, build type {}\nlibraries: {}\nruns on: {}\n",
-                     build_info::version, build_info::commit, build_info::commit_date, build_info::compiler,
-                     build_info::build_type, libraries_text(), machine_text());
-}
 
 std::string compiler() { return std::string(build_info::compiler); }
 

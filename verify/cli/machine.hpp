@@ -6,19 +6,13 @@
 
 namespace nipref::verify {
 
-/// What this program was built from and with, and what it runs on: a few lines for people.
-std::string version_text();
-
 /// What this program was compiled with.
 std::string compiler();
 
 /// What golden values made now are made with.
 Provenance provenance();
 
-/// What it runs on: processor, cores, and the instruction set that fast uses.
-std::string machine_text();
-
-/// The same as "nipref" in every answer.
+/// What this program was built from and with, and what it runs on: "nipref" in every answer.
 Json version_json();
 
 /// This program, whatever machine it runs on: what it was built from and with, the instruction set that fast uses, and

@@ -15,7 +15,8 @@ int run(const verify::CommandLine& line, std::ostream& out) {
     return 0;
   }
   if (line.version) {
-    out << (line.json ? verify::version_answer_text() : verify::folded(verify::version_text()));
+    out << (line.json ? verify::version_answer_text()
+                      : verify::folded(verify::text_of("version.txt", verify::version_json())));
     return 0;
   }
   if (const auto isa = line.option("isa")) fast::use_instruction_set(*isa);

@@ -7,10 +7,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/template.hpp>
+#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 
@@ -87,6 +90,11 @@ namespace {
 
 constexpr long schema = 1;
 
+/// The files of cli/templates, put here by the build so that an answer needs no file.
+const Partials templates{
+#include <nipref_templates.inc>
+};
+
 Json answer_head() { return {{"schema", schema}, {"nipref", version_json()}}; }
 
 }  // namespace
@@ -94,14 +102,24 @@ Json answer_head() { return {{"schema", schema}, {"nipref", version_json()}}; }
 std::string answer_text(std::string_view verb, const Json& members, bool no_times) {
   Json answer = answer_head();
   answer.set("verb", verb);
-  answer.append(members);
+  answer.append(members.for_machines());
   if (interrupted()) answer.set("interrupted", true);
   return (no_times ? answer.without("times") : answer).text();
 }
 
+std::string text_of(const std::string& name, const Json& members) {
+  return filled_text(templates.at(name), members.tree(), templates);
+}
+
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const std::function<Json()>& members, const std::function<std::string()>& text) {
-  out << (line.json ? answer_text(verb, members(), line.no_times) : text() + interruption_text());
+                 const Json& members, const std::string& name_of_template) {
+  return write_answer(line, out, verb, all_well, members,
+                      [&] { return folded(text_of(name_of_template, members)); });
+}
+
+int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
+                 const Json& members, const std::function<std::string()>& text) {
+  out << (line.json ? answer_text(verb, members, line.no_times) : text() + interruption_text());
   return all_well ? 0 : 1;
 }
 

@@ -52,10 +52,16 @@ inline const char* interruption_text() {
 /// the answer has "interrupted": true and only what was finished by then.
 std::string answer_text(std::string_view verb, const Json& members, bool no_times = false);
 
-/// Writes the answer of a verb, as JSON or as text for people, and calls only the one function that it needs. Returns the exit
-/// status: 0 if all is well, otherwise 1.
+/// The text for people that a template of cli/templates makes of an answer's members.
+std::string text_of(const std::string& name, const Json& members);
+
+/// Writes the answer of a verb, as JSON, or as the text that its template makes of the members, folded. Members whose names
+/// begin with '_' are for the template alone. Returns the exit status: 0 if all is well, otherwise 1.
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
-                 const std::function<Json()>& members, const std::function<std::string()>& text);
+                 const Json& members, const std::string& name_of_template);
+/// The same with a text that no template makes.
+int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,
+                 const Json& members, const std::function<std::string()>& text);
 
 /// The answer to --version.
 std::string version_answer_text();

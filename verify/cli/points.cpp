@@ -33,12 +33,8 @@ int points_verb(const CommandLine& line, std::ostream& out) {
   const std::string csv =
       points_csv(quantity, points,
                  {"quantity: " + quantity.name, command_text(line), "arguments: exact in hexadecimal"});
-  return write_answer(
-      line, out, "points", true,
-      [&] {
-        return Json{{"quantity", quantity.name}, {"csv", csv}};
-      },
-      [&] { return csv; });
+  return write_answer(line, out, "points", true, {{"quantity", quantity.name}, {"csv", csv}},
+                      [&] { return csv; });
 }
 
 }  // namespace nipref::verify

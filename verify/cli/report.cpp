@@ -158,10 +158,9 @@ int report_verb(const CommandLine& line, std::ostream& out) {
       folder ? write_page(*folder, answer) : "nipref report -o DIR writes all of it as DIR/index.html";
   const auto text = [&] {
     return report_text(answer_text("report", found), page) +
-           (report.comparison ? "\n" + comparison_text(*report.comparison, 10) : "");
+           (report.comparison ? "\n" + text_of("comparison.txt", comparison_json(*report.comparison)) : "");
   };
-  return write_answer(
-      line, out, "report", report.kept(line.has("strict")), [&] { return found; }, text);
+  return write_answer(line, out, "report", report.kept(line.has("strict")), found, text);
 }
 
 }  // namespace nipref::verify

@@ -23,9 +23,8 @@ namespace {
 /// 1 if something is not as accurate as was asked.
 template <class Number>
 int print(const SceneSolution<Number>& solution, const CommandLine& line, std::ostream& out) {
-  return write_answer(
-      line, out, "solve", solution.missed().empty(), [&] { return solution_json(solution); },
-      [&] { return solution_text(solution, line.has("full")); });
+  return write_answer(line, out, "solve", solution.missed().empty(),
+                      solution_json(solution, line.has("full")), "solve.txt");
 }
 
 }  // namespace
@@ -133,16 +132,6 @@ int solve_sweep(const data::SceneText& text, const AxesProduct& scenes, std::opt
 
 namespace {
 
-std::string balance_text(const EnergyBalance& balance) {
-  return folded(fmt::format(
-      "{}\n{}\n{}  work W mu_R  {:.16g}\n  loss         {:.16g}\n  difference {:.1e}, errors {}; force per unit "
-      "width\n{:.2g} s\n",
-      balance.title,
-      verdict(balance.meets(), balance.meets() ? "they meet" : "they differ by more than their errors"),
-      warnings_text(balance.warnings), balance.work.value, balance.loss.value, balance.difference(),
-      upward_text(balance.allowed()), balance.seconds));
-}
-
 Json estimate_json(const fast::Estimate& number) {
   return {{"value", number.value}, {"error", number.error}, {"proven", false}};
 }
@@ -165,10 +154,8 @@ int balance_verb(const CommandLine& line, std::ostream& out) {
   const SceneRequest request = scene_request(line);
   const EnergyBalance balance =
       energy_balance(data::load_scene(request.scene, line.assignments), request.digits);
-  return write_answer(
-      line, out, "balance", balance.meets(),
-      [&] { return balance_json(balance, request.digits ? "ref" : "fast"); },
-      [&] { return balance_text(balance); });
+  return write_answer(line, out, "balance", balance.meets(),
+                      balance_json(balance, request.digits ? "ref" : "fast"), "balance.txt");
 }
 
 }  // namespace nipref::verify

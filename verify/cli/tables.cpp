@@ -26,9 +26,7 @@ int list_tables(const std::vector<std::string>& ids, const CommandLine& line, st
   std::vector<data::TableSummary> summaries;
   if (ids.empty()) summaries = data::summarize_tables();
   for (const std::string& id : ids) summaries.push_back(data::summarize(data::load_table_by_id(id)));
-  return write_answer(
-      line, out, "tables", true, [&] { return table_list_json(summaries); },
-      [&] { return table_list_text(summaries); });
+  return write_answer(line, out, "tables", true, table_list_json(summaries), "tables_list.txt");
 }
 
 bool has_doubtful_length(const Replay& replay, std::size_t row) {
@@ -69,9 +67,8 @@ int tables_verb(const CommandLine& line, std::ostream& out) {
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
   const auto replays = replay_and_correct(ids.empty() ? replayable_tables() : ids, progress);
-  return write_answer(
-      line, out, "tables", !fall_short(replays), [&] { return tables_json(replays); },
-      [&] { return tables_text(replays, line.has("full")); });
+  return write_answer(line, out, "tables", !fall_short(replays), tables_json(replays, line.has("full")),
+                      "tables.txt");
 }
 
 }  // namespace nipref::verify

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -57,32 +55,18 @@ std::vector<FaultGroup> grouped(std::vector<Fault> faults) {
   return groups;
 }
 
-std::string faults_text(const Quantity& quantity, const std::vector<Fault>& faults) {
-  std::string text;
-  for (const FaultGroup& group : grouped(faults)) {
-    for (const Fault& fault : group.first) {
-      text += fmt::format("  {}{}: {}\n", name_of(fault.kind),
-                          fault.point ? " at" + point_text(quantity, *fault.point) : "", fault.words);
-    }
-    if (group.count == group.first.size()) continue;
-    text += fmt::format("  {}: and {} more", name_of(group.kind), group.count - group.first.size());
-    if (group.lower)
-      text += fmt::format(", all in{} ...{}", point_text(quantity, *group.lower),
-                          point_text(quantity, *group.upper));
-    text += "\n";
-  }
-  return text;
-}
-
 Json faults_json(const Quantity& quantity, const std::vector<Fault>& faults) {
   return json_list(grouped(faults), [&](const FaultGroup& group) {
-    return Json{{"kind", name_of(group.kind)},
-                {"count", group.count},
-                {"lower", where_json(quantity, group.lower)},
-                {"upper", where_json(quantity, group.upper)},
-                {"first", json_list(group.first, [&](const Fault& fault) {
-                   return Json{{"at", where_json(quantity, fault.point)}, {"words", fault.words}};
-                 })}};
+    return Json{
+        {"kind", name_of(group.kind)},
+        {"count", group.count},
+        {"lower", where_json(quantity, group.lower)},
+        {"upper", where_json(quantity, group.upper)},
+        {"first", json_list(group.first,
+                            [&](const Fault& fault) {
+                              return Json{{"at", where_json(quantity, fault.point)}, {"words", fault.words}};
+                            })},
+        {"_more", group.count > group.first.size() ? Json(group.count - group.first.size()) : Json()}};
   });
 }
 

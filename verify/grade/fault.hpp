@@ -50,11 +50,7 @@ struct FaultGroup {
 /// The groups in the order of the kinds.
 std::vector<FaultGroup> grouped(std::vector<Fault> faults);
 
-/// Text with a line for each of the first few faults of each kind, the number of the others and the box that contains
-/// them.
-std::string faults_text(const Quantity& quantity, const std::vector<Fault>& faults);
-
-/// The list of the groups.
+/// The list of the groups: the first few faults of each kind, the number of all and the box that contains them.
 Json faults_json(const Quantity& quantity, const std::vector<Fault>& faults);
 
 }  // namespace nipref::verify

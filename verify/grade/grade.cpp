@@ -25,30 +25,13 @@ std::vector<Decade> worst_decades(std::vector<Decade> decades) {
   return decades;
 }
 
-std::string decades_text(const Quantity& quantity, const ErrorSpread& spread) {
-  const std::vector<Decade> worst = worst_decades(spread.decades);
-  std::string text = fmt::format("  |{}| from    points  above promise    max ulp  median ulp\n",
-                                 quantity.arguments[spread.along].name);
-  for (const Decade& decade : worst)
-    text += fmt::format("  {:>12} {:>9} {:>14} {:>10.4g} {:>11.3g}\n", exponent_text(decade), decade.points,
-                        decade.above, decade.max_ulp, decade.median_ulp);
-  if (worst.size() < spread.decades.size())
-    text +=
-        fmt::format("  the worst {} of {} decades; --json has all\n", worst.size(), spread.decades.size());
-  return text;
-}
-
-std::string wrong_text(const Quantity& quantity, const WrongRegion& wrong) {
-  return fmt::format("  above the promise at {} of the {} points in{} ...{}\n", wrong.above, wrong.points,
-                     point_text(quantity, wrong.lower), point_text(quantity, wrong.upper));
-}
-
 Json decade_json(const Decade& decade) {
   return {{"exponent", decade.exponent ? Json(*decade.exponent) : Json()},
           {"points", decade.points},
           {"above_promise", decade.above},
           {"max_error_ulp", decade.max_ulp},
-          {"median_error_ulp", decade.median_ulp}};
+          {"median_error_ulp", decade.median_ulp},
+          {"_from", exponent_text(decade)}};
 }
 
 Json wrong_json(const Quantity& quantity, const WrongRegion& wrong) {
@@ -95,27 +78,10 @@ Grade grade_of(std::string what, std::string where, AuditResult found) {
   return {std::move(what), std::move(where), std::move(found), condition, std::move(worst_value)};
 }
 
-std::string grade_text(const Grade& grade) {
-  const AuditResult& found = grade.found;
-  const Quantity& quantity = *found.quantity;
-  std::string text = fmt::format(
-      "{} as {}, {}: {}\n"
-      "  largest error found {:.4g} ulp of {} among {} points{}; promised {:g}\n"
-      "  mean {:.3g}, median {:.3g}, 90 % {:.3g}, 99 % {:.3g}, 99.9 % {:.3g} ulp; largest relative error {:.2e}\n"
-      "  worst at{}, where the value is {} and the condition number {}\n",
-      grade.what, quantity.name, grade.where, found.kept() ? "kept" : "FELL SHORT", found.max_error_ulp,
-      quantity.scale, found.points,
-      found.left_out > 0 ? fmt::format(" ({} more are outside its domain)", found.left_out) : "",
-      found.promise, found.spread.mean, found.spread.median, found.spread.percentile_90,
-      found.spread.percentile_99, found.spread.percentile_999, found.max_relative_error,
-      point_text(quantity, found.worst), grade.worst_value,
-      grade.condition ? fmt::format("{:.3g}", *grade.condition) : "unknown");
-  if (found.spread.wrong) text += wrong_text(quantity, *found.spread.wrong);
-  return text + decades_text(quantity, found.spread);
-}
-
 Json grade_json(const Grade& grade) {
   const AuditResult& found = grade.found;
+  const std::vector<Decade> worst = worst_decades(found.spread.decades);
+  const std::size_t decades = found.spread.decades.size();
   Json row{{"graded", grade.what}, {"where", grade.where}};
   row.append(audit_row_json(found));
   row.append({{"left_out", found.left_out},
@@ -123,7 +89,12 @@ Json grade_json(const Grade& grade) {
               {"worst_condition", grade.condition},
               {"wrong", found.spread.wrong ? wrong_json(*found.quantity, *found.spread.wrong) : Json()},
               {"along", found.quantity->arguments[found.spread.along].name},
-              {"decades", json_list(found.spread.decades, decade_json)}});
+              {"decades", json_list(found.spread.decades, decade_json)},
+              {"_scale", found.quantity->scale},
+              {"_left_out", found.left_out > 0 ? Json(found.left_out) : Json()},
+              {"_worst_decades", json_list(worst, decade_json)},
+              {"_left_out_decades",
+               worst.size() < decades ? Json{{"worst", worst.size()}, {"of", decades}} : Json()}});
   return row;
 }
 

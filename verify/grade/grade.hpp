@@ -50,7 +50,6 @@ Grade grade(const Quantity& quantity, const Callable& callable, const AuditOptio
   }
 }
 
-std::string grade_text(const Grade& grade);
 Json grade_json(const Grade& grade);
 
 }  // namespace nipref::verify

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -75,12 +73,6 @@ std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& qu
 std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
                                    const std::vector<Point>& points) {
   return in_turns({contender_of(kernel, points), contender_of(older, points)});
-}
-
-std::string speed_text(const Speed& speed, const std::string& other) {
-  return fmt::format("{:.3g} ns a value, {:.3g} times the {:.3g} ns of {} (quartiles {:.3g} to {:.3g})",
-                     speed.nanoseconds, speed.ratio, speed.other_nanoseconds, other, speed.lower_ratio,
-                     speed.upper_ratio);
 }
 
 }  // namespace nipref::verify

@@ -32,7 +32,4 @@ std::optional<Speed> speed_against_fast(PluginKernel& kernel, const Quantity& qu
 std::optional<Speed> speed_against(PluginKernel& kernel, PluginKernel& older,
                                    const std::vector<Point>& points);
 
-/// "52 ns a value, 1.03 times the 50 ns of fast (quartiles 1.01 to 1.06)".
-std::string speed_text(const Speed& speed, const std::string& other);
-
 }  // namespace nipref::verify

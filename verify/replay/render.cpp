@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <nipref/verify/replay/render.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -60,57 +57,12 @@ std::size_t decimals_of(const Replay& replay, const ReplayedCell& cell) {
   return finest;
 }
 
-/// The text of a value; nothing if there is no value.
-std::optional<std::string> scaled(const Replay& replay, const ReplayedCell& cell,
-                                  const std::optional<double>& value) {
-  return value ? std::optional(scaled_text(replay, cell, *value)) : std::nullopt;
-}
-
-std::string row_label(const Replay& replay, std::size_t row) {
-  std::string label;
-  for (std::size_t i = 0; i < replay.table.columns.size(); ++i) {
-    const data::TableColumn& column = replay.table.columns[i];
-    if (column.is_key) label += fmt::format("{}={}", column.name, replay.table.rows[row][i].read_as);
-  }
-  return label;
-}
-
-std::string coloured(Verdict of_cell) {
-  if (of_cell == Verdict::input) return std::string(name(of_cell));
-  return verdict(of_cell == Verdict::match, name(of_cell));
-}
-
-void append_cells(std::string& text, const Replay& replay, bool all) {
-  TextTable table({"  verdict", "row", "column", ">printed", ">replayed range", ">corrected"});
-  for (const ReplayedCell& cell : replay.cells) {
-    if (!all && (cell.verdict == Verdict::input || cell.verdict == Verdict::match)) continue;
-    table.add({"  " + coloured(cell.verdict), row_label(replay, cell.row), cell.column,
-               printed_cell(replay, cell).printed,
-               fmt::format("{}..{}", scaled_text(replay, cell, cell.range.lower),
-                           scaled_text(replay, cell, cell.range.upper)),
-               scaled(replay, cell, cell.corrected).value_or("-")});
-    if (!cell.note.empty()) table.add_below(cell.note);
-  }
-  if (!table.empty()) text += table.text();
-}
-
-/// Appends the errors that are due to the weaknesses of the seed's method.
-void append_costs(std::string& text, const Replay& replay) {
-  for (const Cost& cost : replay.costs) {
-    fmt::format_to(std::back_inserter(text), "  {} ({}):", cost.weakness, cost.against);
-    for (const ColumnDeviation& deviation : cost.columns) {
-      fmt::format_to(std::back_inserter(text), " {} {:.3g} % in the mean, {:+.3g} % at most{}",
-                     deviation.column, 100 * deviation.mean, 100 * deviation.largest,
-                     &deviation == &cost.columns.back() ? "\n" : ";");
-    }
-  }
-}
-
-/// The same as a JSON number.
+/// A value as a JSON number; null if there is none.
 Json scaled_json(const Replay& replay, const ReplayedCell& cell, const std::optional<double>& value) {
   return value ? Json::number(scaled_text(replay, cell, *value)) : Json();
 }
 
+/// The errors that are due to the weaknesses of the seed's method.
 Json costs_json(const Replay& replay) {
   Json costs = Json::object();
   for (const Cost& cost : replay.costs) {
@@ -122,7 +74,7 @@ Json costs_json(const Replay& replay) {
   return costs;
 }
 
-Json cell_json(const Replay& replay, const ReplayedCell& cell) {
+Json cell_json(const Replay& replay, const ReplayedCell& cell, bool all) {
   const data::TableCell& printed = printed_cell(replay, cell);
   Json row = Json::object();
   for (std::size_t i = 0; i < replay.table.columns.size(); ++i) {
@@ -140,7 +92,13 @@ Json cell_json(const Replay& replay, const ReplayedCell& cell) {
           {"replayed_range", std::vector<Json>{scaled_json(replay, cell, cell.range.lower),
                                                scaled_json(replay, cell, cell.range.upper)}},
           {"verdict", name(cell.verdict)},
-          {"note", Json::unless_empty(cell.note)}};
+          {"note", Json::unless_empty(cell.note)},
+          {"_input", cell.verdict == Verdict::input},
+          {"_good", cell.verdict == Verdict::match},
+          {"_range",
+           scaled_text(replay, cell, cell.range.lower) + ".." + scaled_text(replay, cell, cell.range.upper)},
+          {"_corrected", cell.corrected ? scaled_text(replay, cell, *cell.corrected) : "-"},
+          {"_shown", all || (cell.verdict != Verdict::input && cell.verdict != Verdict::match)}};
 }
 
 Json errata_json(const data::TableSummary& table) {
@@ -150,13 +108,16 @@ Json errata_json(const data::TableSummary& table) {
   return errata;
 }
 
-Json table_json(const Replay& replay) {
-  const auto to_json = [&](const ReplayedCell& cell) { return cell_json(replay, cell); };
+Json table_json(const Replay& replay, bool all) {
+  const auto to_json = [&](const ReplayedCell& cell) { return cell_json(replay, cell, all); };
   return {{"id", replay.table.id},
           {"title", replay.table.title},
           {"method", replay.method},
           {"costs", costs_json(replay)},
-          {"cells", json_list(replay.cells, to_json)}};
+          {"cells", json_list(replay.cells, to_json)},
+          {"_match", replay.count(Verdict::match)},
+          {"_judged", replay.cells.size() - replay.count(Verdict::input)},
+          {"_costs", cost_list_json(replay)}};
 }
 
 }  // namespace
@@ -166,26 +127,21 @@ std::string scaled_text(const Replay& replay, const ReplayedCell& cell, double v
   return fmt::format("{:.{}f}", value * std::pow(10.0, exponent), decimals_of(replay, cell) + 2);
 }
 
-std::string tables_text(const std::vector<Replay>& replays, bool all_cells) {
-  const Counts counts = count(replays);
-  std::string text = fmt::format(
-      "{} cells (inputs not counted): {} match, {} misprint, {} seed-error, {} unexplained, of which {} have no "
-      "number\n",
-      counts.cells, counts.match, counts.misprint, counts.seed_error, counts.unexplained,
-      counts.without_number);
-  for (const Replay& replay : replays) {
-    fmt::format_to(std::back_inserter(text), "\n{}: {}\n  {} of {} cells match\n  {}\n", replay.table.id,
-                   replay.table.title, replay.count(Verdict::match),
-                   replay.cells.size() - replay.count(Verdict::input), replay.method);
-    append_cells(text, replay, all_cells);
-    append_costs(text, replay);
-  }
-  return folded(text);
+Json column_json(const ColumnDeviation& column) {
+  return {{"column", column.column}, {"mean", column.mean}, {"largest", column.largest}};
 }
 
-Json tables_json(const std::vector<Replay>& replays) {
+Json cost_list_json(const Replay& replay) {
+  return json_list(replay.costs, [](const Cost& cost) {
+    return Json{{"weakness", cost.weakness},
+                {"against", cost.against},
+                {"columns", json_list(cost.columns, column_json)}};
+  });
+}
+
+Json tables_json(const std::vector<Replay>& replays, bool all_cells) {
   const Counts counts = count(replays);
-  return {{"tables", json_list(replays, table_json)},
+  return {{"tables", json_list(replays, [&](const Replay& replay) { return table_json(replay, all_cells); })},
           {"summary",
            {{"cells", counts.cells},
             {"match", counts.match},
@@ -195,42 +151,32 @@ Json tables_json(const std::vector<Replay>& replays) {
             {"without_number", counts.without_number}}}};
 }
 
-std::string table_list_text(const std::vector<data::TableSummary>& summaries) {
-  TextTable table(
-      {"table", ">rows", ">columns", ">cells", ">empty", ">identity", ">trend", ">glyph", ">unreadable"});
-  const auto add = [&](const data::TableSummary& row, const std::string& columns) {
-    std::vector<std::string> cells{row.id, std::to_string(row.rows), columns, std::to_string(row.cells),
-                                   std::to_string(row.empty)};
-    for (const std::size_t of_kind : row.errata) cells.push_back(std::to_string(of_kind));
-    table.add(std::move(cells));
-  };
+namespace {
+
+Json table_row_json(const data::TableSummary& table) {
+  return {{"id", table.id},
+          {"title", table.title},
+          {"rows", table.rows},
+          {"columns", table.columns},
+          {"cells", table.cells},
+          {"empty", table.empty},
+          {"without_value", table.without_value},
+          {"doubtful", table.doubtful},
+          {"errata", errata_json(table)},
+          {"row_label_errata", table.key_errata}};
+}
+
+}  // namespace
+
+Json table_list_json(const std::vector<data::TableSummary>& summaries) {
   data::TableSummary sum{};
-  sum.id = "sum";
   for (const data::TableSummary& one : summaries) {
-    add(one, std::to_string(one.columns));
-    table.add_below(one.title);
     sum.rows += one.rows;
     sum.cells += one.cells;
     sum.empty += one.empty;
     for (std::size_t kind = 0; kind < sum.errata.size(); ++kind) sum.errata[kind] += one.errata[kind];
   }
-  add(sum, "");
-  return table.text();
-}
-
-Json table_list_json(const std::vector<data::TableSummary>& summaries) {
-  return {{"listed", json_list(summaries, [](const data::TableSummary& table) {
-             return Json{{"id", table.id},
-                         {"title", table.title},
-                         {"rows", table.rows},
-                         {"columns", table.columns},
-                         {"cells", table.cells},
-                         {"empty", table.empty},
-                         {"without_value", table.without_value},
-                         {"doubtful", table.doubtful},
-                         {"errata", errata_json(table)},
-                         {"row_label_errata", table.key_errata}};
-           })}};
+  return {{"listed", json_list(summaries, table_row_json)}, {"_sum", table_row_json(sum)}};
 }
 
 }  // namespace nipref::verify

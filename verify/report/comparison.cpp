@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <nipref/verify/report/report.hpp>
@@ -198,42 +199,26 @@ ReportComparison compare_reports(const std::string& older, const std::string& ne
 
 namespace {
 
-/// "2 worse, 0 slower, 1 better, ..."
-std::string counts_text(const ReportComparison& comparison) {
-  std::string text;
-  for (const Change change : all_changes)
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", comparison.count(change), name(change));
-  return text;
+Json item_json(const ChangedItem& item) {
+  return {{"change", name(item.change)},
+          {"what", item.what},
+          {"before", Json::unless_empty(item.before)},
+          {"now", Json::unless_empty(item.now)}};
 }
 
 }  // namespace
 
-Json comparison_json(const ReportComparison& comparison) {
+Json comparison_json(const ReportComparison& comparison, std::size_t most_in_text) {
+  const std::size_t count = comparison.items.size(), more = count - std::min(count, most_in_text);
   return {{"older", comparison.older},
           {"note", Json::unless_empty(comparison.note)},
           {"counts", json_list(all_changes,
                                [&](Change change) {
                                  return Json{{"change", name(change)}, {"count", comparison.count(change)}};
                                })},
-          {"items", json_list(comparison.items, [](const ChangedItem& item) {
-             return Json{{"change", name(item.change)},
-                         {"what", item.what},
-                         {"before", Json::unless_empty(item.before)},
-                         {"now", Json::unless_empty(item.now)}};
-           })}};
-}
-
-std::string comparison_text(const ReportComparison& comparison, std::size_t most_items) {
-  std::string text = "against " + comparison.older + ": " + counts_text(comparison) + "\n";
-  if (!comparison.note.empty()) text += "  " + comparison.note + "\n";
-  for (std::size_t i = 0; i < std::min(most_items, comparison.items.size()); ++i) {
-    const ChangedItem& item = comparison.items[i];
-    text += fmt::format("  {:8}{}{}\n", name(item.change), item.what,
-                        item.before.empty() ? "" : fmt::format(": {} -> {}", item.before, item.now));
-  }
-  if (comparison.items.size() > most_items)
-    text += fmt::format("  and {} more, in the page\n", comparison.items.size() - most_items);
-  return text;
+          {"items", json_list(comparison.items, item_json)},
+          {"_first", json_list(std::span(comparison.items).first(count - more), item_json)},
+          {"_more", more > 0 ? Json(more) : Json()}};
 }
 
 }  // namespace nipref::verify

@@ -124,7 +124,7 @@ std::string report_page(const std::string& answer, const Drawer& draw) {
 std::string report_text(const std::string& answer, const std::string& where_more_is) {
   TemplateData data = TemplateData::parse(answer);
   data["page"] = where_more_is;
-  return folded(filled(template_text("report.txt"), data, [](const std::string& text) { return text; }));
+  return folded(filled_text(template_text("report.txt"), data));
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <nipref/verify/audit/render.hpp>
+#include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/report/report.hpp>
 
 namespace nipref::verify {
@@ -124,10 +125,6 @@ Json claims_by_verdict(const std::vector<CheckedClaim>& claims) {
   return counts;
 }
 
-Json column_json(const ColumnDeviation& column) {
-  return {{"column", column.column}, {"mean", column.mean}, {"largest", column.largest}};
-}
-
 Json table_counts_json(const Replay& replay) {
   const ColumnDeviation* worst = nullptr;
   for (const Cost& cost : replay.costs) {
@@ -142,11 +139,7 @@ Json table_counts_json(const Replay& replay) {
           {"seed_error", replay.count(Verdict::seed_error)},
           {"unexplained", replay.count(Verdict::unexplained)},
           {"worst_column", worst == nullptr ? Json() : column_json(*worst)},
-          {"costs", json_list(replay.costs, [](const Cost& cost) {
-             return Json{{"weakness", cost.weakness},
-                         {"against", cost.against},
-                         {"columns", json_list(cost.columns, column_json)}};
-           })}};
+          {"costs", cost_list_json(replay)}};
 }
 
 /// The promised ratios of fast's times to those of other libraries.

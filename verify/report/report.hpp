@@ -48,11 +48,8 @@ bool is_report(const std::string& json);
 /// promise that is kept or broken now; a row that is new or gone.
 ReportComparison compare_reports(const std::string& older, const std::string& newer);
 
-/// The part of the answer that the page shows.
-Json comparison_json(const ReportComparison& comparison);
-
-/// The counts, then a line for each item, for at most so many.
-std::string comparison_text(const ReportComparison& comparison, std::size_t most_items);
+/// The part of the answer that the page and, of at most so many items, the text show.
+Json comparison_json(const ReportComparison& comparison, std::size_t most_in_text = 10);
 
 /// The golden values of one quantity, and the result of checking a sample of them.
 struct GoldenSample {

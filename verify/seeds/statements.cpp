@@ -139,14 +139,21 @@ Json claims_json(const std::vector<CheckedClaim>& claims) {
   return json_list(claims, [](const CheckedClaim& checked) {
     const ClaimOutcome& outcome = checked.outcome;
     Json row = texts_json(checked.claim, claim_texts);
-    row.append(
-        {{"verdict", name_of(outcome.verdict)},
-         {"why", Json::unless_empty(outcome.why)},
-         {"numbers", json_list(outcome.numbers, [](const ClaimNumber& one) {
-            Json number{{"what", one.what}, {"value", Json()}, {"error", Json()}, {"origin", one.origin()}};
-            set_number(number, "value", "error", one.number);
-            return number;
-          })}});
+    row.append({{"verdict", name_of(outcome.verdict)},
+                {"why", Json::unless_empty(outcome.why)},
+                {"numbers", json_list(outcome.numbers,
+                                      [](const ClaimNumber& one) {
+                                        Json number{
+                                            {"what", one.what},
+                                            {"value", Json()},
+                                            {"error", Json()},
+                                            {"origin", one.origin()},
+                                            {"_stated", stated_text(one.number) +
+                                                            (one.origin() == "exact" ? ", exactly" : "")}};
+                                        set_number(number, "value", "error", one.number);
+                                        return number;
+                                      })},
+                {"_fails", outcome.verdict == ClaimVerdict::fails}});
     return row;
   });
 }
@@ -194,10 +201,16 @@ Json limits_json(const std::vector<LimitRow>& limits) {
   return json_list(limits, [](const LimitRow& limit) {
     Json row = texts_json(limit, limit_texts);
     row.set("order", limit.order == 0 ? Json() : Json(limit.order));
-    set_number(row, "measured_order", "measured_order_error", limit.measured_order());
+    const auto measured = limit.measured_order();
+    set_number(row, "measured_order", "measured_order_error", measured);
+    row.set("_measured_order", measured ? Json(stated_text(*measured)) : Json());
     row.set("approached", limit.approached());
-    row.set("samples", json_list(limit.samples, [](const LimitSample& sample) {
-              Json numbers{{"size", sample.size}};
+    row.set("samples", json_list(limit.samples, [&](const LimitSample& sample) {
+              Json numbers{{"size", sample.size},
+                           {"_size", limit.size},
+                           {"_found", stated_text(sample.found)},
+                           {"_limit", stated_text(sample.limit)},
+                           {"_distance", sample.distance().value()}};
               set_number(numbers, "found", "found_error", sample.found);
               set_number(numbers, "limit", "limit_error", sample.limit);
               set_number(numbers, "distance", "distance_error", sample.distance());
@@ -249,7 +262,10 @@ Json errata_json(const std::vector<SettledErratum>& errata) {
     set_number(row, "printed_value", "printed_error", one.settlement.printed);
     set_number(row, "right_value", "right_error", one.settlement.right);
     set_number(row, "truth", "truth_error", one.settlement.truth);
-    row.set("settled", one.settlement.settled());
+    row.append({{"settled", one.settlement.settled()},
+                {"_printed", one.settlement.printed ? Json(stated_text(*one.settlement.printed)) : Json()},
+                {"_right", stated_text(one.settlement.right)},
+                {"_truth", stated_text(one.settlement.truth)}});
     return row;
   });
 }

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -7,15 +6,12 @@
 
 #include <nipref/verify/solve/render.hpp>
 #include <nipref/verify/support/internal/number_text.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
 
 bool is_proven(const fast::Estimate&) { return false; }
 bool is_proven(const ref::Estimate& number) { return number.proven; }
-/// A proven error is called a bound, and an estimated one an error.
-std::string_view error_word(const auto& number) { return is_proven(number) ? "bound" : "error"; }
 
 // In JSON a number of the reference is text: it may have more digits than a double, and an error below all doubles.
 Json value_json(const fast::Estimate& number) { return number.value; }
@@ -59,38 +55,40 @@ std::string work_text(const fast::Work& work) {
   return text + fmt::format("{} unknowns", work.unknowns);
 }
 
-template <class Number>
-std::string number_text(const typename SceneSolution<Number>::Result& result, bool full) {
-  const Number& number = result.numbers.front();
-  const std::string text = fmt::format("  {:<23} {:<22} {} {:<8} {}\n", result.what->name, value_text(number),
-                                       error_word(number), error_text(number), result.what->unit);
-  return full ? text + fmt::format("    {}\n", result.what->meaning) : text;
-}
-
-/// What stands before a number of a list, a profile or a field: its place.
-std::string place_text(const data::SceneResult& what, const std::vector<double>& positions,
-                       const data::FieldPlaces& field, std::size_t i) {
-  if (what.shape == data::Shape::list) return "    ";
+/// What stands before a number of a list, a profile or a field: its place. The first of each depth also has the depth.
+Json place_json(const data::SceneResult& what, const std::vector<double>& positions,
+                const data::FieldPlaces& field, std::size_t i) {
+  std::string place;
+  Json depth;
   if (what.shape == data::Shape::profile)
-    return fmt::format("    {} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y",
-                       positions[i]);
-  const std::size_t position = i % field.positions.size(), depth = i / field.positions.size();
-  return (position == 0 ? fmt::format("    depth = {}\n", field.depths[depth]) : "") +
-         fmt::format("      Y = {:<20} ", field.positions[position]);
+    place = fmt::format("{} = {:<22} ", what.kind == data::SceneKind::half_space ? "psi" : "Y", positions[i]);
+  if (what.shape == data::Shape::field) {
+    const std::size_t position = i % field.positions.size();
+    place = fmt::format("  Y = {:<20} ", field.positions[position]);
+    if (position == 0) depth = fmt::format("{}", field.depths[i / field.positions.size()]);
+  }
+  return {{"place", place}, {"next_depth", depth}};
 }
 
+/// The results as the text shows them.
 template <class Number>
-std::string result_text(const typename SceneSolution<Number>::Result& result,
-                        const SceneSolution<Number>& solution, bool full) {
-  if (result.what->shape == data::Shape::number) return number_text<Number>(result, full);
-  std::string text =
-      fmt::format("  {}: {}, unit {}\n", result.what->name, result.what->meaning, result.what->unit);
-  for (std::size_t i = 0; i < result.numbers.size(); ++i) {
-    const Number& number = result.numbers[i];
-    text += place_text(*result.what, solution.positions, solution.field, i) +
-            fmt::format("{:<22} {} {}\n", value_text(number), error_word(number), error_text(number));
-  }
-  return text;
+Json rows_json(const SceneSolution<Number>& solution) {
+  return json_list(solution.results, [&](const auto& result) {
+    std::vector<Json> numbers;
+    for (std::size_t i = 0; i < result.numbers.size(); ++i) {
+      const Number& number = result.numbers[i];
+      Json row{{"value", value_text(number)},
+               {"error", error_text(number)},
+               {"error_word", is_proven(number) ? "bound" : "error"}};
+      row.append(place_json(*result.what, solution.positions, solution.field, i));
+      numbers.push_back(row);
+    }
+    return Json{{"name", result.what->name},
+                {"meaning", result.what->meaning},
+                {"unit", result.what->unit},
+                {"one", result.what->shape == data::Shape::number ? numbers.front() : Json()},
+                {"numbers", numbers}};
+  });
 }
 
 /// The contact to which the errors are the distance.
@@ -106,26 +104,7 @@ Json field_json(const data::FieldPlaces& field) {
           {"depths", json_list(field.depths, std::identity())}};
 }
 
-/// Whether the accuracy is met, and to which contact the errors of line loads are the distance.
-template <class Number>
-std::string accuracy_text(const SceneSolution<Number>& solution) {
-  const std::optional<bool> met = solution.met();
-  std::string text = met ? met_text(solution.accuracy, *met) : "no accuracy is asked of line loads";
-  if (met == false) text += fmt::format(" by {}: the best there is", fmt::join(solution.missed(), ", "));
-  text += "\n";
-  if (solution.is_discrete) text += fmt::format("errors are the distance to the {}\n", truth_of(solution));
-  return text;
-}
-
 }  // namespace
-
-std::string warnings_text(const std::vector<BeyondTheory>& warnings) {
-  std::string text;
-  for (const auto& [quantity, value, limit] : warnings)
-    text += fmt::format("{}: {} is {:.2g}, above {:g}: linear theory is off by a part of about that size\n",
-                        bad("warning"), quantity, value, limit);
-  return text;
-}
 
 Json warnings_json(const std::vector<BeyondTheory>& warnings) {
   return json_list(warnings, [](const BeyondTheory& one) -> Json {
@@ -139,19 +118,7 @@ std::string value_text(const ref::Estimate& number) { return number.value_text()
 std::string error_text(const ref::Estimate& number) { return number.error_text(); }
 
 template <class Number>
-std::string solution_text(const SceneSolution<Number>& solution, bool full) {
-  std::string text = solution.title + "\n";
-  text += accuracy_text(solution);
-  text += warnings_text(solution.warnings);
-  for (const auto& result : solution.results) text += result_text<Number>(result, solution, full);
-  text += fmt::format("work: {}\n", work_text(solution.work));
-  if (!is_empty(solution.error_work))
-    text += fmt::format("for the error estimates: {}\n", work_text(solution.error_work));
-  return folded(text + fmt::format("{:.2g} s\n", solution.seconds));
-}
-
-template <class Number>
-Json solution_json(const SceneSolution<Number>& solution) {
+Json solution_json(const SceneSolution<Number>& solution, bool full) {
   Json results = Json::object();
   for (const auto& result : solution.results) {
     results.set(result.what->name,
@@ -162,6 +129,7 @@ Json solution_json(const SceneSolution<Number>& solution) {
                  {"unit", result.what->unit}});
   }
   const auto& positions = solution.positions;
+  const std::optional<bool> met = solution.met();
   return {{"title", solution.title},
           {"path", std::is_same_v<Number, ref::Estimate> ? "ref" : "fast"},
           {"distance_to", truth_of(solution)},
@@ -171,12 +139,18 @@ Json solution_json(const SceneSolution<Number>& solution) {
           {"field", field_json(solution.field)},
           {"work", work_json(solution.work)},
           {"error_work", is_empty(solution.error_work) ? Json() : work_json(solution.error_work)},
-          {"times", {{"seconds", solution.seconds}}}};
+          {"times", {{"seconds", solution.seconds}}},
+          {"_full", full},
+          {"_accuracy", met ? Json(fmt::format("{:g}", solution.accuracy)) : Json()},
+          {"_met", met},
+          {"_missed", json_list(solution.missed(), [](std::string_view name) { return Json(name); })},
+          {"_discrete", solution.is_discrete},
+          {"_rows", rows_json(solution)},
+          {"_work", work_text(solution.work)},
+          {"_error_work", is_empty(solution.error_work) ? Json() : Json(work_text(solution.error_work))}};
 }
 
-template std::string solution_text(const SceneSolution<fast::Estimate>&, bool);
-template std::string solution_text(const SceneSolution<ref::Estimate>&, bool);
-template Json solution_json(const SceneSolution<fast::Estimate>&);
-template Json solution_json(const SceneSolution<ref::Estimate>&);
+template Json solution_json(const SceneSolution<fast::Estimate>&, bool);
+template Json solution_json(const SceneSolution<ref::Estimate>&, bool);
 
 }  // namespace nipref::verify

@@ -15,10 +15,18 @@ struct Json::Value {
 
 namespace {
 
-void erase_everywhere(Tree& value, const std::string& key) {
-  if (value.is_object()) value.erase(key);
+/// Erases the members with such a key at any depth.
+template <class IsErased>
+void erase_everywhere(Tree& value, IsErased is_erased) {
   if (!value.is_structured()) return;
-  for (Tree& item : value) erase_everywhere(item, key);
+  std::vector<std::string> erased;
+  if (value.is_object()) {
+    for (const auto& [name, member] : value.items()) {
+      if (is_erased(name)) erased.push_back(name);
+    }
+  }
+  for (const std::string& name : erased) value.erase(name);
+  for (Tree& item : value) erase_everywhere(item, is_erased);
 }
 
 }  // namespace
@@ -58,9 +66,17 @@ void Json::append(const Json& members) {
 
 Json Json::without(std::string_view key) const {
   Tree changed = value_->tree;
-  erase_everywhere(changed, std::string(key));
+  erase_everywhere(changed, [&](const std::string& name) { return name == key; });
   return Json(Value{std::move(changed)});
 }
+
+Json Json::for_machines() const {
+  Tree changed = value_->tree;
+  erase_everywhere(changed, [](const std::string& name) { return name.starts_with('_'); });
+  return Json(Value{std::move(changed)});
+}
+
+const Tree& Json::tree() const { return value_->tree; }
 
 std::string Json::text() const {
   return value_->tree.dump(2, ' ', false, Tree::error_handler_t::replace) + "\n";

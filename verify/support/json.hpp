@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -53,6 +54,11 @@ class Json {
 
   /// A copy without the members of that name at any depth.
   [[nodiscard]] Json without(std::string_view key) const;
+  /// A copy without the members that are for the text alone, at any depth: their names begin with '_'.
+  [[nodiscard]] Json for_machines() const;
+
+  /// The value as that library has it.
+  [[nodiscard]] const nlohmann::ordered_json& tree() const;
 
   /// Indented by two, with a line break at the end; invalid UTF-8 is replaced.
   [[nodiscard]] std::string text() const;

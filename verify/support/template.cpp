@@ -1,15 +1,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <kainjow/mustache.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -36,12 +41,16 @@ std::string off_text(double relative) {
                      relative < 0 ? "low" : "high");
 }
 
-std::string with_decimal_numbers(const std::string& text) {
+/// The text with its hexadecimal numbers in decimals, each written by `written` of the number and its own text.
+template <class Write>
+std::string with_decimals(const std::string& text, Write written) {
   std::string decimal;
   for (const char* at = text.c_str(); *at != '\0';) {
-    char* end = nullptr;
-    if (at[0] == '0' && at[1] == 'x') {
-      decimal += fmt::format("{:.6g}", std::strtod(at, &end));
+    const bool signed_hex = at[0] == '-' && at[1] == '0' && at[2] == 'x';
+    if (signed_hex || (at[0] == '0' && at[1] == 'x')) {
+      char* end = nullptr;
+      const double number = std::strtod(at, &end);
+      decimal += written(number, std::string_view(at, end));
       at = end;
     } else {
       decimal += *at++;
@@ -50,8 +59,101 @@ std::string with_decimal_numbers(const std::string& text) {
   return decimal;
 }
 
+std::string decimal_text(const std::string& text) {
+  return with_decimals(text, [](double number, std::string_view) { return fmt::format("{:.6g}", number); });
+}
+
+std::string exact_text(const std::string& text) {
+  return with_decimals(text, [](double number, std::string_view hexadecimal) {
+    return fmt::format("{:.6g} ({})", number, hexadecimal);
+  });
+}
+
 std::string word_of_shell(const std::string& text) {
   return text.find_first_of(" ()[]*?$\"") == std::string::npos ? text : "'" + text + "'";
+}
+
+/// "SPECIFICATION TEXT" with TEXT so formatted: as a number where the specification ends with a letter or %.
+std::string formatted(const std::string& text) {
+  const std::size_t space = text.find(' ');
+  std::string specification = text.substr(0, space);
+  const std::string value = text.substr(std::min(space, text.size() - 1) + 1);
+  if (std::isdigit(static_cast<unsigned char>(specification.back())) != 0)
+    return fmt::format(fmt::runtime("{:" + specification + "}"), value);
+  const double factor = specification.back() == '%' ? 100 : 1;
+  if (factor != 1) specification.pop_back();
+  const auto number = number_in(value);
+  return number ? fmt::format(fmt::runtime("{:" + specification + "}"), factor * *number) : "-";
+}
+
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(",; \n") + 1);
+  return text;
+}
+
+// Mustache takes away the line of a section's tag that stands alone. The library leaves an empty line for a section that is
+// left out, so that such lines are joined here, and the library sees no line breaks but this character.
+constexpr char line_break = '\x1e';
+constexpr std::string_view separator = " | ";
+/// Stands for a bar in a value, which does not separate the cells of a table.
+constexpr char bar_of_value = '\x1f';
+
+bool is_lone_tag(std::string_view line) {
+  constexpr std::string_view kinds = "#^/!>";
+  return line.starts_with("{{") && line.find("}}") + 2 == line.size() && kinds.find(line[2]) != kinds.npos;
+}
+
+std::string with_joined_lines(const std::string& text) {
+  std::string joined;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    const std::size_t start = std::min(line.find_first_not_of(' '), line.size());
+    const bool lone = is_lone_tag(line.substr(start));
+    joined += lone ? line.substr(start) : line;
+    if (!lone && end < text.size()) joined += line_break;
+    at = end + 1;
+  }
+  return joined;
+}
+
+/// A partial of one line is put into the middle of lines, and has no line break.
+std::string inlined(const std::string& partial) {
+  std::string text = with_joined_lines(partial);
+  if (text.find(line_break) + 1 == text.size()) text.pop_back();
+  return text;
+}
+
+std::string restored(std::string text) {
+  std::ranges::replace(text, line_break, '\n');
+  std::ranges::replace(text, bar_of_value, '|');
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text, std::string_view at) {
+  std::vector<std::string> parts;
+  for (std::size_t start = 0, end = 0; end != std::string::npos; start = end + at.size()) {
+    end = text.find(at, start);
+    parts.push_back(text.substr(start, end - start));
+  }
+  return parts;
+}
+
+/// Lays out a table: the first line has the heads, lines that are indented by four stand below the row before them.
+std::string table_text(const std::string& text) {
+  std::vector<std::string> lines = split(text, std::string_view(&line_break, 1));
+  std::erase(lines, "");
+  if (lines.empty()) return "";
+  const std::vector<std::string> heads = split(lines.front(), separator);
+  TextTable table({heads.begin(), heads.end()});
+  for (const std::string& line : std::span(lines).subspan(1)) {
+    if (line.starts_with("    ")) {
+      table.add_below(line.substr(4));
+    } else {
+      table.add(split(line, separator));
+    }
+  }
+  return table.empty() ? "" : table.text();
 }
 
 using Format = std::function<std::string(const std::string&)>;
@@ -63,23 +165,16 @@ Format of_number(std::function<std::string(double)> format) {
   };
 }
 
-Format by_pattern(const char* pattern, double factor = 1) {
-  return of_number([=](double number) { return fmt::format(fmt::runtime(pattern), factor * number); });
-}
-
 void add_formats(mustache::data& data) {
-  const std::pair<const char*, Format> formats[]{{"g", by_pattern("{:g}")},
-                                                 {"g2", by_pattern("{:.2g}")},
-                                                 {"g3", by_pattern("{:.3g}")},
-                                                 {"g4", by_pattern("{:.4g}")},
-                                                 {"e1", by_pattern("{:.1e}")},
-                                                 {"percent", by_pattern("{:.0f} %", 100)},
-                                                 {"percent2", by_pattern("{:.2g} %", 100)},
-                                                 {"signed", by_pattern("{:+.2g} %", 100)},
+  const std::pair<const char*, Format> formats[]{{"as", formatted},
                                                  {"two_digits", of_number(two_digits)},
                                                  {"off", of_number(off_text)},
-                                                 {"decimal", with_decimal_numbers},
+                                                 {"upward", of_number(upward_text)},
+                                                 {"decimal", decimal_text},
+                                                 {"exact", exact_text},
                                                  {"shell", word_of_shell},
+                                                 {"trimmed", trimmed},
+                                                 {"table", table_text},
                                                  {"good", good},
                                                  {"bad", bad}};
   for (const auto& [name, format] : formats)
@@ -141,14 +236,51 @@ std::string template_text(const std::string& name) {
   return data::text_of_input_file(data::templates_directory() / name, "template");
 }
 
-std::string filled(const std::string& text, const TemplateData& data, const Escape& escape) {
-  mustache::mustache page(text);
+namespace {
+
+/// Keeps a name that the data does not have.
+class Context : public mustache::context<std::string> {
+ public:
+  using mustache::context<std::string>::context;
+  const mustache::data* get(const std::string& name) const override {
+    const mustache::data* found = mustache::context<std::string>::get(name);
+    if (found == nullptr) missing_ = name;
+    return found;
+  }
+  [[nodiscard]] const std::string& missing() const { return missing_; }
+
+ private:
+  mutable std::string missing_;
+};
+
+std::string filled(const std::string& text, const TemplateData& data, const Escape& escape,
+                   const Partials& partials, bool may_lack_names) {
+  mustache::mustache page(with_joined_lines(text));
   page.set_custom_escape(escape);
   mustache::data filling = data_of(data);
   add_formats(filling);
-  std::string result = page.render(filling);
+  for (const auto& [name, partial] : partials)
+    filling.set(name, mustache::partial([&text = partial] { return inlined(text); }));
+  Context context(&filling);
+  std::string result = page.render(context);
   if (!page.is_valid()) throw std::runtime_error("template: " + page.error_message());
-  return result;
+  if (!may_lack_names && !context.missing().empty())
+    throw std::runtime_error("template: there is no " + context.missing());
+  return restored(std::move(result));
+}
+
+}  // namespace
+
+std::string filled(const std::string& text, const TemplateData& data, const Escape& escape) {
+  return filled(text, data, escape, {}, true);
+}
+
+std::string filled_text(const std::string& text, const TemplateData& data, const Partials& partials) {
+  const auto escape = [](std::string value) {
+    std::ranges::replace(value, '|', bar_of_value);
+    return value;
+  };
+  return filled(text, data, escape, partials, false);
 }
 
 }  // namespace nipref::verify

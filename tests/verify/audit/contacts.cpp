@@ -6,6 +6,8 @@
 
 #include <nipref/verify/audit/internal/contacts.hpp>
 #include <nipref/verify/bench/internal/groups.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
+#include <nipref/verify/cli/output.hpp>
 
 using namespace nipref;
 
@@ -80,7 +82,9 @@ TEST_CASE(
   CHECK(json[1].at("kept") == true);
   CHECK(json[2].at("kept") == false);
 
-  const std::string text = verify::contact_audit_text({alone});
+  verify::Json members = verify::audits_json({{}, {{alone}, {}}}, {});
+  members.append({{"_of_contacts", true}, {"_of_nothing", false}});
+  const std::string text = verify::text_of("audit.txt", members);
   CHECK(text.find(" - ") != std::string::npos);
   CHECK(text.find("no truth") != std::string::npos);
   CHECK(text.find("nan") == std::string::npos);

@@ -6,6 +6,8 @@
 #include <string>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
+#include <nipref/verify/cli/audit_run.hpp>
+#include <nipref/verify/cli/output.hpp>
 
 #include "support/json_schema.hpp"
 #include "support/paths.hpp"
@@ -97,14 +99,16 @@ TEST_CASE("the worst scene of a kind that is not kept is printed, to be solved a
   verify::SceneFindings failed = findings(2, 0, 0.1);
   failed.failed = "a fault";
   const auto tallies = verify::without_empty(verify::tally({findings(0, 0.5, 0.1), uncovered, failed}));
-  const std::string text = verify::scene_tally_text(tallies);
+  verify::Json members = verify::audits_json({{}, {{}, tallies}}, {});
+  members.append({{"_of_contacts", true}, {"_of_nothing", false}});
+  const std::string text = verify::text_of("audit.txt", members);
   CHECK(text.find("kept") != std::string::npos);
   CHECK(text.find("BROKEN") != std::string::npos);
   CHECK(text.find("scene 1\n") != std::string::npos);
   CHECK(text.find("scene 0\n") == std::string::npos);
   CHECK(text.find("a fault\nscene 2\n") != std::string::npos);
 
-  const auto json = nlohmann::json::parse(verify::scene_tally_json(tallies).text());
+  const auto json = nlohmann::json::parse(verify::scene_tally_json(tallies).for_machines().text());
   const JsonSchema schema(
       nlohmann::json::parse(std::ifstream(source_directory() + "/data/schema/nipref-1.json")));
   for (const auto& row : json) CHECK(schema.misfit(row, "scene_row") == "");

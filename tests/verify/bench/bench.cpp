@@ -13,6 +13,7 @@
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_double.hpp>
 #include <nipref/verify/catalogue/sheet/internal/peers_multiprecision.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/support/internal/stopwatch.hpp>
 
@@ -156,7 +157,7 @@ TEST_CASE("however slow a method is, its errors are found at the same points") {
 TEST_CASE("the bench's JSON has the agreed shape") {
   const verify::BenchReport report{{{"I1", "alpha in [1e-6,1e-3]", "fast full", 12.5, 0.5, 1e-16, 1, 12, 13}},
                                    {{"what", 2, 3}}};
-  const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).text());
+  const auto json = nlohmann::ordered_json::parse(verify::bench_json(report).for_machines().text());
   REQUIRE(json["rows"].size() == 1);
   const auto expected = nlohmann::ordered_json::parse(
       R"({"quantity":"I1","range":"alpha in [1e-6,1e-3]","method":"fast full","max_error_ulp":0.5,"max_relative_error":1e-16,
@@ -178,13 +179,23 @@ TEST_CASE("a way is marked if none beats it, and ways to other values do not mat
   CHECK(marked == "exact coarse other ");
 }
 
+namespace {
+
+std::string bench_text(const verify::BenchReport& report) {
+  verify::Json answer = verify::bench_json(report);
+  answer.set("_machine", nullptr);
+  return verify::text_of("bench.txt", answer);
+}
+
+}  // namespace
+
 TEST_CASE("what the bench did not compare is a dash and null") {
   const verify::BenchReport report{{{"half-space", "axis in plane", "fast exact ellipse", 250, {}, {}, {}}},
                                    {}};
   const auto row = nlohmann::json::parse(verify::bench_json(report).text())["rows"][0];
   CHECK(row.at("max_error_ulp").is_null());
   CHECK(row.at("max_relative_error").is_null());
-  CHECK(verify::bench_text(report.rows).find("      -        -        -\n") != std::string::npos);
+  CHECK(bench_text(report).find("      -        -        -\n") != std::string::npos);
 }
 
 TEST_CASE("a missed ratio of times fails a run only where it is strict, one of errors always") {
@@ -194,6 +205,6 @@ TEST_CASE("a missed ratio of times fails a run only where it is strict, one of e
     CHECK(verify::all_met({{}, {kept, slow}}, strict) == !strict);
     CHECK_FALSE(verify::all_met({{}, {kept, coarse}}, strict));
   }
-  CHECK(verify::ratios_text({kept}).find("--strict") == std::string::npos);
-  CHECK(verify::ratios_text({kept, slow}).find("with --strict only") != std::string::npos);
+  CHECK(bench_text({{}, {kept}}).find("--strict") == std::string::npos);
+  CHECK(bench_text({{}, {kept, slow}}).find("with --strict only") != std::string::npos);
 }

@@ -4,6 +4,7 @@
 
 #include <nipref/fast/sheet/kernels.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/grade/grade.hpp>
 
 using namespace nipref;
@@ -52,7 +53,9 @@ TEST_CASE("a wrong sign is wrong everywhere, and a wrong limit where it is") {
   CHECK(tiny.found.spread.wrong->upper[0] < 1e-6);
   CHECK(tiny.found.spread.wrong->lower[0] > -1e-6);
   CHECK(tiny.found.spread.wrong->upper[0] > 1e-8);
-  CHECK(verify::grade_text(tiny).find("above the promise at") != std::string::npos);
+  verify::Json row = verify::grade_json(tiny);
+  row.append({{"_behaviour", false}, {"baseline", nullptr}, {"remarks", std::vector<verify::Json>{}}});
+  CHECK(verify::text_of("grade.txt", row).find("above the promise at") != std::string::npos);
 }
 
 TEST_CASE("single precision is seen, but for the points that it can hold") {

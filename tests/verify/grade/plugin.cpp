@@ -12,6 +12,7 @@
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/catalogue/ranges.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/grade/fault.hpp>
 #include <nipref/verify/grade/plugin.hpp>
 #include <nipref/verify/grade/speed.hpp>
@@ -99,7 +100,7 @@ TEST_CASE("fast as a plugin has exactly the numbers of the audit of fast") {
     const AuditResult found = verify::audit(quantity, kernel.evaluator(), options);
     CHECK(found.kept());
     check_same_numbers(found, verify::audit(quantity, options));
-    CHECK(verify::faults_text(quantity, kernel.faults()).empty());
+    CHECK(kernel.faults().empty());
   }
 }
 
@@ -364,7 +365,8 @@ TEST_CASE("faults are told in a few lines, with where the others lie") {
   const Quantity& quantity = verify::find_quantity("I3");
   std::vector<Fault> faults{{FaultKind::environment, {}, "leaves another rounding mode, in open"}};
   for (int i = 0; i < 100; ++i) faults.push_back({FaultKind::crash, Point{i / 4.0}, "SIGSEGV"});
-  const std::string text = verify::faults_text(quantity, faults);
+  const std::string text =
+      verify::text_of("grade_faults.txt", {{"faults", verify::faults_json(quantity, faults)}});
   CHECK(text ==
         "  crash at alpha=0 (0x0p+0): SIGSEGV\n"
         "  crash at alpha=0.25 (0x1p-2): SIGSEGV\n"

@@ -7,6 +7,7 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/index.hpp>
 #include <nipref/fast/elastic_nip/converged.hpp>
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/replay/corrected.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>
@@ -155,7 +156,7 @@ TEST_CASE("corrected: the continuous contact at the stated load, which thick she
   CHECK(length.largest < 0);
   CHECK(length.mean > 0.14);  // 15 % of the thesis's own length or more: issue 4
   CHECK(length.mean < 0.19);
-  const std::string text = verify::tables_text({replay}, true);
+  const std::string text = verify::text_of("tables.txt", verify::tables_json({replay}, true));
   CHECK(text.find("discretisation (against the continuous contact of the same load)") != std::string::npos);
 }
 

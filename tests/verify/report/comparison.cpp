@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/report/report.hpp>
 
 #include "support/run_nipref.hpp"
@@ -103,7 +104,7 @@ TEST_CASE("what is better, worse, slower, new or gone in a report is told, the w
   CHECK(found.note.starts_with("of 1 quantities"));
   CHECK(item_about(found, "audit I1")->before == "0.5");
   CHECK(item_about(found, "audit I1")->now == "0.6");
-  const std::string text = comparison_text(found, 2);
+  const std::string text = text_of("comparison.txt", comparison_json(found, 2));
   CHECK(text.starts_with(
       "against 0123456789, 2026-01-02: 2 worse, 1 slower, 3 better, 1 quicker, 1 changed, 1 new, 1 gone\n"));
   CHECK(text.find("  worse   audit I1, largest error, ulp: 0.5 -> 0.6\n") != std::string::npos);

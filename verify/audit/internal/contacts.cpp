@@ -127,11 +127,6 @@ ContactAudit audit_converged(Friction friction, double ratio, double poisson) {
   return audit;
 }
 
-std::string verdict_of(const ContactAudit& audit) {
-  if (!audit.kept()) return "no truth";
-  return verdict(*audit.kept(), *audit.kept() ? "kept" : "BROKEN");
-}
-
 }  // namespace
 
 std::vector<ContactAudit> audit_hard_cases(std::size_t group) {
@@ -182,22 +177,6 @@ ContactAudit contact_audit_of(const Json& found) {
   return audit;
 }
 
-std::string contact_audit_text(const std::vector<ContactAudit>& audits) {
-  TextTable table(
-      {"verdict", "contact", ">L/B", ">poisson", ">unknowns", ">condition", ">error", ">allowed"});
-  for (const ContactAudit& audit : audits) {
-    table.add({verdict_of(audit), audit.system, fmt::format("{:g}", audit.ratio),
-               fmt::format("{:.3g}", audit.poisson), fmt::format("{}", audit.unknowns),
-               or_dash(audit.condition, 2), or_dash(audit.error, 2), fmt::format("{:.2g}", audit.allowed)});
-    if (audit.oscillation)
-      table.add_below(fmt::format("oscillation of the shear {:.2g}", *audit.oscillation));
-    if (audit.kernel_error)
-      table.add_below(fmt::format("of the error by its kernels {}, discretisation {}",
-                                  or_dash(audit.kernel_error, 2), or_dash(audit.discretisation_error, 2)));
-  }
-  return table.text();
-}
-
 Json contact_audit_json(const std::vector<ContactAudit>& audits) {
   return json_list(audits, [](const ContactAudit& audit) {
     return Json{{"system", audit.system},
@@ -211,7 +190,8 @@ Json contact_audit_json(const std::vector<ContactAudit>& audits) {
                 {"allowance_used", audit.error ? Json(*audit.error / audit.allowed) : Json()},
                 {"kernel_error", audit.kernel_error},
                 {"discretisation_error", audit.discretisation_error},
-                {"kept", audit.kept()}};
+                {"kept", audit.kept()},
+                {"_without_truth", !audit.kept().has_value()}};
   });
 }
 

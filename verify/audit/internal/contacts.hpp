@@ -43,7 +43,6 @@ Json contact_audit_found(const ContactAudit& audit);
 /// Reads what contact_audit_found has written. JsonMisfit for anything else.
 ContactAudit contact_audit_of(const Json& found);
 
-std::string contact_audit_text(const std::vector<ContactAudit>& audits);
 Json contact_audit_json(const std::vector<ContactAudit>& audits);
 
 /// True if no audit has found an error above the allowed one.

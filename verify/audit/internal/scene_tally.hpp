@@ -48,8 +48,6 @@ Json scene_tally_found(const SceneTally& tally);
 /// Reads what scene_tally_found has written. JsonMisfit for anything else.
 SceneTally scene_tally_of(const Json& found);
 
-/// A table, and below it the worst scene of each kind that has not kept its estimates.
-std::string scene_tally_text(const std::vector<SceneTally>& tallies);
 Json scene_tally_json(const std::vector<SceneTally>& tallies);
 
 bool all_kept(const std::vector<SceneTally>& tallies);
