@@ -56,7 +56,7 @@ std::string without_blanks(std::string text) {
   return text;
 }
 
-/// What stands between the commas of a text that are not within brackets.
+/// The parts of a text between its commas; commas within brackets do not separate.
 std::vector<std::string> items_of(const std::string& text) {
   std::vector<std::string> items;
   int depth = 0;
@@ -96,7 +96,8 @@ std::size_t number_of(const Argument& material, const auto& is_wanted) {
   return static_cast<std::size_t>(found - material.models.begin());
 }
 
-/// Of the models of the name that a user writes, the first that has all keys in `items`, otherwise the first.
+/// Several models may have the name that the user writes: the first one that has all keys in `items`, or, if none has, the
+/// first one.
 std::size_t model_written(const Argument& material, const std::string& name,
                           const std::vector<std::string>& items) {
   const std::size_t fitting = number_of(material, [&](const MaterialModel& model) {
@@ -115,7 +116,7 @@ std::string written_models(const Argument& material, const std::string& name) {
   return fmt::format("{}", fmt::join(written, " or "));
 }
 
-/// `is_number`: a number of the point says which model it is.
+/// `is_number`: the point has a number that says which model is chosen.
 void append_material(const Argument& material, bool is_number, const std::string& given, Assignments& all) {
   const std::string text = without_blanks(given), name = text.substr(0, text.find('('));
   const bool has_keys = name.size() < text.size(), is_closed = text.ends_with(')') && !text.ends_with("()");

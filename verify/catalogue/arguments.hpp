@@ -13,16 +13,16 @@ namespace nipref::verify {
 /// name=value pairs as they were given.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
-/// `given` as a user writes it, with material=MODEL(KEY=VALUE, KEY=[VALUE, ...]) replaced by the model and the arguments
-/// that hold its numbers, and solid=MODEL(...) likewise. @FILE stands for the material, or half-space, of the scene in
-/// that file. A list may be shorter than it can be unless the model needs all of it; what it lacks is 0. BadInput for
-/// a text of another form, a key that the model does not have, and an argument of the material that stands outside it.
+/// Replaces material=MODEL(KEY=VALUE, KEY=[VALUE, ...]), as a user writes it, by the model and the arguments that hold its
+/// numbers, and solid=MODEL(...) likewise. @FILE means the material, or the half-space, of the scene in that file. If a
+/// list is shorter than the model's, the missing numbers are 0, unless the model needs all of them. Throws BadInput for a
+/// text of another form, a key that the model does not have, and an argument of the material that is given outside of it.
 Assignments with_material_numbers(const Quantity& quantity, const Assignments& given);
 
-/// The text of each of the quantity's arguments as a user writes it: a material is one text with what its model has.
+/// The text of each of the quantity's arguments as a user writes it: a material is one text with the numbers of its model.
 Assignments written_arguments(const Quantity& quantity, const std::vector<std::string>& text);
 
-/// The same of a point, whose numbers are written by `number`.
+/// The same for a point; `number` turns its numbers into text.
 Assignments written_point(const Quantity& quantity, std::span<const double> point,
                           const std::function<std::string(double)>& number);
 
@@ -32,10 +32,10 @@ const std::string& written_name(const Quantity& quantity, const Argument& argume
 /// The arguments that a user writes: a material or solid in place of those that hold its numbers.
 std::vector<Argument> written_arguments(const Quantity& quantity);
 
-/// How the model is written: MODEL(KEY=..., KEY=[...]).
+/// The form in which a user writes the model: MODEL(KEY=..., KEY=[...]).
 std::string written_model(const MaterialModel& model);
 
-/// A quantity's arguments, in its order: the text, the number that it is exactly, and the nearest double.
+/// A quantity's arguments, in its order: the text of each, its exact number, and the double nearest to it.
 struct ParsedArguments {
   std::vector<std::string> text;
   std::vector<ref::Exact> exact;

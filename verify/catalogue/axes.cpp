@@ -26,7 +26,7 @@ std::vector<AxisValue> values_of_range(const Range& range, std::size_t points) {
   return values;
 }
 
-/// Whether a comma between the two may be that of one number: half the world writes 1,5 for 1.5.
+/// Whether the comma between the two texts may be a decimal comma: in many languages 1,5 means 1.5.
 bool may_be_one_number(std::string_view before, std::string_view after) {
   before.remove_prefix(std::min(before.find_first_not_of(" +-"), before.size()));
   after = after.substr(0, after.find_first_of("eE "));

@@ -7,12 +7,12 @@
 
 namespace nipref::verify {
 
-/// Every quantity that both paths can compute, in the order in which they are listed. The list is known
-/// nowhere else.
+/// Every quantity that both paths can compute, in the order in which they are listed. There is no other
+/// list of them.
 const std::vector<Quantity>& catalogue();
 
-/// Throws BadInput that "quantity" is `name`, with the few nearest names of the catalogue and of `groups`,
-/// what else could be named there.
+/// Throws BadInput for a quantity called `name`. The message suggests the nearest names of the catalogue and of
+/// `groups`, the other words that are allowed in its place.
 [[noreturn]] void refuse_quantity(std::string_view name, const std::vector<std::string_view>& groups = {});
 
 /// The entry of that name, or nullptr.

@@ -11,7 +11,7 @@
 
 namespace nipref::verify {
 
-/// Which of the arguments has that name. std::logic_error if none has: the fault is in the code.
+/// The index of the argument of that name. Throws std::logic_error if there is none, which is an error of the code.
 inline std::size_t argument_number(std::span<const Argument> arguments, std::string_view name) {
   const auto found = std::ranges::find(arguments, name, &Argument::name);
   if (found == arguments.end())
@@ -19,7 +19,7 @@ inline std::size_t argument_number(std::span<const Argument> arguments, std::str
   return static_cast<std::size_t>(found - arguments.begin());
 }
 
-/// Numbers of a point, found by the names of the quantity's arguments: point["poisson"]. It refers to both.
+/// The numbers of a point by the names of the quantity's arguments: point["poisson"]. It refers to both.
 template <class Number>
 class Named {
  public:

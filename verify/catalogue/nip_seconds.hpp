@@ -5,8 +5,8 @@
 
 namespace nipref::verify {
 
-/// Estimates of the seconds that the reference takes for the converged contact of that length on one core of a server of
-/// 2022, good to a factor of about two: they follow from the number of unknowns. BadInput as the reference has it.
+/// Estimates, from the number of unknowns, of the seconds that the reference takes for the converged contact of that length
+/// on one core of a server of 2022; they are right to a factor of about two. They throw BadInput where the reference does.
 [[nodiscard]] double likely_seconds(const data::ElasticNip& nip, data::Friction friction, double length,
                                     int digits);
 [[nodiscard]] double likely_seconds(const data::ViscoelasticNip& nip, double length, int digits);

@@ -46,7 +46,7 @@ std::string domain(const Argument& argument) {
   if (argument.kind != ArgumentKind::choice)
     return std::string(std::ranges::find(kinds, argument.kind, &KindOfNumber::kind)->domain);
   std::vector<std::string> names = argument.choices;
-  // Of models of one name the later ones have choices of their own.
+  // If models share a name, the later ones have numbered names as choices.
   std::erase_if(names, [](const std::string& name) { return name.find('/') != std::string::npos; });
   return fmt::format("{}", fmt::join(names, " or "));
 }

@@ -40,7 +40,7 @@ enum class ArgumentKind {
 struct ModelKey {
   std::string name;
   std::vector<std::string> arguments;
-  bool is_whole = false;  ///< all numbers must be given; otherwise those that lack at the end are 0
+  bool is_whole = false;  ///< all numbers must be given; otherwise those that are missing at the end are 0
 };
 
 /// A model of a material as a user writes it, MODEL(KEY=VALUE, KEY=[VALUE, ...]). Models of one name differ by their keys.
@@ -59,7 +59,7 @@ struct Argument {
   ArgumentKind kind;
   std::optional<std::string> default_text;  ///< none: the argument must be given
   std::vector<double>
-      hard_values;  ///< where trouble is likely: internal branch points, limits, ends of the domain
+      hard_values;  ///< where large errors are likely: internal branch points, limits, ends of the domain
   std::vector<std::string> choices = {};   ///< names of a choice, in the order of their numbers
   std::vector<MaterialModel> models = {};  ///< of a material: what a user writes for each choice
 
@@ -77,14 +77,14 @@ double choice_number(const Argument& argument, const std::string& name);
 /// Domain of an argument, in words that continue "must be ...".
 std::string domain(const Argument& argument);
 
-/// One way, not ours, to compute a quantity of one argument in double; timed beside fast.
+/// A way of another library, or of the thesis, to compute a quantity of one argument in double; it is timed beside fast.
 struct Peer {
   std::string method;
-  /// Makes the evaluator; what may be reused between arguments is made here, once.
+  /// Makes the evaluator, with everything that can be reused for many arguments.
   std::function<std::function<double(double)>()> make;
 };
 
-/// One way, not ours, to compute a quantity of one argument to a given number of digits.
+/// Such a way to a given number of digits.
 struct MultiprecisionPeer {
   std::string method;
   /// Decimal text of the value at a decimal argument; only the numbers of digits in bench's ladder are
@@ -92,16 +92,16 @@ struct MultiprecisionPeer {
   std::function<std::string(const std::string& argument, int digits)> evaluate;
 };
 
-/// A formula of the seed that is wrong or was evaluated coarsely, for those who compare with it; in double.
+/// A formula of the seed that is wrong or was evaluated coarsely, in double: for users who compare with the seed.
 struct SeedForm {
   std::string
       name;  ///< "printed": the equation as it stands; "table": the formula that gives the seed's table
-  std::string differs;  ///< from what is right, one line
+  std::string differs;  ///< its difference from the correct formula, one line
   std::function<double(std::span<const double> arguments)> value;
 };
 
-/// An entry of the catalogue: everything that the verbs need to know about one quantity. What is text or a number in it
-/// comes from quantities.toml.
+/// An entry of the catalogue: everything that the verbs need to know about one quantity. Its texts and numbers come from
+/// quantities.toml.
 struct Quantity {
   std::string name;
   std::string definition;  ///< one line
@@ -109,14 +109,14 @@ struct Quantity {
   std::string scale;       ///< what errors are measured against, in words
   std::string unit = "1";  ///< of the value; 1: none
   std::vector<Argument> arguments;
-  /// A user writes the constants of a half-space as one argument, solid=MODEL(KEY=VALUE, KEY=[VALUE, ...]). It has one
-  /// model, so that no number of a point says which.
+  /// The argument in which a user writes the constants of a half-space, solid=MODEL(KEY=VALUE, KEY=[VALUE, ...]). It has
+  /// only one model, so that a point needs no number for the model.
   std::optional<Argument> solid = {};
   double promise;  ///< fast at full accuracy: largest error in units in the last place of the scale
 
   std::function<ref::Estimate(std::span<const ref::Exact> arguments, int digits)> by_ref;
-  /// The reference at the numbers that fast computes with, where these are rounded before fast gets them (as cosines of
-  /// angles in degrees are): such a rounding is no error of fast. If it is empty, by_ref is evaluated at the doubles.
+  /// The reference at the rounded numbers that fast gets, such as the cosines of angles in degrees: this rounding is not an
+  /// error of fast. If it is empty, by_ref is evaluated at the doubles.
   std::function<ref::Estimate(std::span<const double> arguments, int digits)> by_ref_of_doubles;
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> by_fast;
   /// The error that fast states for its value, in the unit of the quantity; it must cover the true error, as the promise
@@ -124,7 +124,7 @@ struct Quantity {
   std::function<double(std::span<const double> arguments, fast::Accuracy accuracy)> fast_error;
   /// Whether the reference, too, takes the doubles nearest to the arguments, because its problem is given in doubles.
   bool ref_takes_doubles = false;
-  int most_digits = 1000;  ///< that the reference can be asked for
+  int most_digits = 1000;  ///< largest number of digits that the reference computes
   /// The values at many points, given as one column for each argument, by a loop over the scalar interface and by the batch
   /// interface, which is empty where there is none.
   using Columns = std::span<const std::span<const double>>;

@@ -16,7 +16,7 @@ using data::BadInput;
 
 constexpr auto dots = "..";
 
-/// Doubles counted from 0 on, negative ones downwards: neighbours differ by 1.
+/// The number of a double if doubles are counted from 0: neighbours differ by 1, and negative doubles have negative numbers.
 std::int64_t ordinal(double value) {
   const auto magnitude = std::bit_cast<std::int64_t>(std::fabs(value));
   return std::signbit(value) ? -magnitude : magnitude;

@@ -9,8 +9,7 @@
 
 namespace nipref::verify {
 
-/// How a range is gone through: evenly, evenly in the logarithm of the magnitude, or evenly in the doubles that
-/// there are.
+/// The spacing of the points of a range: even, even in the logarithm of the magnitude, or even in the count of doubles.
 enum class Spacing { linear, log, bits };
 
 /// The doubles from `lower` to `upper`, both included, unit of the argument.

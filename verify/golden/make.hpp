@@ -22,7 +22,7 @@ struct GoldenOptions {
   std::size_t points;
   int digits;
   std::string seed = "1";  ///< of the random points; any text
-  /// Is called now and then with the finished part, from 0 to 1; may be empty.
+  /// A callback with the finished part, from 0 to 1; may be empty.
   std::function<void(double part)> progress = {};
 };
 

@@ -26,7 +26,7 @@ class InPlaneSpans {
  public:
   explicit InPlaneSpans(const data::Table& table) : bodies_(table), theta_(table.parameter("theta").value) {}
 
-  /// By a form of (43).
+  /// The contact with the compliance by one of the forms of (43).
   template <class Form>
   [[nodiscard]] double by(const Form& form, double phi, double speed) const {
     const auto compliance = [&](double degrees, double cosine) {

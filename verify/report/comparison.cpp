@@ -39,8 +39,8 @@ std::string text_at(const json& row, const std::string& key) {
   return row[key].is_string() ? row[key].get<std::string>() : row[key].dump();
 }
 
-/// A member of a row that is compared with the older one, and the change that a smaller or a larger number means. A text that
-/// is "true" now counts as larger.
+/// A member of a row that is compared with that of the older report, and the changes that a smaller and a larger number
+/// mean. A text that has become "true" counts as larger.
 struct Column {
   std::string key;
   std::string title;  ///< after the name of the row
@@ -51,8 +51,8 @@ struct Column {
 
 Column verdict_column(const std::string& key) { return {key, ", " + key, Change::worse, Change::better}; }
 
-/// A list of the report, the members that identify its rows, and what is compared: a row ends at the first text that has
-/// changed.
+/// A list of the report, the members that identify its rows, and the members that are compared, up to the first text that
+/// has changed.
 struct Part {
   const char* path;
   const char* name;

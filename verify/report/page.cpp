@@ -47,7 +47,7 @@ TemplateData grouped(const TemplateData& rows, const Keys& keys) {
   return groups;
 }
 
-/// Percent-encoded by RFC 3986; runs of white space, of which gnuplot writes many, become single spaces.
+/// Encodes the text for a URL (RFC 3986). Runs of white space, of which gnuplot writes many, become single spaces.
 std::string percent_encoded(const std::string& svg) {
   constexpr std::string_view plain = "!'()*+,-./:;=?@_|$[]";
   std::string url;
@@ -134,7 +134,7 @@ constexpr double largest_linear_promise = 64;
 constexpr int fewest_ways = 4;  ///< a plot has at least so many ways to the same values
 constexpr double least_drawn_error = 1e-17;
 
-/// On a logarithmic axis without the errors that are 0.
+/// A series of errors; on a logarithmic axis without the errors that are 0.
 Series error_series(const std::string& label, Mark mark, const std::vector<ErrorDot>& dots, bool largest_only,
                     bool logarithmic) {
   Series series{label, label, mark, {}, {}};
@@ -185,7 +185,7 @@ Panel error_panel(const AuditResult& result) {
   return panel;
 }
 
-/// A method without its accuracy: "fast batch" of "fast batch rtol=1e-06".
+/// The name of a method without its accuracy: "fast batch" for "fast batch rtol=1e-06".
 std::string family_of(const std::string& method) {
   std::istringstream words(method);
   std::string family;

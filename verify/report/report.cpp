@@ -11,7 +11,7 @@
 namespace nipref::verify {
 namespace {
 
-/// The columns in which an error of the seeds is searched.
+/// Columns of the seeds' tables, the largest error of which is reported.
 struct SeedColumn {
   std::string_view what;
   std::string_view tables;  ///< the beginning of their ids

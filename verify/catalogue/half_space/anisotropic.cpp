@@ -1,4 +1,4 @@
-// What half-spaces of any anisotropy answer along lines, and their critical speed. (brock2013 A.1-A.5)
+// Responses of half-spaces of any anisotropy along lines, and their critical speed. (brock2013 A.1-A.5)
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -52,7 +52,7 @@ ref::ExactStiffness exact_stiffness_of(const NamedExact& x) {
   return solid;
 }
 
-/// The seed's graphite epoxy, its axis along x2; in g/cm^3 speeds are in km/s.
+/// The seed's graphite epoxy with its axis along x2. With its density in g/cm^3 speeds are in km/s.
 data::Stiffness epoxy() {
   data::Stiffness solid = data::Stiffness::of(data::seed::graphite_epoxy, data::SymmetryAxis::in_plane);
   solid.density = 1.688;
@@ -98,7 +98,7 @@ data::Stiffness draw_stiffness(Random& random) {
   return squared(factor, random.log_uniform(0.5, 20));
 }
 
-/// A step of the search may lead out of the domain.
+/// Replaces a solid that does not exist, to which a step of the audit's search may lead.
 void keep_physical_stiffness(const NamedNumbers& x) {
   try {
     stiffness_of(x).check();
@@ -182,7 +182,6 @@ Quantity entry_anisotropic_critical() {
     x["theta_deg"] = draw_angle(random);
     put_stiffness(x, random.chance(0.2) ? epoxy() : draw_mild_stiffness(random));
   });
-  // Steps of the search would lead away from nearly isotropic solids.
   set_keep_off(entry, keep_physical_stiffness);
   return entry;
 }

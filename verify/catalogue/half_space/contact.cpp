@@ -1,5 +1,5 @@
-// Contacts on isotropic half-spaces and of the seed's steel sphere on a transversely isotropic one (brock2013): by the
-// papers' rule, and the exact frictionless one.
+// Contacts of rigid bodies on isotropic half-spaces, and of the seed's steel sphere on a transversely isotropic half-space
+// (brock2013): by the papers' contour rule, and the exact contacts without friction.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -52,7 +52,7 @@ ref::Float sum(const ref::Float& x, const ref::Float& y, int sign) {
   return result;
 }
 
-/// The steel sphere on the seed's solid; angles count from the motion.
+/// The steel sphere on the seed's solid. Angles are measured from the direction of motion.
 struct SeedSphere {
   static constexpr auto angle = "phi_deg";
 
@@ -102,8 +102,8 @@ fast::RollingSphere roll(const NamedPoint& x, double span = 1e-3) {
 
 Direction psi_of(const NamedPoint& x) { return direction_of(x, "psi_deg"); }
 
-/// An entry by functions of a point, its points up to `largest_share` of the critical speed. `more` draws the arguments
-/// that are no part of the bodies and their speed.
+/// The functions of an entry. Points have speeds up to `largest_share` of the critical one; `more` draws the arguments
+/// that belong neither to the bodies nor to their speed.
 struct ContactRow {
   const char* name;
   double largest_share;
@@ -163,7 +163,7 @@ fast::EllipticContact ellipse(const NamedPoint& x) {
   return {OnIsotropic::surface(x), {1, x["curvature_ratio"]}};
 }
 
-/// Beyond it the creep changes its sign.
+/// Limits the span to where the creep keeps its sign.
 void keep_span(const NamedNumbers& x) {
   const fast::RollingLine line = roll(x, 1e-9).along(psi_of(x));
   const double largest = 2e-9 / (line.span * line.shear_share * line.index);
@@ -230,7 +230,7 @@ const std::vector<ContactRow>& rows_on_isotropic() {
        [](const NamedPoint& x) { return roll(x, 1).force().value; },
        [](Random&, const NamedNumbers&) {},
        {},
-       // Just below the Rayleigh speed the tractions pull in sum: the size is that of a force of one sign.
+       // Just below the Rayleigh speed the resultant force is a pull. The size is the force of tractions of one sign.
        [](const NamedPoint& x) {
          return std::numbers::pi / 6 * roll(x).along({1, 0}).amplitude;
        }},
@@ -273,14 +273,14 @@ void draw_line_of_contact(Random& random, const NamedNumbers& x) {
 
 bool has_normal_axis(const NamedPoint& x) { return symmetry_axis(x) == data::SymmetryAxis::normal; }
 
-/// What the seed's own formulas are about: BadInput elsewhere.
+/// Throws BadInput for a contact that the seed's own formulas do not describe.
 void check_seed_contact(const NamedPoint& x) {
   if (x["patch"] == 0) throw BadInput("patch", "fixed", "must be moving: the seed has no other");
   if (!has_normal_axis(x) && x["friction"] != 0)
     throw BadInput("friction", x["friction"], "must be 0: (42) to (48) are frictionless");
 }
 
-/// The seed's own span ratio by its form of (43).
+/// The seed's span ratio; with the axis in the surface by the form `in_plane` of (43).
 template <auto in_plane>
 double seed_span_ratio(const NamedPoint& x) {
   const double phi = x["phi_deg"], theta = x["theta_deg"], speed = x["speed"];
@@ -313,7 +313,8 @@ double seed_force(const NamedPoint& x) {
                             : in_plane_force_as_printed(moduli, direction_of(x, "theta_deg"), x["speed"]);
 }
 
-/// Oblique to the axis the pressure's ends turn fast across the critical line, and the reference needs more lines.
+/// If the motion is oblique to the axis, the ends of the pressure change rapidly with the direction near the critical line,
+/// and the reference needs more lines to integrate over.
 constexpr double nearest_for_force = 1 - 1e-5;
 
 const std::vector<ContactRow>& rows_of_seed_sphere() {

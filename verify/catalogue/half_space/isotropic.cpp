@@ -1,4 +1,4 @@
-// What isotropic half-spaces answer along lines, and their critical speed.
+// Responses of isotropic half-spaces along lines, and their critical speed.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -28,7 +28,7 @@ double draw_poisson(Random& random) {
 
 void keep_poisson(double& poisson) { poisson = std::clamp(poisson, -0.9, largest_poisson); }
 
-/// Of poisson, speed, psi_deg.
+/// An entry by functions of poisson, speed and psi_deg.
 template <class Ref, class Fast, class Size = ValueItself>
 Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
   Quantity entry = entry_of(name, {"poisson", "speed", "psi_deg"}, by_ref, by_fast, size);
@@ -44,13 +44,13 @@ Quantity line_entry(const char* name, Ref by_ref, Fast by_fast, Size size = {}) 
   return entry;
 }
 
-/// What ref takes.
+/// The arguments of the reference.
 struct Line {
   ref::ExactStiffness solid;
   Exact speed;
   SurfaceDirection motion, psi;
 
-  /// Refuses what is not subcritical: line_response() solves the equations beyond the Rayleigh speed too.
+  /// Throws BadInput unless the speed is subcritical: line_response() solves the equations above the Rayleigh speed, too.
   Line(const Exact& poisson, const Exact& given_speed, const Exact& psi_deg)
       : solid(exact_isotropic(poisson)),
         speed(given_speed),
@@ -74,13 +74,14 @@ Quantity isotropic_line(const char* name, double fast::LineResponse::*of_fast,
       });
 }
 
-/// Half-spaces answer to shear of both directions: also to that across the lines, which no sagittal motion has.
+/// The response to shear along or across a line. Shear across the line needs the waves that sagittal_stiffness leaves out.
 ref::Enclosure shear_by_ref(ref::Enclosure ref::LineResponse::*member, const Line& line, const Exact& poisson,
                             int digits) {
   const Exact unit(1.0);
   const auto solid =
       ref::exact_stiffness(ref::ExactTransverse::isotropic(unit, poisson, unit), data::SymmetryAxis::normal);
-  // Near the critical speed the bounds are those of the compliance, which is much larger than what is across.
+  // Near the critical speed the bound is that of the compliance, which is much larger than the response across the line:
+  // more digits make up for it.
   const auto bound_over_value = [](const ref::Enclosure& found) {
     return mpfr_get_exp(ref::raw(found.error)) - mpfr_get_exp(ref::raw(found.value));
   };
@@ -125,8 +126,8 @@ Quantity entry_condition() {
 }
 
 Quantity entry_separation() {
-  // The square of the angle is what the speed is beyond: two words of that, against one, leave so much at the first
-  // doubles beyond.
+  // The square of the angle is proportional to the excess of the speed over the Rayleigh speed, which fast knows as the
+  // sum of two doubles: errors next to that speed, where the angle vanishes, are measured against this size.
   constexpr double least_size = 1e-5;
   Quantity entry = entry_of(
       "halfspace.separation", {"poisson", "speed"},

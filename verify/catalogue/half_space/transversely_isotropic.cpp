@@ -1,4 +1,4 @@
-// What transversely isotropic half-spaces answer along lines, and their critical speeds.
+// Responses of transversely isotropic half-spaces along lines, and their critical speeds.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,7 +19,8 @@ using data::SymmetryAxis;
 using fast::Direction;
 using fast::LineResponse;
 
-/// Draws a solid of positive energy with stiffnesses over two decades, sometimes the seed's. Returns one of the two axes.
+/// Draws a solid of positive strain energy, whose stiffnesses span two decades, or sometimes the seed's solid. Returns the
+/// number of one of the two directions of the axis.
 double draw_solid(Random& random, const NamedNumbers& x) {
   const double axis = random.chance(0.5) ? 0 : 1;
   if (random.chance(0.1)) return axis;  // the default
@@ -32,7 +33,7 @@ double draw_solid(Random& random, const NamedNumbers& x) {
   return axis;
 }
 
-/// A step of the search may lead out of the domain.
+/// Replaces a solid that does not exist, to which a step of the audit's search may lead.
 void keep_physical(const NamedNumbers& x) {
   try {
     transverse_of(x).check();
@@ -41,7 +42,7 @@ void keep_physical(const NamedNumbers& x) {
   }
 }
 
-/// `by_ref`: of solid, speed, motion, psi, digits.
+/// `by_ref` is a function of solid, speed, motion, psi and digits.
 template <class Ref, class Fast, class Size>
 Quantity transverse_line_entry(const char* name, Ref by_ref, Fast by_fast, Size size) {
   Quantity entry = entry_of(
@@ -142,8 +143,8 @@ Quantity entry_transverse_critical() {
     x["theta_deg"] = draw_angle(random);
     x["axis"] = random.chance(0.2) ? 0 : 1;
   });
-  // The seed's solid only: in others the line that is critical first may be so by a bulk wave, or all but,
-  // and the reference proves the speed of surface waves.
+  // Only the seed's solid: in others a bulk wave may be what makes the first line critical, or nearly so, and the
+  // reference proves the speed of surface waves only.
   set_keep_off(entry, put_epoxy);
   return entry;
 }

@@ -67,7 +67,7 @@ Argument argument_of(const std::string& text) {
   return argument;
 }
 
-/// Adds the arguments. A material of one model has no number in a point.
+/// Adds the arguments. A material that has only one model needs no number in a point to say which model it is.
 void add_arguments(Quantity& quantity, const std::string& text) {
   for (const std::string& word : words_of(text)) {
     if (word.starts_with('@')) {

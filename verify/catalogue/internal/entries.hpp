@@ -29,7 +29,7 @@ std::vector<Quantity> viscoelastic_nip_entries();  ///< of a rolling viscoelasti
 std::vector<Quantity>
 material_entries();  ///< theta1, theta2, moduli in time and at a frequency, thesis 6.12-6.17
 
-/// Values of an argument of that kind where trouble is likely, of a quantity without sampling of its own.
+/// Values of an argument of that kind at which large errors are likely, for quantities that do not draw their own points.
 std::vector<double> hard_values(ArgumentKind kind);
 
 /// The table's rows in their order, without evaluators.
@@ -73,11 +73,11 @@ auto of_point(const Quantity& entry, Function function) {
   };
 }
 
-/// Of any quantity; the catalogue's test holds every entry to it.
+/// The largest number of arguments of a quantity; the catalogue's test checks every entry.
 inline constexpr std::size_t most_arguments = 32;
 
-/// Sets the scalar evaluator and the loop over it; `evaluate` is known here as a type, so that the loop calls
-/// it directly and is timed without the cost of std::function.
+/// Sets the scalar evaluator and the loop over it. As `evaluate` has its own type here, the loop calls it directly, and the
+/// bench does not time a call of std::function.
 template <class Evaluate>
 void set_fast(Quantity& entry, Evaluate evaluate) {
   entry.by_fast = evaluate;
@@ -97,7 +97,7 @@ struct ValueItself {
   double operator()(const auto&...) const { return 0; }
 };
 
-/// An entry by functions of the numbers of those names, then digits or accuracy.
+/// An entry by functions of the numbers of those names, followed by the digits or the accuracy.
 template <std::size_t n, class Ref, class Fast, class Size = ValueItself>
 Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_fast, Size size = {}) {
   Quantity entry = described(name);
@@ -107,7 +107,8 @@ Quantity entry_of(const char* name, ArgumentNames<n> names, Ref by_ref, Fast by_
   return entry;
 }
 
-/// An entry by functions of a NamedExact and digits, of a NamedPoint and accuracy, and of a NamedPoint.
+/// An entry by functions `by_ref` of a NamedExact and digits, `by_fast` of a NamedPoint and an accuracy, and `size` of a
+/// NamedPoint.
 template <class Ref, class Fast, class Size = ValueItself>
 Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
   Quantity entry = described(name);
@@ -117,8 +118,7 @@ Quantity entry_of(const char* name, Ref by_ref, Fast by_fast, Size size = {}) {
   return entry;
 }
 
-/// Where audits look. `draw` gets a Random and the NamedNumbers of a point that holds the defaults; `keep_off` gets the
-/// NamedNumbers of a point.
+/// The points of audits. `draw` changes a point of the defaults at random; `keep_off` moves a point into the domain.
 template <class Draw>
 void set_draw(Quantity& entry, Draw draw) {
   entry.draw = [arguments = std::make_shared<const std::vector<Argument>>(entry.arguments),

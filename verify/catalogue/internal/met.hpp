@@ -3,13 +3,13 @@
 
 namespace nipref::verify {
 
-// A value is as accurate as was asked, the accuracy is met, where
+// A value meets the accuracy that was asked for if
 //
-//     error <= accuracy * scale,    scale = max(|value|, envelope),
+//     error <= accuracy * scale,    scale = max(|value|, envelope).
 //
-// accuracy being 10^-digits of the reference and rtol of fast, and the scale what the quantity's errors are measured
-// against, as for a scene's results those of data::Scale. The error is the one that is stated,
-// before it is rounded up to two digits.
+// The accuracy is 10^-digits for the reference and rtol for fast. The scale is what the quantity's errors are measured
+// against, as the results of a scene are measured against data::Scale. The error is the stated one before it is rounded up
+// to two digits.
 
 /// Whether the reference's value at these arguments is accurate enough. Where the envelope is no finite double, the scale is
 /// the value alone, which is no larger.

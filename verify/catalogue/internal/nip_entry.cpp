@@ -77,7 +77,7 @@ ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor) {
 }
 
 fast::Estimate in_unit(const fast::Estimate& number, double factor) {
-  // Three roundings of the factor and one of the product.
+  // The factor has three rounding errors and the product one.
   const double value = number.value * factor;
   return {value, number.error * factor + 0x1p-51 * std::fabs(value)};
 }

@@ -22,13 +22,13 @@ inline constexpr double shortest_nip = 1e-8, longest_nip = 1e3;  ///< L/B
 using NipEstimates = std::vector<fast::Estimate>;
 using NipReferences = std::vector<ref::Estimate>;
 
-/// BadInput unless L/B is one that is solved.
+/// Throws BadInput unless L/B is within these limits.
 void check_nip_length(double L_over_B);
 
 /// fast's accuracy asked of a contact.
 double nip_accuracy(fast::Accuracy accuracy);
 
-/// The number in another unit, by a factor known exactly or rounded; a proven bound stays one.
+/// The number in another unit: the factor is exact or rounded, and a proven bound stays proven.
 ref::Estimate in_unit(ref::Estimate number, const mpq_class& factor);
 fast::Estimate in_unit(const fast::Estimate& number, double factor);
 
@@ -38,11 +38,12 @@ struct NipSolver {
   std::function<NipReferences(const NamedPoint& x, int digits)> ref;
 };
 
-/// The quantities of a family, in the order of the table, without sampling. The solution at a point is cached for the other quantities of the family.
+/// The quantities of a family, in the order of the table, without sampling. The solution at a point is cached for the other
+/// quantities of the family.
 std::vector<Quantity> nip_entries(std::string_view family, const NipSolver& solver);
 
-/// The most digits, from 16 to 50, that the reference gives in no long time; 0 if there are none. `seconds` may throw
-/// BadInput for digits that it refuses.
+/// The largest number of digits, from 16 to 50, that the reference computes in reasonable time; 0 if there is none.
+/// `seconds` may throw BadInput for digits that the reference refuses.
 int most_digits_in_time(const std::function<double(int digits)>& seconds);
 
 /// A log-uniform length within [shortest, longest], sometimes one of the ends.

@@ -1,4 +1,4 @@
-// What a viscoelastic material answers.
+// The response functions of a viscoelastic material.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,7 +23,7 @@ using ref::Exact;
 constexpr std::array<SpringModel, 4> of_springs{SpringModel::standard_linear, SpringModel::kelvin_voigt,
                                                 SpringModel::maxwell, SpringModel::elastic};
 constexpr std::size_t prony_model = 4, operators_model = 5, thesis_model = 6;
-/// The last, the standard linear solid with one relaxation time, is drawn as the first one's special case.
+/// The last model, the standard linear solid with one relaxation time, is not drawn, as it is a special case of the first.
 constexpr std::size_t drawn_models = 7;
 
 std::size_t model_of(const NamedPoint& x) { return static_cast<std::size_t>(x["material"]); }
@@ -56,7 +56,7 @@ ref::ExactRationalSolid rational_solid(const NamedExact& x) {
   return ref::exact_single_time(x["bulk"], x["shear"], x["relaxation_time"], theta2_rate_factor(model_of(x)));
 }
 
-/// Springs and times far apart or alike. variable: the name of t, or of omega, which is 1/t.
+/// Draws springs and relaxation times that are alike or far apart. variable: "t", or "omega", which is drawn as 1/t.
 void draw_material(Random& random, const NamedNumbers& x, const char* variable) {
   const double time = random.log_uniform(1e-8, 1e8);
   const auto times = [&](double factor) {
@@ -77,7 +77,7 @@ void draw_material(Random& random, const NamedNumbers& x, const char* variable) 
   default_unread(x);
 }
 
-/// About the fastest rate there is.
+/// The order of magnitude of the material's fastest rate.
 double fastest_rate(const NamedPoint& x) {
   const std::size_t model = model_of(x);
   if (model >= thesis_model) return 2 / x["relaxation_time"];
@@ -95,7 +95,7 @@ double fastest_rate(const NamedPoint& x) {
   return fastest;
 }
 
-/// Evaluators by the functions for springs and dashpots, and by those for a rational solid, which are good to a unit in
+/// An entry by the functions for springs and dashpots, and by those for a rational solid, which are accurate to a unit in
 /// the last place. variable: t or omega.
 template <class Springs, class Rational>
 Quantity material_entry(const char* name, const char* variable, Springs springs, Rational rational) {
@@ -116,7 +116,7 @@ Quantity material_entry(const char* name, const char* variable, Springs springs,
     return (is_of_springs(model_of(x)) ? promise : 1) * ulp_of(std::max(std::fabs(value), size));
   });
   set_draw(entry, [variable](Random& random, const NamedNumbers& x) { draw_material(random, x, variable); });
-  // Not so long after that what is left is no number of the reference's any more.
+  // At later times the value is below the least number of the reference.
   if (variable == std::string_view("t"))
     set_keep_off(entry, [](const NamedNumbers& x) {
       const double fastest = fastest_rate(x);
@@ -129,8 +129,8 @@ fast::Fading unfaded(double value) { return {value, 0}; }
 fast::Fading unfaded(const fast::Fading& value) { return value; }
 ref::Enclosure unfaded(ref::Enclosure value) { return value; }
 
-/// What one modulus answers, fast::relaxation and ref::relaxation and so on, by `function`, which calls either by its
-/// overloads. modulus: shear or bulk.
+/// A response function of one modulus. `function` calls fast's or the reference's function of that name by overloading:
+/// relaxation, creep, storage or loss. modulus: shear or bulk.
 template <class Function>
 Quantity modulus_entry(const char* name, const char* variable, const char* modulus, Function function) {
   const bool is_shear = modulus == std::string_view("shear");
@@ -149,7 +149,7 @@ Quantity modulus_entry(const char* name, const char* variable, const char* modul
       of_rational);
 }
 
-/// theta1 or theta2 beside its impulse.
+/// theta1 or theta2 without its impulse.
 template <class Springs>
 Quantity theta_entry(const char* name, Springs springs,
                      fast::Fading (*rational)(const fast::RationalSolid&, double),
@@ -166,7 +166,7 @@ Quantity theta_entry(const char* name, Springs springs,
 }  // namespace
 
 std::vector<Quantity> material_entries() {
-  // The overloads of both paths: found by the types of their arguments.
+  // Argument-dependent lookup finds the overloads of both paths.
   const auto relaxes = [](const auto&... x) { return relaxation(x...); };
   const auto creeps = [](const auto&... x) { return creep(x...); };
   const auto stores = [](const auto&... x) { return storage(x...); };

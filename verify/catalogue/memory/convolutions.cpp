@@ -36,15 +36,15 @@ double fading_wave(double k, double x, double b, double to) {
   return faded(k, from) + std::exp(-k * from) * falling;
 }
 
-/// Of J1, and of J2 with b = infinity. The load ahead of the point: distances w = T - tau from lo to T, faded
-/// by e^(-lambda (w - (T - t))) and e^(-a w).
+/// The size of J1, and of J2 with b = infinity: the load is ahead of the point. The integral is over the distances
+/// w = T - tau from lo to T with the factors e^(-lambda (w - (T - t))) and e^(-a w).
 double size_ahead(double lambda, double a, double b, double t, double T) {
   if (T <= 0) return 0;
   const double lo = std::max(T - t, 0.0);
   return std::exp(-lambda * std::max(t - T, 0.0) - a * lo) * faded_wave(lambda + a, T - lo, b, lo);
 }
 
-/// Of J3 and J4: w = tau - T from lo to t - T, faded by e^(-lambda (t - T - w)) and e^(-a w).
+/// The size of J3 and J4: over w = tau - T from lo to t - T with the factors e^(-lambda (t - T - w)) and e^(-a w).
 double size_behind(double lambda, double a, double b, double t, double T) {
   if (t <= T) return 0;
   const double lo = std::max(-T, 0.0), hi = t - T, length = std::min(t, hi);

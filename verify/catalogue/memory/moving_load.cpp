@@ -25,10 +25,10 @@ using std::numbers::pi;
 
 // The models in the order of quantities.toml.
 constexpr double standard_linear_solid = 0, prony_solid = 2, solid_of_operators = 3, solid_of_two_moduli = 4;
-/// The last has the first as a special case, which is drawn.
+/// The last model is not drawn, as the first one is a special case of it.
 constexpr std::size_t drawn_solids = 4;
 
-/// Terms of equal rate joined, those of amplitude 0 left out.
+/// Joins terms of equal rate and leaves out those of amplitude 0.
 data::MaterialFunction joined_series(const data::PronyList& list) {
   data::MaterialFunction function{list.instantaneous, {}};
   for (std::size_t i = 0; i < list.rates.size(); ++i) {
@@ -44,8 +44,8 @@ data::MaterialFunction joined_series(const data::PronyList& list) {
   return function;
 }
 
-/// The thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau], theta2 a third of it; printed: with
-/// e^(-2t/tau). Or a series, or operators.
+/// A series, operators, a solid of two moduli, or the thesis's solid, theta1 = 4/(3 bulk)[delta + e^(-t/tau)/tau] with
+/// theta2 a third of theta1, which the thesis misprints with e^(-2t/tau).
 data::ViscoelasticMaterial material_of(const NamedPoint& x) {
   const double model = x["material"];
   if (model == prony_solid) {
@@ -83,11 +83,11 @@ ref::ExactMaterial exact_material_of(const NamedExact& x) {
 
 double magnitude_I1(double w) { return std::max(envelope_I1(w), -std::log(std::fabs(w))); }
 
-/// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`: the exponential's scale, the
-/// logarithm at 0 and the kernels' own scale set the pieces.
+/// int magnitude(w) (1 + rounded (w - from)) e^(-rate (w - from)) dw from `from` to `to`, by Gauss's rule on pieces that
+/// resolve the exponential, the logarithm at 0 and the kernels.
 template <class Magnitude>
 double remembered(Magnitude magnitude, double rate, double rounded, double from, double to) {
-  // Towards the load the kernels grow faster than some memories fade.
+  // Some memories decay more slowly than the kernels grow towards the load, which must therefore be within the range.
   const double forgotten = rate > 0 ? 40 / rate : std::isinf(to) ? 20 : to;
   const double end = std::min(to, std::max(from, 0.0) + forgotten);
   std::vector<double> cuts{from, end};
@@ -105,13 +105,13 @@ double remembered(Magnitude magnitude, double rate, double rounded, double from,
   return sum;
 }
 
-/// A material function, and whether its rates are results of a division or of a search for roots.
+/// A material function, and whether its rates are rounded results of a division or of a search for roots.
 struct Rounded {
   data::MaterialFunction theta;
   bool rates_are_rounded;
 };
 
-/// The size of theta * kernel at the distance `from`, if the load started at the distance `to`.
+/// The size of the convolution of theta and a kernel at the distance `from`, if the load started at the distance `to`.
 template <class Magnitude>
 double convolved(const Rounded& of, double way_per_time, Magnitude magnitude, double from, double to) {
   double sum = of.theta.instantaneous * magnitude(from);
@@ -127,8 +127,8 @@ struct LoadPath {
   double from, to;
 };
 
-/// Rates that are computed as 1/tau or as roots are rounded before fast gets them, and e^(-rate t) amplifies this rounding by
-/// rate t, which the sizes therefore include.
+/// Sizes of the displacements. Rates that are computed as 1/tau or as roots are rounded before fast gets them, and
+/// e^(-rate t) amplifies the rounding error by the factor rate t, which the sizes therefore include.
 class Sizes {
  public:
   explicit Sizes(const NamedPoint& x)
@@ -157,14 +157,14 @@ class Sizes {
   double way_per_time_;
 };
 
-/// The path of a load that started at the time 0, relative to the point that it passes at T, until the time t.
+/// The path until the time t of a load that started at the time 0, relative to the point that it passes at the time T.
 LoadPath started(const NamedPoint& x, const char* passing_time) {
   const double way_per_time = x["speed"] / x["half_thickness"], T = x[passing_time];
   return {way_per_time * (T - x["t"]), way_per_time * T};
 }
 LoadPath steady(double alpha) { return {alpha, HUGE_VAL}; }
 
-/// Makes theta2 a part of theta1 that creeps at least as much: what has such functions gains no energy.
+/// Makes theta2 a fraction of theta1 that creeps at least as much, so that the material gains no energy.
 void keep_passive(const NamedNumbers& x) {
   const double at_once = x["theta1_instantaneous"];
   const double part = at_once > 0 ? std::clamp(x["theta2_instantaneous"] / at_once, 1e-3, 0.9) : 0.25;
@@ -176,7 +176,8 @@ void keep_passive(const NamedNumbers& x) {
   x["theta2_rate_2"] = x["theta1_rate_2"];
 }
 
-/// Whether the material exists and its memory oscillates so little while it decays that a second method needs no minutes.
+/// Whether the material exists, and its memory makes so few oscillations while it decays that a second method does not take
+/// minutes.
 bool is_soon_confirmed(const NamedPoint& x) {
   constexpr double most_turns = 30;
   try {
@@ -230,8 +231,8 @@ double draw_distance(Random& random) {
          (random.chance(0.5) ? random.log_uniform(1e-12, 50) : random.log_uniform(1e-2, 20));
 }
 
-/// Keeps the last load: a search along one argument asks for the same sheet many times, and to find out whether a material is
-/// passive takes longer than a displacement.
+/// The load, which is cached: a search along one argument asks for the same sheet many times, and the check that a material
+/// is passive takes longer than a displacement.
 const fast::MovingLoad& load_of(const NamedPoint& x, Accuracy accuracy) {
   struct Last {
     std::vector<double> sheet;

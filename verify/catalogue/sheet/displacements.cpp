@@ -15,10 +15,10 @@ using data::ElasticMaterial;
 using fast::Accuracy;
 using std::numbers::pi;
 
-// The kernels in these sums cancel for some Poisson's ratios, and such a loss is the problem's and not the
-// code's. So the scale is the sum of the magnitudes of the terms: |coefficient| times the size of its kernel.
+// For some Poisson's ratios the kernels in these sums cancel. This loss of digits is due to the problem's condition and
+// not to the code, so that the scale is the sum of the magnitudes of the terms: |coefficient| times the kernel's size.
 
-/// |I6| is at most about this: the growing part, the logarithm, and the residue terms.
+/// An approximate upper bound of |I6|: the growing part, the logarithm, and the residue terms.
 double magnitude_I6(double alpha, double eta) {
   const double growing = pi / 4 * std::fabs(std::fabs(eta) - std::fabs(alpha));
   const double logarithm = std::max(0.0, -std::log(std::fabs(alpha)));
@@ -37,8 +37,8 @@ double size_F2(double eta, double poisson) {
          material.theta1() / material.normal_compliance() * envelope_I7(eta) / pi;
 }
 
-/// Where a kernel underflows it has fewer than 53 bits, and a large compliance makes that loss visible: what
-/// is smaller than the smallest normal number counts as that.
+/// A kernel that underflows has fewer than 53 bits, and a large compliance makes this loss visible: a size below the
+/// smallest normal number counts as that number.
 double normal_size(double kernel) { return std::max(kernel, std::numeric_limits<double>::min()); }
 
 double size_un(double alpha, double young, double poisson) {

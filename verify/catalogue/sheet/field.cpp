@@ -1,4 +1,4 @@
-// Inside the sheet, under one line load on each face.
+// The field inside the sheet under one line load on each face.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ constexpr double nearest_on_the_face = 1e-300;
 SheetLoad load_of(double number) { return number == 0 ? SheetLoad::normal : SheetLoad::shear; }
 SheetLoad load_of(const ref::Exact& number) { return load_of(number.approximate()); }
 
-/// Where fast goes over from closed forms to residues, and where those underflow.
+/// Places where fast changes from closed forms to residues, and where the residues underflow.
 constexpr std::array hard_alphas{0.0,  1e-300, 1e-16, 1e-8,  0.5,   0x1.3ffffffffffffp+0,
                                  1.25, 12.2,   100.0, 336.0, 354.0, 700.0};
 constexpr std::array hard_depths{1.0, 1 - 0x1p-53, 0.9, 0.5, 0.5 - 0x1p-54, 1e-16, 1e-300, 0.0};
@@ -29,7 +29,7 @@ struct InnerPoint {
   double alpha, depth;
 };
 
-/// Towards the load along a line, on and just below the face, near the middle plane, far away, hard places.
+/// Draws places on lines towards the load, on and just below the face, near the middle plane, far away, and hard places.
 InnerPoint draw_anywhere(Random& random) {
   const double side = random.chance(0.5) ? 1 : -1, face = random.chance(0.5) ? 1 : -1;
   switch (random.index(7)) {
@@ -63,7 +63,7 @@ void keep_off_the_load(double& alpha, double& depth) {
   if (std::fabs(depth) == 1 && std::fabs(alpha) < nearest_on_the_face) alpha = nearest_on_the_face;
 }
 
-/// Sets the arguments that the quantity has.
+/// Sets those of the arguments that the quantity has.
 void draw_point_of_sheet(Random& random, const NamedNumbers& x) {
   const auto has = [&](std::string_view name) {
     return std::ranges::find(x.arguments(), name, &Argument::name) != x.arguments().end();

@@ -9,16 +9,15 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-/// The value and its neighbours. Signs alternate: half as many points as with both, and neither sign is left
-/// out.
+/// The value and its neighbouring doubles, with alternating signs, so that both signs occur without twice as many points.
 void add_with_neighbours(std::vector<double>& values, double value) {
   for (const double near : {std::nextafter(value, 0.0), value, std::nextafter(value, Limits::infinity())}) {
     values.push_back(values.size() % 2 == 0 ? near : -near);
   }
 }
 
-/// fast's own branch points, the ends of the number range and of the kernels' range (e^(-2.106 x) becomes
-/// subnormal at 336 and vanishes at 354).
+/// fast's branch points, and the ends of the range of doubles and of the kernels: e^(-2.106 x) becomes subnormal at 336 and
+/// vanishes at 354.
 std::vector<double> hard_positions() {
   std::vector<double> values;
   for (const double branch : fast::branch_points()) add_with_neighbours(values, branch);

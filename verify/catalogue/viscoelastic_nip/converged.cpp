@@ -15,9 +15,9 @@
 namespace nipref::verify {
 namespace {
 
-/// The factor by which rounding errors of the kernel are amplified. At a distance of L the kernel is about ln(1 + B/L), and
-/// where the sheet softens later the pressure is larger by the softening. The errors of random contacts grow by this factor
-/// over the whole domain.
+/// The factor by which rounding errors of the kernel are amplified. At the distance L the kernel is about ln(1 + B/L), and
+/// a sheet that softens later has a pressure that is larger by the softening. Over the whole domain the errors of random
+/// contacts grow like this factor.
 double amplification(double L_over_B, double softening) { return 1 + softening * std::log1p(1 / L_over_B); }
 
 // The domain of audits, and the part of it, chosen for speed, from which points are drawn unless ranges are given.
@@ -28,8 +28,8 @@ constexpr double longest_drawn = 10, shortest_drawn_memory = 0.05;
 /// carries almost no load.
 double most_softening(double memory) { return 1 + std::min(100.0, 30 * memory); }
 
-/// The nip at speed 1 with theta = at_once [delta + (softening - 1)/tau e^(-t/tau)]; the misprinted solid has twice the rate
-/// in theta2.
+/// The nip at speed 1 with theta = at_once [delta + (softening - 1)/tau e^(-t/tau)]; in theta2 the misprinted solid has
+/// twice the rate.
 data::ViscoelasticNip rolling_nip(const NamedPoint& x) {
   const double length = x["L_over_B"], memory = x["memory_over_L"], poisson = x["poisson"],
                softening = x["softening"];

@@ -38,13 +38,13 @@ data::ViscoelasticNip viscoelastic_nip_of_the_tables(const data::Table& table, s
 /// The product of the row's speed and its relaxation time.
 double relaxation_length(const data::Table& table, std::size_t row);
 
-/// Sets these members of a replay of thesis XI-XXVI: - `corrected`: the continuous contact under the table's load,
-/// accurate to 1e-6, of the solid that the thesis defines, with
-///   one relaxation time in shear and dilatation;
-/// - `corrected_with_seed_material`: the same with the thesis's theta2; - `costs` in L, d0, p_max and muR at the load
-/// of the row's replay: "truncation" compares the replay with the same line
-///   loads with exact kernels, "discretisation" compares these with the continuous contact, "exponent" compares the
-///   continuous contacts with the thesis's theta2 and with the solid's.
+/// Sets these members of a replay of thesis XI-XXVI:
+///   - `corrected`: the continuous contact under the table's load, accurate to 1e-6, of the solid that the thesis defines,
+///     with one relaxation time in shear and dilatation;
+///   - `corrected_with_seed_material`: the same with the thesis's theta2;
+///   - `costs` in L, d0, p_max and muR at the load of the row's replay: "truncation" compares the replay with the same line
+///     loads with exact kernels, "discretisation" these with the continuous contact, and "exponent" the continuous
+///     contacts with the thesis's theta2 and with the solid's.
 void correct_viscoelastic(Replay& replay);
 
 }  // namespace nipref::verify

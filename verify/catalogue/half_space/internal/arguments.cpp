@@ -14,7 +14,7 @@
 namespace nipref::verify {
 namespace {
 
-// The seed's steel, each number as the sum of two doubles: 77.2 and sqrt(77.2/7860) of the decimals as printed.
+// The seed's steel: 77.2 and sqrt(77.2/7860) for the printed decimal numbers, each as the sum of two doubles.
 constexpr double steel_shear = 0x1.34ccccccccccdp+6, steel_shear_low = -0x1.999999999999ap-49;
 constexpr fast::SpeedUnit steel_shear_speed{0x1.95ef8ed1dc9eap-4, -0x1.044185d89b02bp-58};
 
@@ -104,7 +104,8 @@ ref::ExactStiffness exact_transverse_of(const NamedExact& x, data::SymmetryAxis 
 void check_subcritical(const NamedExact& x) {
   const ref::ExactStiffness solid = exact_transverse_of(x, symmetry_axis(x));
   const auto motion = direction_of(x, "theta_deg");
-  // About a normal axis all lines are alike but for the speed along them, which is largest along the motion.
+  // If the axis is normal to the surface, lines differ only in the speed of the load along them, which is largest in the
+  // direction of motion.
   if (symmetry_axis(x) == data::SymmetryAxis::normal) {
     ref::check_subcritical(solid, x["speed"], motion, motion);
   } else {

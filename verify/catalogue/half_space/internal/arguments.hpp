@@ -9,12 +9,12 @@
 
 namespace nipref::verify {
 
-// From the catalogue's arguments about half-spaces to what the two paths take.
+// Conversion of the catalogue's arguments about half-spaces to the arguments of both paths.
 
 /// The solid with mu = 1 and density 1, so that speeds are v/v_S.
 data::IsotropicSolid unit_isotropic(double poisson);
 ref::ExactStiffness exact_isotropic(const ref::Exact& poisson);
-/// The response of a half-space with mu = 1 and density 1; angles count from the motion.
+/// The response of a half-space with mu = 1 and density 1; angles are measured from the direction of motion.
 fast::SurfaceResponse isotropic_surface(double poisson, double speed);
 /// BadInput unless the speed is below that of Rayleigh waves.
 ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref::Exact& speed);
@@ -22,13 +22,13 @@ ref::SurfaceAnswer exact_isotropic_surface(const ref::Exact& poisson, const ref:
 fast::Direction direction_of(const NamedPoint& x, const char* degrees);
 ref::SurfaceDirection direction_of(const NamedExact& x, const char* degrees);
 
-// The seed's steel is the unit: its mu of stress, its v_S of speed. (brock2013 section 3)
+// Units are those of the seed's steel: its mu for stress, its v_S for speed. (brock2013 section 3)
 
-/// The decimal number that a constant is written as, exactly; 77.2 is no double.
+/// The exact value of the decimal number as which a constant is written: 77.2 is not a double.
 ref::Exact as_written(double constant);
 
-// Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa), density (kg/m^3), with the seed's graphite
-// epoxy as default, and axis, how its axis lies to the surface.
+// Arguments of a transversely isotropic solid: c11, c33, c13, c44, c66 (GPa) and density (kg/m^3), whose defaults are those
+// of the seed's graphite epoxy, and axis, the direction of its axis relative to the surface.
 
 data::SymmetryAxis symmetry_axis(const NamedPoint& x);
 data::SymmetryAxis symmetry_axis(const NamedExact& x);
@@ -54,14 +54,14 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
 
 // Sampling.
 
-/// The largest shares of the critical speed in audits; the second, where the reference has to integrate over lines.
+/// The largest speeds in audits over the critical speed; the second holds where the reference integrates over lines.
 inline constexpr double nearest_critical = 1 - 1e-9, nearest_integrated = 1 - 1e-6;
 
-/// A share of the critical speed from 1e-8 to 1 - 1e-9.
+/// Draws a speed over the critical speed, from 1e-8 to 1 - 1e-9.
 double draw_share(Random& random);
-/// A share up to the largest one, in half of all cases near it.
+/// The same from `least` to `largest`, in half of all cases near `largest`.
 double draw_share(Random& random, double least, double largest);
-/// Degrees that are dense at 0 and 90.
+/// Draws an angle in degrees, often close to 0 or to 90.
 double draw_degrees(Random& random);
 double draw_angle(Random& random);  ///< degrees
 double draw_friction(Random& random);

@@ -6,17 +6,17 @@
 
 namespace nipref::verify {
 
-// Formulas of the half-space papers that are WRONG, or right ones in the arithmetic of the papers' tables;
-// they serve the replay of the tables and nothing else. What is right is in fast.
-// "as printed" follows the paper's equation, "as tabulated" the numbers of the paper's table. Speeds are over
-// the shear wave speed of the isotropic solid. Domain: that of the papers' tables.
+// Formulas of the half-space papers that are WRONG, or correct ones with the rounding of the papers' tables. They are used
+// only to replay the tables; the correct formulas are in fast. "as printed" means by the paper's equation, "as tabulated"
+// by the formula that gives the numbers of the paper's table. Speeds are relative to the shear wave speed of the isotropic
+// solid. The domain is that of the papers' tables.
 
 /// (brock2012 35) as printed, C2 L2/(C1 L1). Wrong: sqrt(c_D^4 + gamma^2) should be c_D^2, because friction
 /// does nothing across the motion.
 double die_span_ratio_as_printed(double poisson, double friction, double speed);
 
-/// What (brock2012) Table 1 holds: the wrong root of (35), and friction left out of Delta_1 and Q_1.
-/// `decimals`: to which the roots w_S and w_D are rounded.
+/// The formula of (brock2012) Table 1: with the wrong root of (35), and without friction in Delta_1 and Q_1.
+/// `decimals`: the number of decimals to which the roots w_S and w_D are rounded.
 double die_span_ratio_as_tabulated(double poisson, double friction, double speed,
                                    std::optional<int> decimals);
 
@@ -26,8 +26,9 @@ double rolling_span_ratio_as_printed(double poisson, double speed);
 /// (brock2012 53b) without that factor, which is right, but with the roots w_S and w_D rounded to `decimals`.
 double rolling_span_ratio_as_tabulated(double poisson, double speed, int decimals);
 
-/// mu times what lines answer in their own direction to shear along and across them, with (N1, N2) of (brock2012 39a) as
-/// printed. Wrong: M is subtracted, where it should be R; along the lines nothing is left. `degrees`: from the motion.
+/// mu times the displacement in its own direction that a shear load along or across a line causes, with (N1, N2) of
+/// (brock2012 39a) as printed. Wrong: M is subtracted instead of R, so that 0 is left along the line. `degrees`: angle
+/// from the direction of motion.
 double in_line_as_printed(double poisson, double speed, double degrees);
 double across_as_printed(double poisson, double speed, double degrees);
 
@@ -35,7 +36,7 @@ double across_as_printed(double poisson, double speed, double degrees);
 /// Wrong: the sign of P.
 double rolling_creep_as_printed(double poisson, double speed, double degrees, double span);
 
-/// Of a half-space under a sphere: moduli over mu_0 of the sphere, as the paper divides them.
+/// The moduli of a half-space over the shear modulus mu_0 of the sphere on it, as in the paper.
 struct ScaledModuli {
   double c11, c33, c13, c44, c66;
   double speed_scale;        ///< c/c_0 = sqrt(rho/rho_0)
@@ -60,8 +61,8 @@ double sphere_force_as_printed(const ScaledModuli& moduli, double friction, doub
 /// The same of (brock2013 47) with (43) as printed, axis in the surface, no friction.
 double in_plane_force_as_printed(const ScaledModuli& moduli, fast::Direction motion, double speed);
 
-/// To which w_S and w_D stand in the arithmetic of (brock2012) Tables 1 and 2: found by trial, and then all
-/// cells of both but one are within a unit.
+/// The number of decimals to which w_S and w_D were rounded for (brock2012) Tables 1 and 2. It was found by trial: with it
+/// all cells of both tables but one agree within a unit of the last digit.
 inline constexpr int table_root_decimals = 5;
 
 /// mu_0 K of the sphere, by (brock2013 20). `cosine_from_motion`: of psi - theta.
@@ -72,7 +73,7 @@ double sphere_compliance(const ScaledModuli& moduli, double cosine_from_motion, 
 double in_plane_compliance_as_printed(const ScaledModuli& moduli, fast::Direction line,
                                       double cosine_from_motion, double speed);
 
-/// The same as (brock2013) Table 3 has it: the sign is right, the term is missing all the same.
+/// The same by the formula that gives (brock2013) Table 3: its sign is right, but the term is missing, too.
 double in_plane_compliance_as_tabulated(const ScaledModuli& moduli, fast::Direction line,
                                         double cosine_from_motion, double speed);
 

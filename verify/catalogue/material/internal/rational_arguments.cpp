@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t per_polynomial = 3;
 
-/// data::PronyList or ref::ExactSeries.
+/// Series is data::PronyList or ref::ExactSeries.
 template <class Series, class Number>
 Series series_of(const Named<const Number>& x, const std::string& function) {
   return {x[function + "_instantaneous"],
@@ -28,7 +28,7 @@ std::vector<Number> coefficients(const Named<const Number>& x, const std::string
   return {x[coefficient(polynomial, 0)], x[coefficient(polynomial, 1)], x[coefficient(polynomial, 2)]};
 }
 
-/// Twice as fast, or equal, nearly so, or any.
+/// A second rate: the same, nearly the same, or any within four decades.
 double other_rate(double rate, Random& random) {
   if (random.chance(0.2)) return rate;
   if (random.chance(0.3)) return rate * (1 + random.log_uniform(1e-16, 1e-2));
@@ -37,7 +37,7 @@ double other_rate(double rate, Random& random) {
 
 using Quadratic = std::array<double, per_polynomial>;
 
-/// (p + a)(p + b), to rounding, or with complex roots; or p + a.
+/// Draws p + a, or (p + a)(p + b) with real roots up to rounding, or a quadratic with complex roots.
 Quadratic draw_p(double rate, Random& random) {
   if (random.chance(0.4)) return {rate, 1, 0};
   const double other = other_rate(rate, random), product = rate * other;
@@ -45,12 +45,13 @@ Quadratic draw_p(double rate, Random& random) {
   return {product, turn < 1 ? 2 * std::sqrt(product) * turn : rate + other, 1};
 }
 
-/// Of a modulus Q/P that gains no energy: q1 p0 >= q0 p1, q2 p1 >= q1 p2. Roots that are one, or nearly, among them.
+/// Draws Q of a modulus Q/P that gains no energy: q1 p0 >= q0 p1, q2 p1 >= q1 p2. Some Q have a double root, or nearly
+/// so.
 Quadratic draw_q(const Quadratic& p, double size, Random& random) {
   const double q0_of_q1 = p[0] / p[1];
   if (p[2] == 0) {
-    const double soft = random.chance(0.15) ? 0 : random.uniform(0.05, 0.9);  // 0: Maxwell's
-    // Nothing gives way at once.
+    const double soft = random.chance(0.15) ? 0 : random.uniform(0.05, 0.9);  // 0: a Maxwell fluid
+    // With a highest power in Q alone there is no instantaneous deformation.
     const double highest = random.chance(0.15) ? size * random.log_uniform(1e-3, 1) / p[0] : 0;
     return {size * q0_of_q1 * soft, size, highest};
   }
@@ -110,7 +111,7 @@ void draw_prony(const NamedNumbers& x, double soft, double time, Random& random)
     x[name + "_rate_2"] = rate_2;
   };
   put("theta1", instantaneous, amplitude, amplitude_2);
-  // theta2 is less in each part, so that K resists.
+  // Each part of theta2 is less than that of theta1, so that the bulk modulus is positive.
   const bool fades = random.chance(0.8);
   std::array<double, 3> parts{instantaneous, amplitude, amplitude_2};
   for (double& part : std::span(parts).first(fades ? 3 : 2))

@@ -3,7 +3,7 @@
 namespace nipref::verify {
 
 // Sizes of the sheet kernels away from their zeros, all functions of x = |argument| (dimensionless),
-// dimensionless. They are only the yardstick that errors are measured with: a few digits are enough, and
+// dimensionless. They are only the scale against which errors are measured: a few digits are enough, and
 // neither path is used.
 
 /// 2 pi |c| e^(-K x): the amplitude of the slowest residue term (thesis AI.5, AI.13, AI.14), K = Im z of the

@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 constexpr double closed_forms_end = 1.25;
 
-/// |c| of the slowest residue's functions, times |cosh(s z)| or |sinh(s z)|.
+/// |c| of the functions of the slowest residue times |cosh(s z)| or |sinh(s z)|.
 class SlowestResidue {
  public:
   SlowestResidue(const FieldSize& at, bool odd_in_alpha)
@@ -45,7 +45,7 @@ class SlowestResidue {
   double grows_, rises_, size_;
 };
 
-/// Distances and the like, from the load on the nearer face and on the other.
+/// Distances from the load on the nearer face and from that on the other face, and functions of them.
 struct Seen {
   double a, s, near_face, far_face, near, far;
 
@@ -58,7 +58,7 @@ struct Seen {
         far(std::hypot(a, far_face)) {}
 
   [[nodiscard]] bool close() const { return a < closed_forms_end; }
-  /// Half-plane stress: face^i a^(3-i)/r^4, times s < 1 where it vanishes in the middle.
+  /// The stress in a half-plane: face^i a^(3-i)/r^4, times s < 1 for a stress that vanishes in the middle plane.
   [[nodiscard]] double stress(int i) const {
     const auto one = [&](double face, double r) {
       return std::pow(face / r, i) * std::pow(a / r, 3 - i) / r;

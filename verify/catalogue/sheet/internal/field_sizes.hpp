@@ -3,9 +3,9 @@
 
 namespace nipref::verify {
 
-/// Sizes of the field inside the sheet away from its zeros: the sum of the magnitudes of its parts. These are, up to
-/// |alpha| = 1.25, each half-plane's field; the terms of the slowest residue (times |alpha| below 1 where the value is
-/// odd in it); in displacements what does not decay. They are only the yardstick that errors are measured with.
+/// Sizes of the field inside the sheet away from its zeros: the sum of the magnitudes of its parts. The parts are the field
+/// of each half-plane, up to |alpha| = 1.25; the terms of the slowest residue, for a value that is odd in alpha times
+/// |alpha| below 1; and in displacements the part that does not decay. Errors are measured against them.
 struct FieldSize {
   double alpha, depth;  ///< in half-thicknesses, of any sign
   data::SheetLoad load;
