@@ -4,6 +4,7 @@
 
 #include <nipref/data/problem/half_space.hpp>
 #include <nipref/data/scene/origin.hpp>
+#include <nipref/data/scene/results.hpp>
 
 namespace nipref::data {
 
