@@ -55,8 +55,8 @@ double unit_of_speed(const ExactStiffness& solid) {
   return std::sqrt(Exact(mpq_class(solid.voigt[2][2] / solid.density)).approximate());
 }
 
-/// Distances from the vertex of a parabola, in its widths: within the first the minimum is taken to be smooth, and the
-/// second is the farthest step.
+/// Bounds of the distance from the parabola's middle point to its vertex, in units of its width. Below the first the
+/// vertex is accepted as the minimum; above the second the minimum is taken not to be smooth.
 constexpr double widths_of_error = 10, farthest_vertex = 1e4;
 constexpr int most_parabolas = 8;
 /// The widths are 10^-4, 10^-8, 10^-16 ..., and the speeds need four times as many digits.

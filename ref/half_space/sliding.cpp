@@ -71,7 +71,7 @@ struct LineMoment {
 };
 /// The part over x > 0, x from 0 to `ahead`. The part over x < 0 is the same with both shares exchanged.
 Float moment_ahead(const Float& ahead, const Float& behind, int power, int digits) {
-  // The rule has the logarithms of its nodes.
+  // The nodes of the rule come with their logarithms.
   const Float log_ahead = log(ahead);
   return unit_integral(digits, [&](const UnitNode& node) -> Float {
     const Float x = ahead * node.left;
@@ -153,9 +153,9 @@ Levels force_factor(const WorkingSurface& lines, const CrowdedDirections& direct
       [](const LineMoment& moment, const Exact&) -> Float { return moment.front + moment.back; });
 }
 
-/// The factor in moment = factor span^4 for the pressure's first moment in a direction, plus that for the integral of
-/// pressure |x|, or the latter alone. The sum does not vanish where the moment does, so that it can be integrated to a
-/// relative error.
+/// The factor in moment = factor span^4 for the integral of pressure |x|, or for its sum with the pressure's first
+/// moment in a direction. Unlike the moment alone the sum does not vanish, so that it can be integrated to a relative
+/// error.
 Levels moment_factor(const WorkingSurface& lines, const CrowdedDirections& directions, const Exact& friction,
                      const Indenter& body, SpanRule rule, int digits, int working,
                      const std::function<Float(const Exact& degrees)>& component, bool with_moment) {

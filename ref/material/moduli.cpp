@@ -38,7 +38,7 @@ RationalModulus rational(const ExactModulus& m) {
   }
 }
 
-/// An exact number.
+/// The exact number as an Enclosure.
 Enclosure known(const mpq_class& value, int digits) {
   return enclose(digits, 0, [&](double nats) {
     return Interval(Exact(value), static_cast<mpfr_prec_t>(64 + nats / std::numbers::ln2));

@@ -76,7 +76,7 @@ ExactRationalSolid of_compliances(const ExactRatio& one, const ExactRatio& two) 
           two};
 }
 
-/// An exact number.
+/// The exact number as an Enclosure.
 Enclosure exactly_known(const mpq_class& value, int digits) {
   if (value == 0) return exact_zero(digits);
   return enclose(digits, 0, [&](double nats) {
@@ -84,7 +84,7 @@ Enclosure exactly_known(const mpq_class& value, int digits) {
   });
 }
 
-/// The bits that the bounds of divided differences lose where rates times t are large.
+/// The bits by which the bounds of divided differences are wider where rates times t are large.
 double bits_of_rates(const Polynomial& p, const mpq_class& t) {
   const auto degree = static_cast<double>(p.size() - 1);
   double most = 0;
@@ -124,7 +124,7 @@ Enclosure in_time(Polynomial numerator, Polynomial denominator, const Exact& t, 
 }
 
 /// p(i omega)
-std::pair<mpq_class, mpq_class> swung(const Polynomial& p, const mpq_class& omega) {
+std::pair<mpq_class, mpq_class> at_frequency(const Polynomial& p, const mpq_class& omega) {
   mpq_class real = 0, imaginary = 0, power = 1;
   for (std::size_t k = 0; k < p.size(); ++k) {
     const mpq_class term = k % 4 < 2 ? mpq_class(p[k] * power) : mpq_class(-p[k] * power);
@@ -136,8 +136,8 @@ std::pair<mpq_class, mpq_class> swung(const Polynomial& p, const mpq_class& omeg
 
 Enclosure at_frequency(const ExactRatio& modulus, const Exact& omega, bool loses, int digits) {
   check_not_below_0("omega", omega);
-  const auto [n_real, n_imaginary] = swung(modulus.numerator, omega.value());
-  const auto [d_real, d_imaginary] = swung(modulus.denominator, omega.value());
+  const auto [n_real, n_imaginary] = at_frequency(modulus.numerator, omega.value());
+  const auto [d_real, d_imaginary] = at_frequency(modulus.denominator, omega.value());
   const mpq_class square = d_real * d_real + d_imaginary * d_imaginary;
   if (square == 0) throw data::BadInput("omega", omega.text(), "must not be where the modulus is infinite");
   const mpq_class value = loses ? mpq_class(n_imaginary * d_real - n_real * d_imaginary)

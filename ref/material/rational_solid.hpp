@@ -8,7 +8,7 @@
 
 namespace nipref::ref {
 
-/// numerator/denominator, polynomials in d/dt, the coefficient of p^0 first.
+/// numerator/denominator, two polynomials in p = d/dt; the first coefficient is that of p^0.
 struct ExactRatio {
   std::vector<mpq_class> numerator, denominator;
 };

@@ -9,9 +9,9 @@
 #include <nipref/ref/material/internal/inverse_transform.hpp>
 #include <nipref/ref/material/internal/partial_fractions.hpp>
 #include <nipref/ref/memory/internal/fading.hpp>
+#include <nipref/ref/memory/internal/oscillating_memory.hpp>
 #include <nipref/ref/memory/internal/plain_memory.hpp>
 #include <nipref/ref/memory/internal/sign_memory.hpp>
-#include <nipref/ref/memory/internal/swinging.hpp>
 #include <nipref/ref/memory/moving_load.hpp>
 #include <nipref/ref/number/internal/cache.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
@@ -158,42 +158,42 @@ Interval history(Kernel kernel, const LoadPath& path, const mpq_class& rate, dou
     const Interval quarter = Interval::pi(working_precision(large, 1) + 64) / 4;
     return whole + (kernel == Kernel::I2 ? 2L : 1L) * (quarter * rational(path.alpha.value(), large));
   }
-  const mpq_class way = path.start->value() - path.alpha.value();
+  const mpq_class distance = path.start->value() - path.alpha.value();
   if (kernel == Kernel::I2 && rate != 0) {
     const double large = nats_over_rate(rate, nats);
     const Interval half_pi = Interval::pi(working_precision(large, 1) + 64) / 2;
-    return half_pi * sign_memory(rate, way, path.start->value(), large);
+    return half_pi * sign_memory(rate, distance, path.start->value(), large);
   }
-  const mpq_class faded = rate * way;
+  const mpq_class faded = rate * distance;
   return whole_history(kernel, path.alpha, rate, nats, residue_terms) -
          exp(-rational(faded, nats_over_rate(rate, nats))) *
              whole_history(kernel, *path.start, rate, nats_left(nats, faded.get_d()), residue_terms);
 }
 
 /// int_alpha^start e^{-rate (w - alpha)} sign(w) dw
-ComplexInterval swinging_sign(const LoadPath& path, const ComplexInterval& rate) {
+ComplexInterval oscillating_sign(const LoadPath& path, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.real.precision();
-  const auto faded = [&](const mpq_class& way) { return exp(-Interval(Exact(way), bits) * rate); };
+  const auto faded = [&](const mpq_class& distance) { return exp(-Interval(Exact(distance), bits) * rate); };
   const mpq_class& alpha = path.alpha.value();
   mpq_class behind = std::max(mpq_class(-alpha), mpq_class(0));
   const ComplexInterval one{Interval(1L, bits), Interval(bits)};
   if (!path.start) return (faded(behind) + faded(behind) - one) * inverse(rate);
-  const mpq_class way = path.start->value() - alpha;
-  behind = std::min(behind, way);
-  return (faded(behind) + faded(behind) - one - faded(way)) * inverse(rate);
+  const mpq_class distance = path.start->value() - alpha;
+  behind = std::min(behind, distance);
+  return (faded(behind) + faded(behind) - one - faded(distance)) * inverse(rate);
 }
 
 /// history() for a real or complex rate.
-ComplexInterval swinging_history(Kernel kernel, const LoadPath& path, const ComplexInterval& rate,
-                                 double nats) {
+ComplexInterval oscillating_history(Kernel kernel, const LoadPath& path, const ComplexInterval& rate,
+                                    double nats) {
   const mpfr_prec_t bits = rate.real.precision();
-  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * swinging_sign(path, rate);
-  const ComplexInterval whole = swinging_memory(symbol_of(kernel), path.alpha, rate, nats);
+  if (kernel == Kernel::I2) return Interval::pi(bits) / 2 * oscillating_sign(path, rate);
+  const ComplexInterval whole = oscillating_memory(symbol_of(kernel), path.alpha, rate, nats);
   if (!path.start) return whole;
-  const Interval way(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
-  const double faded = mpfr_get_d((rate.real * way).lower(), MPFR_RNDD);
-  return whole -
-         exp(-way * rate) * swinging_memory(symbol_of(kernel), *path.start, rate, nats_left(nats, faded));
+  const Interval distance(Exact(mpq_class(path.start->value() - path.alpha.value())), bits);
+  const double faded = mpfr_get_d((rate.real * distance).lower(), MPFR_RNDD);
+  return whole - exp(-distance * rate) *
+                     oscillating_memory(symbol_of(kernel), *path.start, rate, nats_left(nats, faded));
 }
 
 double ln_size(const ComplexInterval& z) {
@@ -205,23 +205,23 @@ double ln_size(const ComplexInterval& z) {
 
 /// The memory of a fraction: the sum over its terms, those of a conjugate pair being conjugate.
 Interval remembered(const ExactRatio& fraction, Kernel kernel, const LoadPath& path,
-                    const mpq_class& way_per_time, double nats) {
+                    const mpq_class& travel_rate, double nats) {
   constexpr double spare_nats = 48;  // for distances of up to 1000, and for sums
   const auto terms_to = [&](double good_to) {
     return partial_fractions(fraction.numerator, fraction.denominator, working_precision(good_to, 1));
   };
   double large = spare_nats;
   for (const auto& [amplitude, rate] : terms_to(spare_nats)) {
-    const double ln_rate = ln_size(rate) - ln_magnitude(way_per_time);
-    large = std::max(large, spare_nats + std::max(0.0, ln_size(amplitude) - ln_magnitude(way_per_time)) +
+    const double ln_rate = ln_size(rate) - ln_magnitude(travel_rate);
+    large = std::max(large, spare_nats + std::max(0.0, ln_size(amplitude) - ln_magnitude(travel_rate)) +
                                 std::fabs(ln_rate));
   }
   Interval sum(64);
   for (const auto& [amplitude, rate] : terms_to(std::max(nats, 40.0) + large)) {
-    const Interval unit = 1 / Interval(Exact(way_per_time), rate.real.precision());
-    const ComplexInterval in_way = unit * amplitude;
-    const double needed = std::max(nats + ln_size(in_way) + 4, 40.0);
-    sum = sum + (in_way * swinging_history(kernel, path, unit * rate, needed)).real;
+    const Interval unit = 1 / Interval(Exact(travel_rate), rate.real.precision());
+    const ComplexInterval over_distance = unit * amplitude;
+    const double needed = std::max(nats + ln_size(over_distance) + 4, 40.0);
+    sum = sum + (over_distance * oscillating_history(kernel, path, unit * rate, needed)).real;
   }
   return sum;
 }
@@ -240,20 +240,20 @@ struct Part {
     return rational(theta.instantaneous, needed) * kernel_interval(kernel, path.alpha, needed, residue_terms);
   }
 
-  /// The value, with `way_per_time` = speed/half_thickness.
-  [[nodiscard]] Interval value(const mpq_class& way_per_time, double nats) const {
+  /// The value, with `travel_rate` = speed/half_thickness.
+  [[nodiscard]] Interval value(const mpq_class& travel_rate, double nats) const {
     Interval sum = at_once(nats);
     const bool no_history = path.start && path.start->value() == path.alpha.value();
     for (const ExactFunction::Term& term : theta.terms) {
       if (no_history || sgn(term.amplitude) == 0) continue;
-      const mpq_class amplitude = term.amplitude / way_per_time;
-      const mpq_class rate = term.rate / way_per_time;
+      const mpq_class amplitude = term.amplitude / travel_rate;
+      const mpq_class rate = term.rate / travel_rate;
       const double needed = nats + ln_magnitude(amplitude) + 3;
       sum = sum + rational(amplitude, nats_over_rate(rate, std::max(needed, 40.0))) *
                       history(kernel, path, rate, needed, residue_terms);
     }
     for (const ExactRatio& fraction : theta.fractions) {
-      if (!no_history) sum = sum + remembered(fraction, kernel, path, way_per_time, nats + 3);
+      if (!no_history) sum = sum + remembered(fraction, kernel, path, travel_rate, nats + 3);
     }
     return negative ? -sum : sum;
   }
@@ -265,11 +265,11 @@ double size_nats(const ExactMaterial& material) {
   return at_once == 0 ? 0 : std::max(0.0, -ln_magnitude(at_once));
 }
 
-Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& way_per_time, double first_nats,
+Enclosure sum_over_pi(const std::vector<Part>& parts, const mpq_class& travel_rate, double first_nats,
                       int digits) {
   return enclose(digits, first_nats, [&](double nats) {
     Interval sum(64);
-    for (const Part& part : parts) sum = sum + part.value(way_per_time, nats);
+    for (const Part& part : parts) sum = sum + part.value(travel_rate, nats);
     return sum / Interval::pi(sum.precision());
   });
 }
@@ -300,35 +300,35 @@ double log2_fastest_rate(const ExactRatio& fraction) {
 }
 
 /// Refuses too large rates: the cost of a value grows with the square of the rate's logarithm.
-void check_rates(const ExactFunction& function, const mpq_class& way_per_time) {
+void check_rates(const ExactFunction& function, const mpq_class& travel_rate) {
   constexpr double most = 1e100;
   double fastest = -HUGE_VAL;  // log2
   for (const ExactFunction::Term& term : function.terms)
     fastest = std::max(fastest, Exact(term.rate).log2_magnitude());
   for (const ExactRatio& fraction : function.fractions)
     fastest = std::max(fastest, log2_fastest_rate(fraction));
-  if (fastest - Exact(way_per_time).log2_magnitude() > std::log2(most))
+  if (fastest - Exact(travel_rate).log2_magnitude() > std::log2(most))
     throw data::BadInput("material", "(as given)", "must have no rates above 1e100 speed/half_thickness");
 }
 
-mpq_class checked_way_per_time(const Exact& speed, const Exact& half_thickness,
-                               const ExactMaterial& material) {
+mpq_class checked_travel_rate(const Exact& speed, const Exact& half_thickness,
+                              const ExactMaterial& material) {
   check_positive(speed.value(), "speed");
   check_positive(half_thickness.value(), "half_thickness");
   check_function(material.theta1, "theta1");
   check_function(material.theta2, "theta2");
-  const mpq_class way_per_time = speed.value() / half_thickness.value();
-  check_rates(material.theta1, way_per_time);
-  check_rates(material.theta2, way_per_time);
-  return way_per_time;
+  const mpq_class travel_rate = speed.value() / half_thickness.value();
+  check_rates(material.theta1, travel_rate);
+  check_rates(material.theta2, travel_rate);
+  return travel_rate;
 }
 
-LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& way_per_time, const char* name) {
+LoadPath started_place(const Exact& t, const Exact& T, const mpq_class& travel_rate, const char* name) {
   if (t.sign() < 0) throw data::BadInput("t", t.approximate(), "must be >= 0");
-  const Exact alpha(mpq_class((T.value() - t.value()) * way_per_time));
-  const Exact start(mpq_class(T.value() * way_per_time));
-  for (const Exact* way : {&alpha, &start}) {
-    if (abs(way->value()) > 1000) {
+  const Exact alpha(mpq_class((T.value() - t.value()) * travel_rate));
+  const Exact start(mpq_class(T.value() * travel_rate));
+  for (const Exact* distance : {&alpha, &start}) {
+    if (abs(distance->value()) > 1000) {
       throw data::BadInput(name, T.approximate(), "must be within 1000 half_thickness/speed of both 0 and t");
     }
   }
@@ -348,26 +348,26 @@ void check_distance(const ExactFunction& function, const LoadPath& path) {
 }
 
 /// The slowest decay of Un with the distance of the load, 1/half thickness.
-double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const mpq_class& way_per_time) {
+double decay_of_normal(const ExactFunction& normal, const LoadPath& path, const mpq_class& travel_rate) {
   double slowest = slowest_decay;
   if (path.alpha.sign() > 0) return slowest;
   for (const ExactFunction::Term& term : normal.terms)
-    slowest = std::min(slowest, mpq_class(term.rate / way_per_time).get_d());
+    slowest = std::min(slowest, mpq_class(term.rate / travel_rate).get_d());
   for (const ExactRatio& fraction : normal.fractions)
-    slowest = std::min(slowest, slowest_rate(fraction.denominator) / way_per_time.get_d());
+    slowest = std::min(slowest, slowest_rate(fraction.denominator) / travel_rate.get_d());
   return slowest;
 }
 
-Enclosure Un_at(const LoadPath& path, const mpq_class& way_per_time, const ExactMaterial& material,
-                int digits, int residue_terms = 0) {
+Enclosure Un_at(const LoadPath& path, const mpq_class& travel_rate, const ExactMaterial& material, int digits,
+                int residue_terms = 0) {
   const ExactFunction normal = material.normal();
   check_distance(normal, path);
   const double distance = std::abs(path.alpha.approximate());
-  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, path, way_per_time);
-  return sum_over_pi({{normal, Kernel::I1, path, false, residue_terms}}, way_per_time, first_nats, digits);
+  const double first_nats = size_nats(material) + distance * decay_of_normal(normal, path, travel_rate);
+  return sum_over_pi({{normal, Kernel::I1, path, false, residue_terms}}, travel_rate, first_nats, digits);
 }
 
-Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& way_per_time,
+Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& travel_rate,
                 const ExactMaterial& material, int digits, int residue_terms = 0) {
   for (const LoadPath& path : {alpha, eta}) check_distance(material.normal(), path);
   const bool at_rest = alpha.start && alpha.start->value() == alpha.alpha.value();
@@ -376,7 +376,7 @@ Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& way
                       {material.theta2, Kernel::I2, alpha, true, residue_terms},
                       {material.theta2, Kernel::I4, eta, false, residue_terms},
                       {material.theta1, Kernel::I5, eta, true, residue_terms}},
-                     way_per_time, size_nats(material), digits);
+                     travel_rate, size_nats(material), digits);
 }
 
 }  // namespace
@@ -384,18 +384,18 @@ Enclosure Vn_at(const LoadPath& alpha, const LoadPath& eta, const mpq_class& way
 Enclosure moving_load_normal_displacement(const Exact& t, const Exact& T, const Exact& speed,
                                           const Exact& half_thickness, const ExactMaterial& material,
                                           int digits, int residue_terms) {
-  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
-  const LoadPath path = started_place(t, T, way_per_time, "T");
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  const LoadPath path = started_place(t, T, travel_rate, "T");
   if (path.alpha.sign() == 0)
     throw data::BadInput("T", T.approximate(), "must differ from t: the displacement is infinite there");
-  return Un_at(path, way_per_time, material, digits, residue_terms);
+  return Un_at(path, travel_rate, material, digits, residue_terms);
 }
 
 Enclosure moving_load_tangential_displacement(const Exact& t, const Exact& T, const Exact& t0,
                                               const Exact& speed, const Exact& half_thickness,
                                               const ExactMaterial& material, int digits, int residue_terms) {
-  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
-  return Vn_at(started_place(t, T, way_per_time, "T"), started_place(t, t0, way_per_time, "t0"), way_per_time,
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  return Vn_at(started_place(t, T, travel_rate, "T"), started_place(t, t0, travel_rate, "t0"), travel_rate,
                material, digits, residue_terms);
 }
 
@@ -403,8 +403,8 @@ Enclosure moving_load_steady_normal_displacement(const Exact& alpha, const Exact
                                                  const Exact& half_thickness, const ExactMaterial& material,
                                                  int digits) {
   check_nonzero_argument(alpha, "alpha");
-  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
-  return Un_at({alpha, std::nullopt}, way_per_time, material, digits);
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  return Un_at({alpha, std::nullopt}, travel_rate, material, digits);
 }
 
 Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const Exact& eta, const Exact& speed,
@@ -412,8 +412,8 @@ Enclosure moving_load_steady_tangential_displacement(const Exact& alpha, const E
                                                      const ExactMaterial& material, int digits) {
   check_argument(alpha, "alpha");
   check_argument(eta, "eta");
-  const mpq_class way_per_time = checked_way_per_time(speed, half_thickness, material);
-  return Vn_at({alpha, std::nullopt}, {eta, std::nullopt}, way_per_time, material, digits);
+  const mpq_class travel_rate = checked_travel_rate(speed, half_thickness, material);
+  return Vn_at({alpha, std::nullopt}, {eta, std::nullopt}, travel_rate, material, digits);
 }
 
 }  // namespace nipref::ref

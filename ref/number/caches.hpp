@@ -3,12 +3,12 @@
 
 namespace nipref::ref {
 
-/// Forgets everything that this room has computed and kept for later calls, and MPFR's constants of this
-/// thread. Values stay the same to the last bit, only the next call takes the time of a first one.
-/// Thread-safe; calls in progress keep what they use until they return.
+/// Empties all caches of the reference, and MPFR's cache of constants of this thread. Later results are the same to
+/// the last bit, but the next call takes as long as a first one. Thread-safe; calls in progress keep the values that
+/// they use until they return.
 void clear_caches();
 
-/// What is kept at present, in bytes, MPFR's constants apart.
+/// The size of the caches in bytes, without MPFR's constants.
 [[nodiscard]] std::size_t cached_bytes();
 
 }  // namespace nipref::ref

@@ -13,7 +13,8 @@ namespace {
 /// Digits computed beyond those asked for; most of them end up in the printed text.
 constexpr int spare_digits = 4;
 constexpr int most_attempts = 16;
-/// Twice what a value may be small that is not 0: arguments have at most 5000 digits.
+/// How many nats the precision is raised at most for a small value. Arguments have at most 5000 digits, so that a value
+/// that is not 0 is expected above the square root of e^-30000.
 constexpr double most_further_nats = 30'000;
 constexpr mpfr_prec_t bound_precision = 64;
 
@@ -23,7 +24,8 @@ double log2_magnitude(mpfr_srcptr x) {
   return std::log2(std::abs(fraction)) + static_cast<double>(exponent);
 }
 
-/// ln of how much the bound exceeds 10^-(digits+2) min(1, |value|); infinite where 0 is not excluded.
+/// The logarithm of the bound over 10^-(digits+2) min(1, |value|): positive if the bound is too large, infinite if the
+/// interval contains 0.
 double shortfall(const Enclosure& result) {
   if (mpfr_zero_p(raw(result.error))) return -1;
   if (mpfr_cmpabs(raw(result.value), raw(result.error)) <= 0) return HUGE_VAL;

@@ -6,8 +6,9 @@
 
 namespace nipref::ref {
 
-/// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). A truth
-/// that is exactly 0 comes as value 0 with error 0. Only what proves a bound makes one.
+/// An estimate whose error is a proven bound: |value - truth| <= error, and error <= 10^-digits min(1, |truth|). A
+/// truth that is exactly 0 is returned as value 0 with error 0. Only code that proves the bound constructs an
+/// Enclosure.
 struct Enclosure : Estimate {
   Enclosure(Float the_value, Float bound, int the_digits);
 };
@@ -19,16 +20,17 @@ void check_digits(int digits);
 Enclosure exact_zero(int digits);
 Enclosure exactly(double value, int digits);
 
-/// All that the truth may be.
+/// The interval from value - error to value + error, rounded outwards.
 Interval interval_of(const Enclosure& enclosure);
 
-/// Middle and half-width of an interval; that the latter keeps the promise is the caller's business.
+/// The middle of an interval with its half-width as the error. The caller ensures that the half-width keeps the
+/// promise.
 Enclosure enclosure_of(const Interval& interval, int digits);
 
 /// Evaluates `interval_at(nats)`, which returns an interval of half-width about e^{-nats}, with the nats that
 /// the promise of Enclosure needs: `first_nats` is a guess at -ln|truth| (0 where the truth is of order 1);
-/// where the value turns out smaller, as near a zero, it is evaluated once more with what it lacked. BadInput
-/// for digits out of range, and naming "arguments" where e^{-30000} more does not tell the value from 0, or where
+/// where the value turns out smaller, as near a zero, it is evaluated once more with the missing nats added. BadInput
+/// for digits out of range, and naming "arguments" where 30000 more nats do not distinguish the value from 0, or where
 /// the value is above e^{30000}.
 Enclosure enclose(int digits, double first_nats, const std::function<Interval(double nats)>& interval_at);
 

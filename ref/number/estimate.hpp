@@ -6,8 +6,8 @@
 
 namespace nipref::ref {
 
-/// A number of the reference, its error (>= 0), and the digits that were asked for. An estimated error is meant to cover
-/// the truth with a margin; where the error is proven, see Enclosure, `proven` is true.
+/// A number of the reference, its error (>= 0), and the digits that were asked for. An estimated error is meant to
+/// cover the truth with a margin; where the error is proven, see Enclosure, `proven` is true.
 struct Estimate : data::WithError<Float> {
   int digits;
   bool proven = false;
@@ -25,12 +25,13 @@ struct Estimate : data::WithError<Float> {
   [[nodiscard]] double error_of(double x) const;
 };
 
-// What follows has the larger number of digits of its two terms. It is proven if both are, and if a factor is exactly 0.
+// What follows has the larger number of digits of its two terms. It is proven if both are, and if a factor is exactly
+// 0.
 
 /// The product and the difference, with their rounding.
 Estimate operator*(const Estimate& a, const Estimate& b);
 Estimate operator-(const Estimate& a, const Estimate& b);
-/// By an exact factor with which the product is exact: a sign, a power of two.
+/// The product with a factor for which it is exact, which is a sign or a power of two.
 Estimate operator*(double factor, Estimate number);
 
 }  // namespace nipref::ref

@@ -7,10 +7,10 @@ namespace nipref::ref {
 
 /// A floating-point number of MPFR with the arithmetic of a built-in type. A copy is exact and has the precision of the
 /// original. A result is rounded once, to nearest, to the precision of its operands or the working precision of the
-/// thread, see WorkingDigits, whichever is larger; but where an operand is a temporary, Boost 1.81 computes in its place,
-/// with its bits. Boost counts in decimal digits (its member precision() does too), so that a result has up to two bits
-/// less than an operand that has bits of its own. Numbers of more than the working precision are thus for MPFR's
-/// functions.
+/// thread, see WorkingDigits, whichever is larger; but where an operand is a temporary, Boost 1.81 computes in its
+/// place, with its bits. Boost counts in decimal digits (its member precision() does too), so that a result has up to
+/// two bits less than an operand that has bits of its own. Code that needs more than the working precision therefore
+/// calls MPFR's functions.
 using Float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
                                             boost::multiprecision::et_off>;
 
@@ -23,7 +23,7 @@ inline mpfr_prec_t bits_of(const Float& x) { return mpfr_get_prec(raw(x)); }
 /// 0 with bits of its own, whatever the working precision is.
 Float zero_of_bits(mpfr_prec_t bits);
 
-/// While it lives, new numbers of this thread have this many decimal digits.
+/// Sets the decimal digits of new numbers of this thread, until its destructor restores the previous ones.
 class WorkingDigits {
  public:
   explicit WorkingDigits(int digits);
@@ -37,7 +37,7 @@ class WorkingDigits {
 
 /// The bits of new numbers of this thread.
 mpfr_prec_t working_bits();
-/// The same number, rounded to them.
+/// The number rounded to the working precision.
 Float at_working_precision(const Float& x);
 
 Float pi();

@@ -3,7 +3,7 @@
 #include <nipref/ref/number/internal/interval_matrix.hpp>
 #include <nipref/ref/number/internal/linear_algebra.hpp>
 
-// Conversions between intervals and floating point.
+// Conversions between interval matrices and floating point.
 
 namespace nipref::ref {
 

@@ -50,11 +50,11 @@ std::optional<Points> proven_roots(const Polynomial& denominator, mpfr_prec_t bi
 
 }  // namespace
 
-std::vector<SwingingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
-                                            mpfr_prec_t bits) {
+std::vector<OscillatingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
+                                               mpfr_prec_t bits) {
   std::optional<Points> roots = proven_roots(denominator, bits);
   while (!roots) roots = proven_roots(denominator, bits *= 2);
-  std::vector<SwingingTerm> terms;
+  std::vector<OscillatingTerm> terms;
   for (std::size_t i = 0; i < roots->size(); ++i) {
     const ComplexInterval& root = (*roots)[i];
     const ComplexInterval slope = Interval(Exact(denominator.back()), bits) * apart(*roots, i);

@@ -7,7 +7,7 @@
 namespace nipref::ref {
 
 /// A term amplitude/(p + rate) of the transform, amplitude e^(-rate t) in time.
-struct SwingingTerm {
+struct OscillatingTerm {
   ComplexInterval amplitude, rate;
 };
 
@@ -15,8 +15,8 @@ struct SwingingTerm {
 /// denominator has the higher degree and only simple roots. Proven: for points z_i near the n roots, the discs with
 /// the radii n |D(z_i)|/|d prod (z_i - z_j)|, where d is D's last coefficient, contain the roots, and each contains
 /// one if the discs do not overlap (Smith). Bits are added until they do not.
-std::vector<SwingingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
-                                            mpfr_prec_t bits);
+std::vector<OscillatingTerm> partial_fractions(const Polynomial& numerator, const Polynomial& denominator,
+                                               mpfr_prec_t bits);
 
 /// Whether some root is also a root of the derivative.
 bool has_repeated_root(const Polynomial& denominator);

@@ -8,7 +8,7 @@
 
 namespace nipref::ref {
 
-/// A polynomial with rational coefficients, that of p^0 first.
+/// A polynomial with rational coefficients; the first is that of p^0.
 using Polynomial = std::vector<mpq_class>;
 
 Polynomial product(const Polynomial& a, const Polynomial& b);
@@ -34,8 +34,8 @@ struct FloatPolynomial {
 /// `unit` or the polynomial's values are rounding errors. The caller has to prove the zeros.
 std::vector<ComplexFloat> approximate_zeros(const FloatPolynomial& p, const Float& unit);
 
-/// Points near the roots, to about `bits` bits; a root 0 is exact and as often as its multiplicity. The caller has to
-/// prove the others.
+/// Approximations of the roots to about `bits` bits. A root 0 is exact and appears as often as its multiplicity. The
+/// caller has to prove the others.
 std::vector<ComplexInterval> roots_near(Polynomial p, mpfr_prec_t bits);
 
 }  // namespace nipref::ref

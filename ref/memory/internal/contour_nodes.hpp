@@ -11,7 +11,7 @@ namespace nipref::ref {
 enum class Contour {
   up,    ///< z = sinh(t + i/2)
   down,  ///< z = 3i/2 + sinh(t - i/2)
-  low,   ///< z = sinh(t + i/4), see swinging_memory()
+  low,   ///< z = sinh(t + i/4), see oscillating_memory()
   high   ///< z = sinh(t + 3i/4)
 };
 

@@ -4,7 +4,7 @@
 namespace nipref::ref {
 
 /// A root of f between `positive` and `negative`, where f has these signs, by the Illinois form of false
-/// position; ends when a step is below `tolerance`. Nothing if no step is: f is no number somewhere.
+/// position, which ends when a step is below `tolerance`. Nothing if no step is, because f is NaN somewhere.
 template <class Scalar, class Function>
 std::optional<Scalar> bracketed_root(const Function& f, Scalar positive, Scalar negative,
                                      const Scalar& tolerance) {

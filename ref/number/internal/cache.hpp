@@ -7,7 +7,7 @@
 
 namespace nipref::ref {
 
-/// What ref::clear_caches() empties.
+/// A cache that ref::clear_caches() empties.
 class ClearableCache {
  public:
   ClearableCache() = default;
@@ -18,15 +18,16 @@ class ClearableCache {
 
  protected:
   ~ClearableCache() = default;
-  /// From `enter`, when it is whole, to `leave`, while it still is, a cache is known to clear_caches().
+  /// Registers the cache with clear_caches(), and removes it. The derived class calls them at the end of its
+  /// constructor and at the start of its destructor, so that clear() is only called on a complete object.
   void enter();
   void leave();
 };
 
-/// The values of a function of `Key`, each computed when it is first asked for and kept. When they take more
-/// than `capacity` bytes those that have not been asked for the longest go, the latest excepted. One policy
-/// for everything that this room keeps. Thread-safe: a value is computed once while others wait for it, and
-/// other keys do not wait.
+/// A cache of the values of a function of `Key`, each computed at its first request. When they take more than
+/// `capacity` bytes, the least recently requested ones are dropped, but never the latest. All caches of the reference
+/// are of this type. Thread-safe: each value is computed by one thread, for which requests of the same key wait and
+/// others do not.
 template <class Key, class Value>
 class Cache final : public ClearableCache {
  public:
@@ -41,7 +42,8 @@ class Cache final : public ClearableCache {
   }
   ~Cache() { leave(); }
 
-  /// Lives as long as it is held here or by a caller. What `make` throws is passed on; the next call tries again.
+  /// The value lives as long as the cache or a caller holds it. An exception thrown by `make` is passed on, and the
+  /// next call tries again.
   std::shared_ptr<const Value> at(const Key& key) {
     const std::shared_ptr<Slot> slot = slot_of(key);
     const std::lock_guard lock(slot->making);
@@ -79,7 +81,8 @@ class Cache final : public ClearableCache {
     return slot;
   }
 
-  /// Counts a value just made, unless the cache has been cleared in the meantime, and lets others go for it.
+  /// Adds the size of a new value, unless the cache has been cleared in the meantime, and drops old values to make
+  /// room.
   void keep(const Key& key, const std::shared_ptr<Slot>& slot) {
     const std::lock_guard lock(mutex_);
     const auto kept = slots_.find(key);

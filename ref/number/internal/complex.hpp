@@ -3,7 +3,7 @@
 
 namespace nipref::ref {
 
-/// Owner of one MPC number, used as Float is.
+/// Owns one number of MPC, for MPC's functions.
 class Complex {
  public:
   explicit Complex(mpfr_prec_t precision) {

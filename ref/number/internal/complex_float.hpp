@@ -5,8 +5,8 @@
 
 namespace nipref::ref {
 
-/// Two numbers to the working precision, with the arithmetic of one complex number; quotients and products by
-/// their formulas, relative to the size of the whole, not of each part.
+/// A complex number of two Floats. Products and quotients are computed by their formulas, so that their rounding errors
+/// are relative to the modulus, not to each part.
 struct ComplexFloat {
   Float re = 0, im = 0;
 
@@ -36,7 +36,7 @@ inline ComplexFloat exp(const ComplexFloat& x) {
   const Float size = exp(x.re);
   return x.is_real() ? ComplexFloat(size) : ComplexFloat(size * cos(x.im), size * sin(x.im));
 }
-/// The principal one.
+/// The principal value.
 inline ComplexFloat log(const ComplexFloat& x) {
   Float angle;
   mpfr_atan2(raw(angle), raw(x.im), raw(x.re), MPFR_RNDN);

@@ -15,7 +15,7 @@ ComplexInterval operator-(const ComplexInterval& x);
 ComplexInterval operator*(const Interval& x, const ComplexInterval& y);
 Interval abs(const ComplexInterval& x);
 ComplexInterval conj(const ComplexInterval& x);
-/// 1/x; parts are infinite where x contains 0.
+/// 1/x; its parts are infinite where x contains 0.
 ComplexInterval inverse(const ComplexInterval& x);
 ComplexInterval exp(const ComplexInterval& x);
 ComplexInterval sin(const ComplexInterval& x);

@@ -42,7 +42,7 @@ std::string decimal_text(const Float& value, int digits) {
 
 std::string error_text(const Float& value, const Float& error, int digits) {
   if (mpfr_zero_p(raw(error)) && is_exact(decimal_text(value, digits), value)) return "0";
-  if (mpfr_zero_p(raw(value))) return print("%.*RUe", 1, error);  // its text is exact
+  if (mpfr_zero_p(raw(value))) return print("%.*RUe", 1, error);  // the text "0" is exact
   Float sum(error);
   Float last_place = zero_of_bits(error_precision);
   mpfr_set_si(raw(last_place), decimal_exponent(value) + 2 - printed_digits(value, digits), MPFR_RNDU);

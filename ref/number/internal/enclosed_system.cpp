@@ -6,7 +6,7 @@
 namespace nipref::ref {
 namespace {
 
-/// NaN if one of them is: what is no number must not pass for a small one.
+/// The larger number, or NaN if one of them is NaN, so that NaN does not pass for a small error.
 Float larger(const Float& a, const Float& b) { return a >= b || !(a == a) ? a : b; }
 
 Float row_sum_norm(const Matrix& matrix) {
@@ -21,7 +21,7 @@ Float row_sum_norm(const Matrix& matrix) {
 
 }  // namespace
 
-// Sums of n products are off by at most (n + 2) units of the sum of their sizes.
+// A sum of n products has a rounding error of at most (n + 2) units of the sum of their magnitudes.
 std::optional<EnclosedSolutions> enclosed_solutions(const NearlyKnownSystem& system) {
   const auto n = system.matrix.rows();
   const Matrix inverse = system.matrix.inverse();

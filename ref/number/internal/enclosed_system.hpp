@@ -15,12 +15,12 @@ struct NearlyKnownSystem {
   Vector right_error = {};  ///< of each coefficient of a column, beyond rounding; a row for each column
 };
 
-/// Of every system within those errors: there is no singular one among them.
+/// Enclosures of the solutions of all systems within those errors, none of which is singular.
 struct EnclosedSolutions {
   std::vector<std::vector<Interval>> unknowns;  ///< by column of the right-hand side
-  Float error;                                  ///< largest radius of one
-  Float largest;                                ///< middle of one
-  Float condition;                              ///< of the matrix, in the largest row sum
+  Float error;                                  ///< the largest radius of an unknown
+  Float largest;                                ///< the largest magnitude of an unknown's middle
+  Float condition;                              ///< of the matrix, in the row-sum norm
 };
 
 /// Solves with an approximate inverse C: |x - truth| <= |C (b - A x)|/(1 - |1 - C A|), with the coefficients'

@@ -3,15 +3,15 @@
 
 #include <nipref/ref/number/interval.hpp>
 
-// Between Float and Interval.
+// Conversions between Float and Interval.
 
 namespace nipref::ref {
 
-/// The number itself, where the precision, which is the number's unless it is given, holds it.
+/// The number as an interval, of width 0 if the precision suffices for it, which is by default its own.
 inline Interval interval_of(const Float& x, mpfr_prec_t precision) { return {x, x, precision}; }
 inline Interval interval_of(const Float& x) { return {x, x, bits_of(x)}; }
 
-/// [lower, upper] of two intervals, from one to the other.
+/// The smallest interval that contains both.
 inline Interval hull(const Interval& x, const Interval& y) {
   Interval result(std::max(x.precision(), y.precision()));
   mpfi_union(result.get(), x.get(), y.get());

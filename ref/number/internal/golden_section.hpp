@@ -3,14 +3,14 @@
 
 namespace nipref::ref {
 
-/// Where f, with one maximum from `low` to `high`, is largest, by golden section to within `enough`. The largest value is
-/// then known to the square of that.
+/// The place of the only maximum of f between `low` and `high`, by golden-section search to within `tolerance`. The
+/// error of the maximum itself is of the order of the square of that.
 template <class Function>
-Float place_of_largest(const Function& f, Float low, Float high, const Float& enough) {
+Float place_of_largest(const Function& f, Float low, Float high, const Float& tolerance) {
   const Float golden = (sqrt(Float(5)) - 1) / 2;
   Float left = high - golden * (high - low), right = low + golden * (high - low);
   Float at_left = f(left), at_right = f(right);
-  while (high - low > enough) {
+  while (high - low > tolerance) {
     if (at_left > at_right) {
       high = right;
       right = left, at_right = at_left;

@@ -7,7 +7,7 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// sum += x y; `product` is room for it, so that there is no new number for each.
+/// sum += x y. The product is written to `product`, so that no number is allocated for it.
 void add_product(double& sum, double x, double y, double& /*product*/) { sum += x * y; }
 void add_product(Float& sum, const Float& x, const Float& y, Float& product) {
   mpfr_mul(raw(product), raw(x), raw(y), MPFR_RNDN);

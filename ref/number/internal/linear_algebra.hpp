@@ -7,9 +7,9 @@
 
 namespace nipref::ref {
 
-/// Eigen's matrix of Float or double, with zeros at first; a vector is one of a single column. Shapes that do not
-/// fit are the caller's mistake and not checked. Products and elimination are the project's, in half the time of
-/// Eigen's, which makes a new number for each product of two entries.
+/// Eigen's matrix of Float or double, initialised with zeros. A vector is a matrix of one column. Shapes are not
+/// checked. The products and the elimination of this class take half the time of Eigen's, which allocates a new number
+/// for each product of two entries.
 template <class Scalar>
 class DenseMatrix : public Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> {
   using Base = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -38,10 +38,10 @@ class DenseMatrix : public Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>
 using Matrix = DenseMatrix<Float>;
 using Vector = Matrix;
 
-/// The largest size of an entry, or NaN if an entry is NaN: what is no number must not pass for a small one.
+/// The largest magnitude of an entry, or NaN if an entry is NaN, so that NaN does not pass for a small number.
 Float largest_entry(const Matrix& x);
 
-/// By elimination with partial pivoting; a column for each right-hand side.
+/// The solutions for the right-hand sides, which are the columns of `right`, by elimination with partial pivoting.
 template <class Scalar>
 DenseMatrix<Scalar> solve(DenseMatrix<Scalar> matrix, DenseMatrix<Scalar> right);
 

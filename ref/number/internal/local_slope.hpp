@@ -3,11 +3,12 @@
 
 namespace nipref::ref {
 
-/// f'(x) of an f that is analytic within four times `reach` of x at least, to all digits of the working precision but
-/// what their difference over `reach` loses: by the polynomial through Chebyshev points within it.
+/// f'(x) of a function that is analytic at least within four times `reach` of x, from the polynomial through Chebyshev
+/// points within `reach`. The rounding errors of f are divided by `reach`; no other digits of the working precision are
+/// lost.
 template <class Function>
 Float local_slope(const Function& f, const Float& x, const Float& reach) {
-  // The points leave out about (4 + sqrt 15)^-nodes.
+  // The interpolation error is about (4 + sqrt 15)^-nodes.
   const int pairs = static_cast<int>(working_bits()) / 5 + 4, nodes = 2 * pairs;
   Float sum = 0;
   for (int j = 0; j < pairs; ++j) {

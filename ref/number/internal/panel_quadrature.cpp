@@ -11,7 +11,7 @@ Interval rational(const mpq_class& value, mpfr_prec_t precision) {
   return result;
 }
 
-/// Least k >= 0 with |x| <= 2^k.
+/// The least k >= 0 with |x| <= 2^k.
 unsigned long bits_above(const mpq_class& x) {
   if (abs(x) <= 1) return 0;
   const mpz_class whole = abs(x.get_num()) / x.get_den();
@@ -26,7 +26,7 @@ mpq_class halved(mpq_class x, unsigned long times) {
 /// int_0^1 e^{-y s} ds = sum_n (-y)^n/(n+1)! for |y| <= 1/2, where the terms from the N-th on, N > last, add
 /// up to at most 2 |y|^N/(N+1)! <= 2^-last/last!.
 ComplexInterval one_panel(const ComplexInterval& minus_y, mpfr_prec_t bits) {
-  // 2^n n! at least, as its logarithm in whole bits.
+  // `size` is a lower bound of log2(2^last last!).
   long last = 0;
   for (mpfr_prec_t size = 0; size < bits; size += static_cast<mpfr_prec_t>(bits_above(last))) ++last;
   ComplexInterval sum{Interval(1L, bits), Interval(0L, bits)};

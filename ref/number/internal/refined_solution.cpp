@@ -6,7 +6,7 @@
 namespace nipref::ref {
 namespace {
 
-/// Each gains some ten digits.
+/// Each correction gains some ten digits.
 constexpr int most_corrections = 60;
 
 }  // namespace

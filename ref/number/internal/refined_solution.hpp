@@ -6,13 +6,14 @@
 
 namespace nipref::ref {
 
-/// x with `apply(x)` = right, `apply` a product with the matrix that `matrix` is nearly: eliminated in double, corrected by
-/// what x leaves in the working precision until that is rounding. Nothing where it does not become so.
+/// The solution x of apply(x) = right by iterative refinement, where `apply` is the product with a matrix that `matrix`
+/// approximates. Its factors, in double, give corrections from the residuals in the working precision, until a residual
+/// is of the order of the rounding errors. Nothing if none becomes so small.
 std::optional<Vector> refined_solution(const DenseMatrix<double>& matrix, const Vector& right,
                                        const std::function<Vector(const Vector&)>& apply);
 
-/// The same as solve() for one right-hand side, up to rounding, in a fraction of the time where the matrix is far from
-/// singular; where it is not, by solve().
+/// The result of solve(), up to rounding, for one right-hand side. Computed by iterative refinement, which takes a
+/// fraction of the time, unless the matrix is so close to singular that refinement does not converge; then by solve().
 Vector refined_solution(const Matrix& matrix, const Vector& right);
 
 }  // namespace nipref::ref

@@ -29,8 +29,8 @@ UnitRule gauss_rule(int points) {
 }
 
 UnitRule double_exponential_rule(double nats, int degree) {
-  // On Im t = 1 the polynomials are at most about (3.9 + 4)^degree: the trapezoidal sum is off by
-  // e^{-2 pi/step} times that.
+  // On Im t = 1 the polynomials are at most about (3.9 + 4)^degree. The error of the trapezoidal sum is e^{-2 pi/step}
+  // times that.
   const double step = 2 * std::numbers::pi / (nats + 2.07 * degree);
   const double last = std::asinh((nats + 8) / std::numbers::pi);
   const int half = static_cast<int>(std::ceil(last / step));

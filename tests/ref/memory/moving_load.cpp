@@ -45,7 +45,7 @@ Float45 kernel_5(const Float45& w) { return number(I5(exact(w), 36)); }
 Float45 real(const mpq_class& x) { return Float45(x.get_num().get_str()) / Float45(x.get_den().get_str()); }
 
 /// The function of time of (c + b p)/(d + 2 rho p + p^2), c + b p being the numerator.
-Float45 swing(const ExactRatio& fraction, const Float45& since) {
+Float45 oscillating_part(const ExactRatio& fraction, const Float45& since) {
   const Float45 rho = real(fraction.denominator[1]) / 2, square = rho * rho - real(fraction.denominator[0]);
   const Float45 b = real(fraction.numerator[1]), c = real(fraction.numerator[0]) - b * rho;
   const Float45 width = sqrt(abs(square)), x = width * since;
@@ -56,7 +56,7 @@ Float45 swing(const ExactRatio& fraction, const Float45& since) {
 /// What of theta comes after the beginning, at once for all rates: the kernels are what takes time.
 Float45 fading(const ExactFunction& theta, const Float45& since) {
   Float45 sum = 0;
-  for (const ExactRatio& fraction : theta.fractions) sum += swing(fraction, since);
+  for (const ExactRatio& fraction : theta.fractions) sum += oscillating_part(fraction, since);
   for (const ExactFunction::Term& term : theta.terms)
     sum += real(term.amplitude) * exp(-real(term.rate) * since);
   return sum;
@@ -107,8 +107,9 @@ ExactMaterial two_times() {
           {mpq_class(1, 3), {{mpq_class(1, 5), mpq_class(7)}}, {}}};
 }
 
-/// A solid whose memory swings four times as fast as it fades in theta1, has two real rates in theta2, and flows besides.
-ExactMaterial swinging() {
+/// A solid whose memory oscillates four times as fast as it decays in theta1 and has two real rates in theta2, and
+/// which flows.
+ExactMaterial oscillating_solid() {
   return {
       {mpq_class(1),
        {{mpq_class(1, 8), mpq_class(0)}},
@@ -165,12 +166,12 @@ TEST_CASE("moving load: Vn is the memory integral over the elastic kernels, in a
 }
 
 TEST_CASE(
-    "moving load: a memory that swings is the memory integral too, and so is one of roots that are no numbers of ours") {
-  check_Un("1.5", "2.25", swinging());
-  check_Un("1.5", "0.5", swinging());
-  check_Un("6", "3", swinging());
-  check_Vn("1.5", "0.5", "-0.5", swinging());
-  check_Vn("0.125", "0.126", "4", swinging());
+    "moving load: a memory that oscillates is the memory integral too, and so is one whose roots are irrational") {
+  check_Un("1.5", "2.25", oscillating_solid());
+  check_Un("1.5", "0.5", oscillating_solid());
+  check_Un("6", "3", oscillating_solid());
+  check_Vn("1.5", "0.5", "-0.5", oscillating_solid());
+  check_Vn("0.125", "0.126", "4", oscillating_solid());
 }
 
 TEST_CASE("moving load: operators are the solids that their roots make") {
@@ -205,7 +206,7 @@ TEST_CASE("moving load: operators are the solids that their roots make") {
 }
 
 TEST_CASE("moving load: with operators what would take long is refused") {
-  const ExactMaterial solid = swinging();
+  const ExactMaterial solid = oscillating_solid();
   CHECK_NOTHROW(moving_load_steady_normal_displacement(exact("-150"), one, one, solid, 16));
   CHECK_THROWS_AS(moving_load_steady_normal_displacement(exact("251"), one, one, solid, 16), BadInput);
   CHECK_THROWS_AS(moving_load_normal_displacement(exact("150"), exact("-101"), one, one, solid, 16),

@@ -7,7 +7,7 @@
 #include <string>
 
 #include <nipref/ref/memory/internal/fading.hpp>
-#include <nipref/ref/memory/internal/swinging.hpp>
+#include <nipref/ref/memory/internal/oscillating_memory.hpp>
 
 #include "support/decimal.hpp"
 
@@ -39,7 +39,7 @@ TEST_CASE("memory of complex rates: on the real axis it is that of real ones") {
         CAPTURE(static_cast<int>(kernel));
         CAPTURE(alpha);
         CAPTURE(rate);
-        const ComplexInterval found = swinging_memory(kernel, exact(alpha), rate_of(rate, "0"), 50);
+        const ComplexInterval found = oscillating_memory(kernel, exact(alpha), rate_of(rate, "0"), 50);
         CHECK(has_zero(found.real - steady_memory(kernel, exact(alpha), exact(rate), 50)));
         CHECK(has_zero(found.imag));
         CHECK(width(found.real) <= 5 * std::exp(-50.0));
@@ -62,14 +62,15 @@ TEST_CASE("memory of complex rates: enclosures of any width, by other nodes, mee
         CAPTURE(alpha);
         CAPTURE(imaginary);
         if (kernel == Symbol::normal && alpha == std::string("0")) continue;
-        const ComplexInterval best = swinging_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
+        const ComplexInterval best = oscillating_memory(kernel, exact(alpha), rate_of(real, imaginary), 60);
         for (const double nats : {1.0, 20.0}) {
-          const ComplexInterval rough = swinging_memory(kernel, exact(alpha), rate_of(real, imaginary), nats);
+          const ComplexInterval rough =
+              oscillating_memory(kernel, exact(alpha), rate_of(real, imaginary), nats);
           CHECK(has_zero(rough.real - best.real));
           CHECK(has_zero(rough.imag - best.imag));
         }
         const ComplexInterval other =
-            swinging_memory(kernel, exact(alpha), conj(rate_of(real, imaginary)), 60);
+            oscillating_memory(kernel, exact(alpha), conj(rate_of(real, imaginary)), 60);
         CHECK(has_zero(other.imag + best.imag));
       }
     }

@@ -38,6 +38,7 @@ namespace nipref::ref {
 ///                   q(J h) >= nats + 9, Re z(J h) >= 2
 ///
 /// are below e^{-nats}/2. Everything else is interval arithmetic.
-ComplexInterval swinging_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate, double nats);
+ComplexInterval oscillating_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate,
+                                   double nats);
 
 }  // namespace nipref::ref

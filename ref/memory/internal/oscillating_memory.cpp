@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include <nipref/ref/memory/internal/contour_nodes.hpp>
-#include <nipref/ref/memory/internal/swinging.hpp>
+#include <nipref/ref/memory/internal/oscillating_memory.hpp>
 #include <nipref/ref/sheet/internal/intervals.hpp>
 
 namespace nipref::ref {
@@ -100,7 +100,7 @@ ComplexInterval whole_line_from_load(Symbol kernel, const ComplexInterval& rate)
 
 /// The same for so large an Im L > 0 that sine and cosine overflow, by r = e^{i L}: sin L = (r - 1/r)/(2i) and
 /// cos L = (r + 1/r)/2, with numerator and denominator multiplied by r or r^2.
-ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& rate) {
+ComplexInterval whole_line_of_fast_oscillation(Symbol kernel, const ComplexInterval& rate) {
   const mpfr_prec_t bits = rate.real.precision();
   const ComplexInterval one{Interval(1L, bits), Interval(bits)}, r = exp(times_i(rate)), square = r * r;
   const Interval half(0.5, bits);
@@ -120,12 +120,12 @@ ComplexInterval whole_line_of_fast_swing(Symbol kernel, const ComplexInterval& r
 
 /// P
 ComplexInterval whole_line(Symbol kernel, const ComplexInterval& rate, const Exact& distance) {
-  constexpr double fast_swing = 64;
+  constexpr double fast_oscillation = 64;
   const ComplexInterval faded = exp(-(Interval(distance, rate.real.precision()) * rate));
-  const double swing = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
-  if (swing > fast_swing) return whole_line_of_fast_swing(kernel, rate) * faded;
+  const double frequency = mpfr_get_d(rate.imag.lower(), MPFR_RNDN);
+  if (frequency > fast_oscillation) return whole_line_of_fast_oscillation(kernel, rate) * faded;
   // For a real rate the result is real.
-  if (swing < -fast_swing) return conj(whole_line_of_fast_swing(kernel, conj(rate))) * faded;
+  if (frequency < -fast_oscillation) return conj(whole_line_of_fast_oscillation(kernel, conj(rate))) * faded;
   return whole_line_from_load(kernel, rate) * faded;
 }
 
@@ -138,7 +138,8 @@ double angle_of_pole(const ComplexInterval& rate) {
 
 }  // namespace
 
-ComplexInterval swinging_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate, double nats) {
+ComplexInterval oscillating_memory(Symbol kernel, const Exact& alpha, const ComplexInterval& rate,
+                                   double nats) {
   const bool odd = bounds(kernel).parity == Parity::odd;
   const Exact distance = alpha.magnitude();
   const Interval quarter = Interval::pi(rate.real.precision()) / 4;
