@@ -265,6 +265,7 @@ TEST_CASE("eval by ref has the digits that were asked for, or says that it misse
        {Case{"nip.peak_pressure L_over_B=12 poisson=0.3", 20, true},
         // Of a long gripped sheet that hardly is compressible the slow waves tell no more in a minute.
         Case{"nip.peak_pressure L_over_B=15.75 poisson=0.499 friction=full", 16, false},
+        Case{"halfspace.condition poisson=0.25 speed=0.5", 50, true},
         // Nearly elastic: the resistance is as small as the softening, and its digits are of 1/10.
         Case{"rolling_nip.resistance L_over_B=1 memory_over_L=0.1 softening=1.0000001", 16, true}}) {
     CAPTURE(arguments);

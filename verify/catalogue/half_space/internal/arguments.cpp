@@ -113,8 +113,9 @@ void check_subcritical(const NamedExact& x) {
   }
 }
 
-// The step is so much smaller than the least distance of a double from the critical speed that the truncation error of the
-// difference quotient, step^2 over that distance's square, is below what the digits ask for.
+// The step is so much smaller than the least distance of a double from the critical speed that the truncation error of
+// the difference quotient, step^2 over that distance's square, is below what the digits ask for. The error of ln K over
+// the step is below 10^-(digits + guard).
 ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact& speed,
                               const ref::SurfaceDirection& motion, const ref::SurfaceDirection& psi,
                               int digits) {
@@ -138,7 +139,7 @@ ref::Estimate exact_condition(const ref::ExactStiffness& solid, const ref::Exact
   mpfr_set_q(ref::raw(two_steps), mpq_class(2 * step.value()).get_mpq_t(), MPFR_RNDN);
   mpfr_div(ref::raw(slope), ref::raw(slope), ref::raw(two_steps), MPFR_RNDN);
   ref::Float error = ref::zero_of_bits(64);
-  mpfr_set_q(ref::raw(error), ref::Exact::parse("1e-" + std::to_string(digits)).value().get_mpq_t(),
+  mpfr_set_q(ref::raw(error), ref::Exact::parse("1e-" + std::to_string(digits + 2)).value().get_mpq_t(),
              MPFR_RNDU);
   return {slope, error, digits};
 }
