@@ -76,8 +76,8 @@ TEST_CASE("command line: 'help scene' defines every key and every result of scen
   CHECK(text.status == 0);
   const json answer = answer_to("list scene");
   CHECK(answer.at("quantities").empty());
-  CHECK(answer.at("keys").size() == data::scene_keys().size());
-  CHECK(answer.at("results").size() == data::scene_results().size());
+  CHECK(answer.at("keys").size() == nipref::data::scene_keys().size());
+  CHECK(answer.at("results").size() == nipref::data::scene_results().size());
   for (const auto* const list : {"keys", "results"}) {
     for (const json& one : answer.at(list)) {
       CAPTURE(one);
