@@ -5,7 +5,6 @@
 
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 

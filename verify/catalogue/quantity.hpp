@@ -1,11 +1,9 @@
 #pragma once
-#include <array>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include <nipref/fast/number/accuracy.hpp>

@@ -12,7 +12,6 @@
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/sampling.hpp>
 #include <nipref/verify/support/sha256.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -6,15 +6,16 @@
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/directory.hpp>
 #include <nipref/data/input_file.hpp>
+#include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>
+#include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/checksums.hpp>
-#include <nipref/verify/golden/render.hpp>
+#include <nipref/verify/golden/update.hpp>
 #include <nipref/verify/support/internal/progress.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {
@@ -106,6 +107,12 @@ GoldenOptions options_for(const Quantity& quantity, const CommandLine& line) {
   return options;
 }
 
+Json refused_json(const Quantity& quantity, const std::vector<RefusedRow>& refused) {
+  return json_list(refused, [&](const RefusedRow& row) -> Json {
+    return {{"arguments", point_json(quantity, row.arguments)}, {"reason", row.reason}};
+  });
+}
+
 int make(const CommandLine& line, std::ostream& out) {
   const auto quantities = quantities_of(line);
   const Destination destination(line, quantities.size());
@@ -113,7 +120,8 @@ int make(const CommandLine& line, std::ostream& out) {
     destination.check(*quantity, options_for(*quantity, line).points);
   stop_gently_on_interrupt();
   Progress progress(standard_error(line.has("quiet")));
-  std::vector<MadeFile> files;
+  std::vector<Json> files;
+  std::size_t rows = 0;
   bool kept = true;
   progress.each("golden make", quantities, &Quantity::name, [&](const Quantity* quantity) {
     GoldenOptions options = options_for(*quantity, line);
@@ -121,9 +129,13 @@ int make(const CommandLine& line, std::ostream& out) {
     MadeGolden made = make_golden(*quantity, options, provenance());
     kept = kept && made.refused.empty();
     destination.write(*quantity, made.file);
-    files.push_back({quantity->name, destination.file_of(*quantity).string(), std::move(made)});
+    rows += made.file.rows.size();
+    files.push_back({{"quantity", quantity->name},
+                     {"file", destination.file_of(*quantity).string()},
+                     {"rows", made.file.rows.size()},
+                     {"refused", refused_json(*quantity, made.refused)}});
   });
-  return answer(line, out, made_json(files), kept);
+  return answer(line, out, {{"action", "make"}, {"files", files}, {"_rows", rows}}, kept);
 }
 
 /// A word is a quantity, or a file.
@@ -135,6 +147,25 @@ fs::path file_of(const std::string& word) {
   if (!is_file) refuse_quantity(word);
   data::check_input_file(word, "file");
   return word;
+}
+
+/// `folder`: failures that belong to no single file.
+Json checked_json(const std::vector<GoldenFailure>& folder, const std::vector<CheckedGolden>& files) {
+  std::size_t rows = 0;
+  std::vector<GoldenFailure> all = folder;
+  for (const CheckedGolden& file : files) {
+    rows += file.rows;
+    all.insert(all.end(), file.failures.begin(), file.failures.end());
+  }
+  const auto count = [&](GoldenFault fault) { return std::ranges::count(all, fault, &GoldenFailure::fault); };
+  return {{"action", "check"},
+          {"failures", json_list(folder, failure_json)},
+          {"files", json_list(files, checked_file_json)},
+          {"_rows", rows},
+          {"_wrong", count(GoldenFault::wrong)},
+          {"_useless", count(GoldenFault::useless)},
+          {"_text_changed", count(GoldenFault::text_changed)},
+          {"_missing", count(GoldenFault::missing)}};
 }
 
 int check(const CommandLine& line, std::ostream& out) {
@@ -165,6 +196,32 @@ int check(const CommandLine& line, std::ostream& out) {
   return answer(line, out, checked_json(folder, files), kept);
 }
 
+struct UpdatedFile {
+  const Quantity& quantity;
+  std::string path;
+  UpdatedGolden updated;
+};
+
+Json value_json(const GoldenRow& row) {
+  return {{"value", row.value}, {"error", row.bound}, {"proven", row.proven}};
+}
+
+Json updated_json(const UpdatedFile& file) {
+  const auto changed = [&](const ChangedRow& row) -> Json {
+    return {{"row", row.row},
+            {"arguments", point_json(file.quantity, row.before.arguments)},
+            {"why", row.why},
+            {"before", value_json(row.before)},
+            {"after", value_json(row.after)}};
+  };
+  return {{"quantity", file.quantity.name},
+          {"file", file.path},
+          {"rows", file.updated.file.rows.size()},
+          {"changed", json_list(file.updated.changed, changed)},
+          {"refused", refused_json(file.quantity, file.updated.refused)},
+          {"_changed", file.updated.changed.size()}};
+}
+
 int update(const CommandLine& line, std::ostream& out) {
   const Provenance made_with = provenance();
   if (!made_with.clean && !line.has("dirty")) {
@@ -182,7 +239,7 @@ int update(const CommandLine& line, std::ostream& out) {
     if (!fs::exists(path) && line.words.size() == 1) return;
     const GoldenFile before = read_golden(path);
     destination.check(*quantity, before.rows.size());
-    files.push_back({quantity->name, destination.file_of(*quantity).string(),
+    files.push_back({*quantity, destination.file_of(*quantity).string(),
                      update_golden(*quantity, before, line.has("all"), made_with,
                                    [&](double part) { progress.at(part); })});
   });
@@ -190,25 +247,34 @@ int update(const CommandLine& line, std::ostream& out) {
   // What is told comes before what is written.
   const bool kept =
       std::ranges::all_of(files, [](const UpdatedFile& file) { return file.updated.refused.empty(); });
-  const int status = answer(line, out, updated_json(files), kept);
+  const int status =
+      answer(line, out, {{"action", "update"}, {"files", json_list(files, updated_json)}}, kept);
   for (const UpdatedFile& file : files) {
-    if (!file.updated.changed.empty()) destination.write(find_quantity(file.quantity), file.updated.file);
+    if (!file.updated.changed.empty()) destination.write(file.quantity, file.updated.file);
   }
   return status;
 }
 
 int list(const CommandLine& line, std::ostream& out) {
-  std::vector<ListedFile> files;
-  std::vector<std::string> missing;
+  std::vector<Json> files, missing;
+  std::size_t rows = 0;
   for (const Quantity* quantity : quantities_of(line)) {
     const fs::path path = golden_path(*quantity);
-    if (fs::exists(path)) {
-      files.push_back({quantity->name, path.string(), read_golden(path)});
-    } else {
-      missing.push_back(quantity->name);
+    if (!fs::exists(path)) {
+      missing.emplace_back(quantity->name);
+      continue;
     }
+    const GoldenFile file = read_golden(path);
+    Json header = Json::object();
+    for (const auto& [key, text] : file.header) header.set(key, text);
+    rows += file.rows.size();
+    files.push_back({{"quantity", quantity->name},
+                     {"file", path.string()},
+                     {"rows", file.rows.size()},
+                     {"header", header}});
   }
-  return answer(line, out, listed_json(files, missing), true);
+  return answer(line, out, {{"action", "list"}, {"files", files}, {"missing", missing}, {"_rows", rows}},
+                true);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/sheet/instruction_set.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/graded.hpp>
 #include <nipref/verify/cli/machine.hpp>

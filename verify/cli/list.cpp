@@ -1,7 +1,6 @@
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/data/scene/results.hpp>
 #include <nipref/verify/catalogue/arguments.hpp>
-#include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/command_line.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/verbs.hpp>

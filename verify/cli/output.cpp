@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>

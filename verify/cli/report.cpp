@@ -5,18 +5,15 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
-#include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/bench/bench.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/cli/audit_run.hpp>
 #include <nipref/verify/cli/command_line.hpp>
-#include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/cli/programs.hpp>
 #include <nipref/verify/cli/report_parts.hpp>
 #include <nipref/verify/cli/verbs.hpp>
 #include <nipref/verify/figures/figure.hpp>
-#include <nipref/verify/golden/render.hpp>
 #include <nipref/verify/replay/render.hpp>
 #include <nipref/verify/report/report.hpp>
 

@@ -13,8 +13,6 @@
 #include <nipref/verify/solve/energy_balance.hpp>
 #include <nipref/verify/solve/likely_time.hpp>
 #include <nipref/verify/solve/render.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 

@@ -1,14 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/input_file.hpp>
 #include <nipref/verify/audit/render.hpp>
 #include <nipref/verify/catalogue/deviation.hpp>
-#include <nipref/verify/catalogue/ulp.hpp>
 #include <nipref/verify/golden/check.hpp>
 #include <nipref/verify/golden/checksums.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
@@ -140,6 +138,21 @@ std::vector<GoldenFailure> check_folder(const fs::path& folder) {
       fail(fmt::format("{} does not list {}", checksums_name, name));
   }
   return failures;
+}
+
+Json failure_json(const GoldenFailure& failure) {
+  return {{"fault", name(failure.fault)}, {"row", failure.row}, {"what", failure.what}};
+}
+
+Json checked_file_json(const CheckedGolden& file) {
+  return {{"file", file.path.string()},
+          {"quantity", Json::unless_empty(file.quantity)},
+          {"rows", file.rows},
+          {"recomputed", file.recomputed},
+          {"hashed", file.hashed},
+          {"kept", file.kept()},
+          {"failures", json_list(file.failures, failure_json)},
+          {"_name", file.path.filename().string()}};
 }
 
 }  // namespace nipref::verify

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <nipref/verify/golden/golden.hpp>
+#include <nipref/verify/support/json.hpp>
 
 namespace nipref::verify {
 
@@ -58,5 +59,8 @@ CheckedGolden check_golden(const std::filesystem::path& path, const CheckOptions
 
 /// The files that the folder's SHA256SUMS lists but that do not exist, and the golden files that it does not list.
 std::vector<GoldenFailure> check_folder(const std::filesystem::path& folder);
+
+Json failure_json(const GoldenFailure& failure);
+Json checked_file_json(const CheckedGolden& file);
 
 }  // namespace nipref::verify

@@ -3,7 +3,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include <nipref/data/bad_input.hpp>

@@ -3,8 +3,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include <nipref/verify/audit/audit.hpp>
 #include <nipref/verify/support/json.hpp>

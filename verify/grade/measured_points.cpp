@@ -7,7 +7,6 @@
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/table/csv.hpp>
-#include <nipref/verify/catalogue/arguments.hpp>
 #include <nipref/verify/catalogue/catalogue.hpp>
 #include <nipref/verify/grade/measured_points.hpp>
 

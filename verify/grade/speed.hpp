@@ -1,8 +1,5 @@
 #pragma once
-#include <cstddef>
-#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <nipref/verify/catalogue/quantity.hpp>

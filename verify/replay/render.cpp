@@ -11,35 +11,33 @@
 namespace nipref::verify {
 namespace {
 
-struct Counts {
-  std::size_t cells = 0;  ///< all cells but the inputs
-  std::size_t match = 0;
-  std::size_t misprint = 0;
-  std::size_t seed_error = 0;
-  std::size_t unexplained = 0;
-  std::size_t without_number = 0;  ///< unexplained cells whose print has no legible number
-};
-
 const data::TableCell& printed_cell(const Replay& replay, const ReplayedCell& cell) {
   return replay.table.cell(cell.row, cell.column);
 }
 
+/// Whether an unexplained cell has no legible number.
 bool is_without_number(const Replay& replay, const ReplayedCell& cell) {
   return cell.verdict == Verdict::unexplained && !printed_cell(replay, cell).is_readable();
 }
 
-Counts count(const std::vector<Replay>& replays) {
-  Counts counts;
-  for (const Replay& replay : replays) {
-    counts.cells += replay.cells.size() - replay.count(Verdict::input);
-    counts.match += replay.count(Verdict::match);
-    counts.misprint += replay.count(Verdict::misprint);
-    counts.seed_error += replay.count(Verdict::seed_error);
-    counts.unexplained += replay.count(Verdict::unexplained);
-    counts.without_number += static_cast<std::size_t>(std::ranges::count_if(
-        replay.cells, [&](const ReplayedCell& cell) { return is_without_number(replay, cell); }));
-  }
-  return counts;
+/// The numbers of cells of each verdict; inputs are not counted.
+Json summary_json(const std::vector<Replay>& replays) {
+  const auto sum = [&](const auto& count) {
+    std::size_t total = 0;
+    for (const Replay& replay : replays) total += static_cast<std::size_t>(count(replay));
+    return total;
+  };
+  const auto of = [&](Verdict verdict) { return sum([&](const Replay& one) { return one.count(verdict); }); };
+  const auto without_number = [](const Replay& replay) {
+    return std::ranges::count_if(replay.cells,
+                                 [&](const ReplayedCell& cell) { return is_without_number(replay, cell); });
+  };
+  return {{"cells", sum([](const Replay& one) { return one.cells.size() - one.count(Verdict::input); })},
+          {"match", of(Verdict::match)},
+          {"misprint", of(Verdict::misprint)},
+          {"seed_error", of(Verdict::seed_error)},
+          {"unexplained", of(Verdict::unexplained)},
+          {"without_number", sum(without_number)}};
 }
 
 std::size_t decimals(const std::string& number) {
@@ -140,15 +138,8 @@ Json cost_list_json(const Replay& replay) {
 }
 
 Json tables_json(const std::vector<Replay>& replays, bool all_cells) {
-  const Counts counts = count(replays);
-  return {{"tables", json_list(replays, [&](const Replay& replay) { return table_json(replay, all_cells); })},
-          {"summary",
-           {{"cells", counts.cells},
-            {"match", counts.match},
-            {"misprint", counts.misprint},
-            {"seed_error", counts.seed_error},
-            {"unexplained", counts.unexplained},
-            {"without_number", counts.without_number}}}};
+  const auto to_json = [&](const Replay& replay) { return table_json(replay, all_cells); };
+  return {{"tables", json_list(replays, to_json)}, {"summary", summary_json(replays)}};
 }
 
 namespace {

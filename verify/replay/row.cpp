@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay/replay.hpp>

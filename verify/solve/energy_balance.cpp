@@ -1,5 +1,4 @@
 #include <cmath>
-#include <utility>
 #include <variant>
 
 #include <nipref/verify/solve/energy_balance.hpp>

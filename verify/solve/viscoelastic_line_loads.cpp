@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <utility>
 
 #include <nipref/fast/viscoelastic_nip/line_loads.hpp>
 #include <nipref/fast/viscoelastic_nip/line_loads_displacements.hpp>

@@ -12,7 +12,6 @@ inline constexpr std::size_t text_width = 80;
 /// A text in green, or in red, by escape sequences of terminals.
 std::string good(std::string_view text);
 std::string bad(std::string_view text);
-inline std::string verdict(bool well, std::string_view text) { return well ? good(text) : bad(text); }
 
 /// The text without colours.
 std::string plain(std::string_view text);

@@ -108,19 +108,6 @@ Witness outside_witness() {
            witness_of(0.25, data::Friction::full), witness_of(0.0625, data::Friction::full)}};
 }
 
-std::string witness_text(const Witness& witness) {
-  if (!witness.installed) return "CalculiX (ccx) is not installed\n";
-  std::string text;
-  for (const Witnessed& contact : witness.contacts) {
-    text += fmt::format(
-        "sheet of {:g} in, {:<13} load off by {:.1e}, normal displacements {:.1e}, tangential "
-        "{:.1e}  {}\n",
-        contact.thickness, contact.gripped ? "full friction" : "no friction", contact.load, contact.normal,
-        contact.tangential, contact.agrees() ? "agrees" : "DIFFERS");
-  }
-  return text;
-}
-
 Json witness_json(const Witness& witness) {
   if (!witness.installed) return {};
   return json_list(witness.contacts, [](const Witnessed& contact) {

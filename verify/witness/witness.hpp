@@ -35,7 +35,6 @@ struct Witness {
 /// Makes the comparison, which takes some seconds. Throws std::runtime_error if the program fails.
 Witness outside_witness();
 
-std::string witness_text(const Witness& witness);
 /// Null if the program is not installed.
 Json witness_json(const Witness& witness);
 

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <utility>
 
 #include <nipref/fast/elastic_nip/converged.hpp>
 #include <nipref/fast/elastic_nip/line_loads_diagnostics.hpp>
@@ -14,9 +12,6 @@
 #include <nipref/ref/elastic_nip/converged.hpp>
 #include <nipref/ref/elastic_nip/line_loads.hpp>
 #include <nipref/verify/audit/internal/contacts.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {

@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <string_view>
-#include <utility>
 
 #include <nipref/data/scene/keys.hpp>
 #include <nipref/verify/audit/internal/scene_audit.hpp>

@@ -1,14 +1,9 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include <nipref/verify/audit/internal/scene_tally.hpp>
-#include <nipref/verify/support/internal/interrupt.hpp>
-#include <nipref/verify/support/internal/number_text.hpp>
 #include <nipref/verify/support/internal/parallel.hpp>
-#include <nipref/verify/support/text.hpp>
 
 namespace nipref::verify {
 namespace {

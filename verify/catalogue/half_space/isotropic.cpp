@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/isotropic.hpp>

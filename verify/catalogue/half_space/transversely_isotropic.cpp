@@ -1,7 +1,6 @@
 // Responses of transversely isotropic half-spaces along lines, and their critical speeds.
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/fast/half_space/transversely_isotropic.hpp>

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/verify/catalogue/internal/nip_entry.hpp>

@@ -2,8 +2,6 @@
 #include <gmpxx.h>
 
 #include <functional>
-#include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/fast/material/moduli.hpp>

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <map>
 #include <numbers>
-#include <string>
 
 #include <nipref/fast/half_space/anisotropic.hpp>
 #include <nipref/verify/golden/confirm/half_space_number.hpp>

@@ -1,5 +1,4 @@
 #include <Eigen/Dense>
-#include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <cstddef>

@@ -2,8 +2,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <functional>
-#include <map>
-#include <string>
 #include <vector>
 
 #include <nipref/verify/golden/confirm/half_space_number.hpp>

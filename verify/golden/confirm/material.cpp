@@ -1,7 +1,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/multiprecision/eigen.hpp>
-#include <map>
 #include <string>
 
 #include <nipref/verify/golden/confirm/rational.hpp>

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
-#include <map>
-#include <string>
 
 #include <nipref/verify/golden/confirm/history.hpp>
 #include <nipref/verify/golden/confirm/solid_terms.hpp>

@@ -1,8 +1,4 @@
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include <nipref/verify/catalogue/catalogue.hpp>

@@ -2,7 +2,6 @@
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 #include <nipref/verify/golden/confirm/rolled_contact.hpp>
 

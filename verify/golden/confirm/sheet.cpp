@@ -1,5 +1,3 @@
-#include <map>
-#include <string>
 
 #include <nipref/verify/golden/confirm/kernels.hpp>
 

@@ -1,7 +1,5 @@
 #pragma once
-#include <algorithm>
 #include <array>
-#include <vector>
 
 #include <nipref/verify/golden/confirm/rational.hpp>
 

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include <nipref/fast/half_space/transversely_isotropic.hpp>

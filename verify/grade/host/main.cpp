@@ -11,8 +11,6 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <stdexcept>
 #include <string>
 
 #include <nipref/verify/grade/host/host.hpp>

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <numeric>
-#include <vector>
 
 #include <nipref/fast/elastic_nip/line_loads_grip.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/half_space.hpp>

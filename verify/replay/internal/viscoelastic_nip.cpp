@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/viscoelastic_models.hpp>
 #include <nipref/verify/replay/internal/attempts.hpp>
 #include <nipref/verify/replay/internal/elastic_nip.hpp>

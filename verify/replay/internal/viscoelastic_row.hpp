@@ -1,7 +1,6 @@
 #pragma once
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <nipref/data/problem/viscoelastic_nip.hpp>
 #include <nipref/data/table/table.hpp>

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <variant>
 
 #include <nipref/verify/solve/internal/collect_results.hpp>

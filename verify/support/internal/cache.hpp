@@ -3,7 +3,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <utility>
 
 namespace nipref::verify {
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include <nipref/data/bad_input.hpp>
 #include <nipref/data/material/seed_solids.hpp>

@@ -1,7 +1,5 @@
 #pragma once
-#include <span>
 #include <string>
-#include <vector>
 
 #include <nipref/fast/material/rational_solid.hpp>
 #include <nipref/ref/material/rational_solid.hpp>
