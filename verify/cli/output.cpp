@@ -11,6 +11,7 @@
 #include <nipref/verify/cli/machine.hpp>
 #include <nipref/verify/cli/output.hpp>
 #include <nipref/verify/support/internal/interrupt.hpp>
+#include <nipref/verify/support/internal/json_value.hpp>
 #include <nipref/verify/support/internal/template.hpp>
 #include <nipref/verify/support/text.hpp>
 
@@ -107,7 +108,7 @@ std::string answer_text(std::string_view verb, const Json& members, bool no_time
 }
 
 std::string text_of(const std::string& name, const Json& members) {
-  return filled_text(templates.at(name), members.tree(), templates);
+  return filled_text(templates.at(name), members.value().tree, templates);
 }
 
 int write_answer(const CommandLine& line, std::ostream& out, std::string_view verb, bool all_well,

@@ -1,17 +1,12 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
-#include <nipref/verify/support/json.hpp>
+#include <nipref/verify/support/internal/json_value.hpp>
 
 namespace nipref::verify {
 
 using Tree = nlohmann::ordered_json;
-
-struct Json::Value {
-  Tree tree;
-};
 
 namespace {
 
@@ -75,8 +70,6 @@ Json Json::for_machines() const {
   erase_everywhere(changed, [](const std::string& name) { return name.starts_with('_'); });
   return Json(Value{std::move(changed)});
 }
-
-const Tree& Json::tree() const { return value_->tree; }
 
 std::string Json::text() const {
   return value_->tree.dump(2, ' ', false, Tree::error_handler_t::replace) + "\n";

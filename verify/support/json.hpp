@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -57,8 +56,9 @@ class Json {
   /// A copy without the members that are for the text alone, at any depth: their names begin with '_'.
   [[nodiscard]] Json for_machines() const;
 
-  /// The value as that library has it.
-  [[nodiscard]] const nlohmann::ordered_json& tree() const;
+  /// The value as that library has it, internal/json_value.hpp.
+  struct Value;
+  [[nodiscard]] const Value& value() const { return *value_; }
 
   /// Indented by two, with a line break at the end; invalid UTF-8 is replaced.
   [[nodiscard]] std::string text() const;
@@ -75,7 +75,6 @@ class Json {
   [[nodiscard]] bool is_null() const;
 
  private:
-  struct Value;
   explicit Json(Value value);
   std::shared_ptr<const Value> value_;
 };
