@@ -15,13 +15,12 @@ namespace nipref::fast {
 /// too, which makes the creep an unknown with one value. (thesis 2.1-2.6, 5.3, 5.5 as integral equations, not
 /// as line loads)
 ///
-/// Without friction and up to L/B = 12 the pressure is one Chebyshev expansion with the logarithm of the
-/// kernel in closed form; otherwise it is piecewise, with the end exponent 1/2 - i ln(3 - 4 poisson)/(2 pi)
-/// of the coupled problem. The number of unknowns follows from `accuracy`. Every result is computed when it
-/// is asked for, and comes with an estimate of its error, larger than the error and usually 3 to 200 times:
-/// what the expansion leaves out and what rounding does, see Ladder. Near a zero of an oscillating result the
-/// estimate is relative to its size elsewhere. Where rounding allows less than was asked (very thin sheets
-/// with full friction: about 1e-16 (L/B)^2 of the peak), the estimate says so.
+/// Up to L/B = 3 the tractions are one expansion over the whole contact, beyond on panels that double from both ends, with
+/// the end exponent 1/2 - i ln(3 - 4 poisson)/(2 pi) of the coupled problem (nip/internal/tractions.hpp). The number of
+/// terms follows from `accuracy`. Every result is computed when it is asked for, and comes with an estimate of its error
+/// that covers what the expansions leave out and what rounding does (nip/internal/solution.hpp); with a given load also
+/// what that does to the length. Where rounding allows less than was asked (very thin sheets with full friction), the
+/// estimate says so.
 ///
 /// Y is the distance along the sheet from the middle of the nip, any finite value, unit of length; otherwise
 /// BadInput.

@@ -15,11 +15,9 @@ namespace nipref::fast {
 /// (thesis 2.1-2.6, 7.6, 7.15, 7.17 as an integral equation with the load started infinitely long ago, not as
 /// line loads)
 ///
-/// The sheet answers to p and to its fading memory int e^(-rate t) p along the way of the material, which
-/// obeys a differential equation; so only the elastic kernels are integrated. Pressure and memory are
-/// polynomials on panels that double away from both ends, from twice the shortest distance in which a memory takes
-/// over (or 2.5 half-thicknesses) on, with the square root of the end in the first. The number of unknowns follows from
-/// `accuracy`. Every result comes with an estimate of its error: see Ladder.
+/// It is the contact of an elastic sheet with other right-hand sides (viscoelastic_nip/internal/rolling_equations.hpp), so
+/// that only the elastic kernel is integrated; short memories are layers in closed form. The number of terms follows from
+/// `accuracy`. Every result comes with an estimate of its error (nip/internal/solution.hpp).
 ///
 /// Y is the distance along the sheet from the line through the rollers' centres, positive on the leading
 /// (entry) side, any finite value, unit of length; otherwise BadInput.

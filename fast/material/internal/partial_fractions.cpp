@@ -9,24 +9,6 @@ namespace {
 
 using Roots = std::vector<OctupleComplex>;
 
-OctupleComplex conjugate(const OctupleComplex& z) { return {z.re, -z.im}; }
-
-/// The coefficients are real: makes real roots exactly real and the others exact conjugate pairs. Rounding splits a
-/// double root by less than `real_to`; either a zero of the numerator cancels one of the two, or they are refused.
-Roots real_or_paired(const Roots& roots) {
-  constexpr double real_to = 1e-13;
-  Roots result;
-  for (const OctupleComplex& root : roots) {
-    if (abs(root.im) <= real_to * size_of(root)) {
-      result.push_back({root.re, 0});
-    } else if (root.im > 0) {
-      result.push_back(root);
-      result.push_back(conjugate(root));
-    }
-  }
-  return result;
-}
-
 bool is_near(const OctupleComplex& a, const OctupleComplex& b, double tolerance) {
   return size_of(a - b) <= tolerance * std::max(size_of(a), size_of(b));
 }
@@ -79,7 +61,7 @@ data::MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
   for (const Polynomial& factor : factors) {
     gain *= factor.back();
     degree += factor.size() - 1;
-    const Roots roots = real_or_paired(roots_of(factor));
+    const Roots roots = paired_roots_of(factor);
     zeros.insert(zeros.end(), roots.begin(), roots.end());
   }
   const std::size_t most = denominator.size() - 1;
@@ -89,7 +71,7 @@ data::MaterialFunction partial_fractions(const std::vector<Polynomial>& factors,
         "must make the compliance's denominator of the numerator's degree, " + std::to_string(degree) +
             ", or one more: the material gives way not without bound, and at once or by a dashpot");
   }
-  Roots poles = real_or_paired(roots_of(denominator));
+  Roots poles = paired_roots_of(denominator);
   if (zeros.size() != degree || poles.size() != most)
     throw data::NoMaterial(name, "(its roots)",
                            "must come in conjugate pairs: some are repeated or nearly so");

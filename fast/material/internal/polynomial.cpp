@@ -115,4 +115,18 @@ std::vector<OctupleComplex> roots_of(Polynomial p) {
   return roots;
 }
 
+std::vector<OctupleComplex> paired_roots_of(const Polynomial& p) {
+  constexpr double real_to = 1e-13;
+  std::vector<OctupleComplex> result;
+  for (const OctupleComplex& root : roots_of(p)) {
+    if (abs(root.im) <= real_to * size_of(root)) {
+      result.push_back({root.re, 0});
+    } else if (root.im > 0) {
+      result.push_back(root);
+      result.push_back({root.re, -root.im});
+    }
+  }
+  return result;
+}
+
 }  // namespace nipref::fast::internal

@@ -42,4 +42,8 @@ Polynomial trimmed(Polynomial a);
 /// All roots: by the formula up to the second degree, otherwise to rounding by the method of Ehrlich and Aberth.
 std::vector<OctupleComplex> roots_of(Polynomial p);
 
+/// The same as real numbers and conjugate pairs, exactly: each pair stands together, that with im > 0 first. Rounding splits
+/// a double root by less than 1e-13 of it: both are real.
+std::vector<OctupleComplex> paired_roots_of(const Polynomial& p);
+
 }  // namespace nipref::fast::internal

@@ -5,7 +5,9 @@
 
 #include <nipref/fast/memory/internal/fading.hpp>
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
+#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/number/internal/gauss_legendre.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 namespace nipref::fast::internal {
@@ -15,9 +17,11 @@ constexpr double pi = std::numbers::pi;
 
 double one_word(const Fade& fade) { return fade.rate.high; }
 Complex one_word(Complex rate) { return rate; }
+Complex one_word(const OscillatingFade& fade) { return fade.rate; }
 
 double faded(const Fade& fade, Two way) { return decay(fade.rate * way); }
-Complex faded(Complex rate, Two way) { return std::exp(-rate * way.high); }
+Complex faded(Complex rate, Two way) { return faded_exp(rate * way.high); }
+Complex faded(const OscillatingFade& fade, Two way) { return faded(fade.rate, way); }
 
 /// The waves at the distance `nearest`, where the pieces far from the load start.
 const Waves& nearest_waves(Accuracy accuracy) {
@@ -47,8 +51,14 @@ double under_load(Kernel kernel, double from, double to, double length, const Fa
 Complex under_load(Kernel kernel, double from, double to, double length, Complex rate, Accuracy accuracy) {
   return memory_under_load(kernel, from, to, length, rate, accuracy);
 }
+Complex under_load(Kernel kernel, double from, double, double, const OscillatingFade& fade, Accuracy) {
+  return fade.core[static_cast<std::size_t>(kernel)]->from(from);
+}
 
 double from_nearest(Kernel kernel, const Fade& fade, Accuracy) {
+  return fade.beyond[static_cast<std::size_t>(kernel)];
+}
+Complex from_nearest(Kernel kernel, const OscillatingFade& fade, Accuracy) {
   return fade.beyond[static_cast<std::size_t>(kernel)];
 }
 Complex from_nearest(Kernel kernel, Complex rate, Accuracy accuracy) {
@@ -91,6 +101,50 @@ auto by_pieces(Kernel kernel, const SurfacePoint& start, const SurfacePoint* end
   return sum + faded(rate, -start.at + Two{nearest, 0}) * piece;
 }
 
+/// Up to the distance from which on the kernel less its limit is a sum of waves, and these.
+template <typename Rate>
+auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
+  const auto plain = one_word(rate);
+  if (start.at.high >= nearest) return memory_from_far(kernel, start.waves, plain);
+  const SurfacePoint end{{nearest, 0}, nearest_waves(accuracy)};
+  const Two way = -start.at + Two{nearest, 0};
+  return by_pieces(kernel, start, &end, way, rate, accuracy) -
+         limit(kernel) * way.high * phi1(plain * way.high) +
+         faded(rate, way) * memory_from_far(kernel, end.waves, plain);
+}
+
+/// int_0^(1 - w) e^(-rate x) K'(w + x) dx of the smooth part of K: by Gauss's rule, and for rates that oscillate by parts.
+double smooth_slope_memory(Kernel kernel, double w, double rate) {
+  static const GaussRule rule = gauss_legendre(32);
+  const SmoothPart& smooth = SmoothPart::of(kernel);
+  const double length = std::min(nearest - w, 40 / rate);
+  double sum = 0;
+  for (std::size_t i = 0; i < rule.at.size(); ++i)
+    sum +=
+        length * rule.weight[i] * std::exp(-rate * length * rule.at[i]) * smooth(1, w + length * rule.at[i]);
+  return sum;
+}
+Complex smooth_slope_memory(Kernel kernel, double w, Complex rate) {
+  return smooth_memory_by_parts(kernel, 1, w, rate);
+}
+
+/// K' of I1 or I3 is smooth, but for -1/w of I1, between the distances `nearest`, and a sum of waves from there on.
+template <typename Rate>
+auto slope_memory(Kernel kernel, const SurfacePoint& start, const Rate& rate, Accuracy accuracy) {
+  const auto plain = one_word(rate);
+  const double w = start.at.high;
+  if (w >= nearest) return slope_memory_from_far(kernel, start.waves, plain);
+  const double from = std::max(w, -nearest);
+  const auto kept = faded(rate, {nearest - from, 0});
+  auto sum = smooth_slope_memory(kernel, from, plain) +
+             kept * slope_memory_from_far(kernel, nearest_waves(accuracy), plain);
+  if (kernel == Kernel::I1) sum += kept * scaled_E1(plain * nearest) - scaled_E1(plain * w);
+  if (w >= -nearest) return sum;
+  const auto reached = slope_residues_behind(kernel, nearest_waves(accuracy), plain);
+  return slope_residues_behind(kernel, start.waves, plain) +
+         faded(rate, -start.at + Two{-nearest, 0}) * (sum - reached);
+}
+
 /// The integral of e^(-L w) I1(w) over all w, continued analytically to those L for which it diverges: pi times the
 /// kernel's transform 2 sinh^2 x/(x (sinh 2x + 2x)) at x = i L. (notes on thesis 6.23)
 double whole_line(double L) {
@@ -126,6 +180,15 @@ Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
   return made;
 }
 
+OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy) {
+  OscillatingFade made{rate, {}, {}};
+  for (const Kernel kernel : kernels) {
+    made.core[static_cast<std::size_t>(kernel)].emplace(kernel, rate, accuracy);
+    made.beyond[static_cast<std::size_t>(kernel)] = from_nearest(kernel, rate, accuracy);
+  }
+  return made;
+}
+
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
   if (kernel == Kernel::I1 && start.at.high <= -nearest) {
     const double rate = fade.rate.high;
@@ -138,6 +201,33 @@ double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade,
 
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy) {
   return by_pieces(kernel, start, nullptr, {}, rate, accuracy);
+}
+
+Complex steady_memory(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                      Accuracy accuracy) {
+  return by_pieces(kernel, start, nullptr, {}, fade, accuracy);
+}
+
+double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
+                                  Accuracy accuracy) {
+  return beside_limit(kernel, start, fade, accuracy);
+}
+
+Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                                   Accuracy accuracy) {
+  return beside_limit(kernel, start, fade, accuracy);
+}
+
+double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy) {
+  if (fade.rate.high == 0) return limit(kernel) - kernel_at(kernel, start, accuracy);
+  return slope_memory(kernel, start, fade, accuracy);
+}
+
+Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                               Accuracy accuracy) {
+  if (std::abs(fade.rate) > by_parts_from) return slope_memory(kernel, start, fade, accuracy);
+  return fade.rate * steady_memory_beside_limit(kernel, start, fade, accuracy) +
+         (limit(kernel) - kernel_at(kernel, start, accuracy));
 }
 
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 #include <initializer_list>
+#include <optional>
 
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
 #include <nipref/fast/memory/internal/waves.hpp>
@@ -27,6 +28,15 @@ struct Fade {
 
 Fade fade(Two rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
 
+/// A complex rate, and the same for many places, of the kernels it was made for.
+struct OscillatingFade {
+  Complex rate;
+  std::array<std::optional<OscillatingCore>, kernel_count> core{};
+  std::array<Complex, kernel_count> beyond{};
+};
+
+OscillatingFade fade(Complex rate, std::initializer_list<Kernel> kernels, Accuracy accuracy);
+
 /// The kernel at a point; the odd ones are 0 under the load.
 double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 
@@ -34,8 +44,22 @@ double kernel_at(Kernel kernel, const SurfacePoint& at, Accuracy accuracy);
 /// out.
 double steady_memory(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
 Complex steady_memory(Kernel kernel, const SurfacePoint& start, Complex rate, Accuracy accuracy);
+Complex steady_memory(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                      Accuracy accuracy);
 
-/// The same integral up to end = start + length. `length` is an argument of its own because a short length is lost in
+/// int_start^inf e^(-rate (w - start)) (I(w) - l) dw, l the limit of I far ahead of the load.
+double steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const Fade& fade,
+                                  Accuracy accuracy);
+Complex steady_memory_beside_limit(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                                   Accuracy accuracy);
+
+/// int_start^inf e^(-rate (w - start)) I'(w) dw of I3, or of I1 with start > 0: to a few units in the last place of its size
+/// for real rates and for complex ones above 400, which may make it far smaller than I; to such units of I for others.
+double steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const Fade& fade, Accuracy accuracy);
+Complex steady_memory_of_slope(Kernel kernel, const SurfacePoint& start, const OscillatingFade& fade,
+                               Accuracy accuracy);
+
+/// The integral of steady_memory up to end = start + length. `length` is an argument of its own because a short length is lost in
 /// the rounding of end - start.
 double memory(Kernel kernel, const SurfacePoint& start, const SurfacePoint& end, Two length, const Fade& fade,
               Accuracy accuracy);

@@ -3,6 +3,7 @@
 
 #include <nipref/fast/memory/internal/fading_near_load.hpp>
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
+#include <nipref/fast/memory/internal/smooth_part.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 
@@ -73,34 +74,40 @@ double piece(Kernel kernel, double w, double end, double length, double rate, Ac
                   : inner_behind(distance, -end, length, rate, accuracy);
 }
 
-/// For a complex rate, by panels that are short against its period and against the distance from the logarithm.
-Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
+/// For a complex rate: within `tiny` of the load the weight and the smooth part of I1 are constant to rounding, and the
+/// logarithm is integrated in closed form. The other kernels are 0 there.
+double nearest_panel(double rate_size) { return 1e-9 / (1 + rate_size); }
+
+/// One panel within [-1, 1], on one side of the load.
+Complex panel(Kernel kernel, double w, double length, Complex rate, double tiny, Accuracy accuracy) {
   const int step = w < 0 ? -1 : 1;
-  const double most = 12 / std::abs(rate);
+  const double v = std::fabs(w);
+  if (step > 0 ? v >= tiny : v > tiny)
+    return (kernel == Kernel::I1 ? 1.0 : step) * by_rule(kernel, v, step, length, rate, accuracy);
+  if (kernel != Kernel::I1) return 0;
+  const auto log_to = [](double x) { return x > 0 ? x * (std::log(log_end / x) + 1) : 0; };
+  return step > 0 ? log_to(v + length) - log_to(v) : log_to(v) - log_to(std::max(v - length, 0.0));
+}
+
+/// How far a panel reaches from w, short against the period and against the distance from the logarithm.
+double panel_length(double w, double rate_size, double tiny) {
+  const double v = std::fabs(w), most = 12 / rate_size;
+  if (w >= 0) return v < tiny ? tiny - v : std::min(most, 2 * v);
+  return v > tiny ? std::min(most, v * 2 / 3) : v;
+}
+
+Complex piece(Kernel kernel, double w, double end, double length, Complex rate, Accuracy accuracy) {
   length = std::min(length, faded / std::max(rate.real(), 1e-300));
-  // Within `tiny` of the load the weight and the smooth part of I1 are constant to rounding, and the logarithm is
-  // integrated in closed form.
-  const double tiny = std::max(1e-9 / (1 + std::abs(rate)), 1e-13 * length);
+  const double tiny = std::max(nearest_panel(std::abs(rate)), 1e-13 * length);
   Complex sum = 0;
   double done = 0;
   while (done < length) {
-    const double v = std::fabs(w + done);
     const double left = done == 0 ? length : std::min(length - done, end - (w + done));
-    double panel = std::min(left, most);
-    if (step > 0 && v == 0) panel = std::min(panel, tiny);
-    if (step > 0 && v > 0) panel = std::min(panel, 2 * v);
-    if (step < 0 && v > tiny) panel = std::min(panel, std::max(v * 2 / 3, 0.0));
-    const Complex weight = std::exp(-rate * done);
-    const bool at_load = v <= tiny && (step < 0 || v == 0);
-    if (!at_load) {
-      sum += weight * by_rule(kernel, v, step, panel, rate, accuracy);
-    } else if (kernel == Kernel::I1) {  // the other kernels are 0 under the load
-      const auto log_to = [](double x) { return x > 0 ? x * (std::log(log_end / x) + 1) : 0; };
-      sum += weight * (step > 0 ? log_to(panel) : log_to(v) - log_to(std::max(v - panel, 0.0)));
-    }
-    done = panel >= left ? length : done + panel;
+    const double here = std::min(left, panel_length(w + done, std::abs(rate), tiny));
+    sum += std::exp(-rate * done) * panel(kernel, w + done, here, rate, tiny, accuracy);
+    done = here >= left ? length : done + here;
   }
-  return kernel == Kernel::I1 ? sum : Complex(step) * sum;
+  return sum;
 }
 
 /// The integral from w to `end` as a sum of `of_piece` over the parts between neighbouring core_stops.
@@ -148,6 +155,46 @@ Complex memory_under_load(Kernel kernel, double w, double end, double length, Co
   return over_pieces(w, end, length, rate, [&](std::size_t, double from, double to, double part) {
     return piece(kernel, from, to, part, rate, accuracy);
   });
+}
+
+namespace {
+
+/// The principal value of int_0^inf e^(-rate x)/(w + x) dx.
+Complex memory_of_inverse(double w, Complex rate) {
+  return w > 0 ? scaled_E1(rate * w) : -scaled_Ei(-rate * w);
+}
+
+}  // namespace
+
+OscillatingCore::OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy)
+    : kernel_(kernel), rate_(rate), accuracy_(accuracy) {
+  const double size = std::abs(rate), tiny = nearest_panel(size), most = 12 / size;
+  if (size > by_parts_from) return;
+  // Each is the beginning of a panel that ends at the one before.
+  for (double w = 1; w > tiny; w -= std::min(most, w * 2 / 3)) stops_.push_back(w);
+  stops_.insert(stops_.end(), {tiny, 0, -tiny});
+  for (double v = tiny; v < 1;) stops_.push_back(-(v = std::min({1.0, v + most, 3 * v})));
+  from_stops_.push_back(0);
+  for (std::size_t i = 1; i < stops_.size(); ++i) {
+    const double length = stops_[i - 1] - stops_[i];
+    from_stops_.push_back(panel(kernel, stops_[i], length, rate, tiny, accuracy) +
+                          std::exp(-rate * length) * from_stops_.back());
+  }
+}
+
+Complex OscillatingCore::from(double w) const {
+  if (stops_.empty()) {
+    const Complex smooth = smooth_memory_by_parts(kernel_, 0, w, rate_);
+    if (kernel_ != Kernel::I1) return smooth;
+    const Complex beyond = faded_exp(rate_ * (nearest - w)) * memory_of_inverse(nearest, rate_);
+    return smooth - (std::log(std::fabs(w)) + memory_of_inverse(w, rate_) - beyond) / rate_;
+  }
+  const auto after = std::ranges::lower_bound(stops_, w, std::ranges::greater{});
+  if (after == stops_.begin()) return 0;
+  const auto stop = static_cast<std::size_t>(after - stops_.begin()) - 1;
+  const double length = stops_[stop] - w;
+  return panel(kernel_, w, length, rate_, nearest_panel(std::abs(rate_)), accuracy_) +
+         std::exp(-rate_ * length) * from_stops_[stop];
 }
 
 }  // namespace nipref::fast::internal

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <vector>
 
 #include <nipref/fast/memory/internal/gauss_rules.hpp>
 #include <nipref/fast/memory/internal/waves.hpp>
@@ -22,5 +23,21 @@ double memory_under_load(Kernel kernel, double w, double end, double length, dou
 /// The same for a complex rate, by panels that are graded towards the logarithm.
 Complex memory_under_load(Kernel kernel, double w, double end, double length, Complex rate,
                           Accuracy accuracy);
+
+/// int_w^1 e^(-rate (x - w)) I(x) dx from many places w of [-1, 1], for a complex rate. It is kept at the ends of the panels
+/// of memory_under_load, so that each place needs its own panel only. For rates above by_parts_from the logarithm is integrated
+/// in closed form and the smooth rest by parts. Kernel::I1 or Kernel::I3.
+class OscillatingCore {
+ public:
+  OscillatingCore(Kernel kernel, Complex rate, Accuracy accuracy);
+  [[nodiscard]] Complex from(double w) const;
+
+ private:
+  Kernel kernel_;
+  Complex rate_;
+  Accuracy accuracy_;
+  std::vector<double> stops_;  ///< from 1 down to -1
+  std::vector<Complex> from_stops_;
+};
 
 }  // namespace nipref::fast::internal

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include <nipref/fast/memory/internal/waves.hpp>
+#include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 #include <nipref/fast/sheet/internal/dispatch.hpp>
 #include <nipref/fast/sheet/roots.hpp>
@@ -96,12 +97,6 @@ Rate sum_over(Kernel kernel, const Waves& at, Transform transform) {
   return sum;
 }
 
-/// 1/z without the library's treatment of infinities, which costs time.
-Complex inverse(Complex z) {
-  const double scale = 1 / (z.real() * z.real() + z.imag() * z.imag());
-  return {z.real() * scale, -z.imag() * scale};
-}
-
 }  // namespace
 
 Waves waves(Two distance, double tolerance) {
@@ -122,6 +117,18 @@ double faded_kernel(Kernel kernel, const Waves& at) {
 template <typename Rate>
 Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
   return sum_over<Rate>(kernel, from, [&](int, Complex exponent) { return inverse(rate - exponent); });
+}
+
+template <typename Rate>
+Rate slope_memory_from_far(Kernel kernel, const Waves& from, Rate rate) {
+  return sum_over<Rate>(kernel, from,
+                        [&](int, Complex exponent) { return exponent * inverse(rate - exponent); });
+}
+
+template <typename Rate>
+Rate slope_residues_behind(Kernel kernel, const Waves& at, Rate rate) {
+  return sum_over<Rate>(kernel, at,
+                        [&](int, Complex exponent) { return exponent * inverse(rate + exponent); });
 }
 
 template <typename Rate>
@@ -153,6 +160,10 @@ double residues_behind(Kernel kernel, const Waves& at, double rate) {
 
 template double memory_from_far(Kernel, const Waves&, double);
 template Complex memory_from_far(Kernel, const Waves&, Complex);
+template double slope_memory_from_far(Kernel, const Waves&, double);
+template Complex slope_memory_from_far(Kernel, const Waves&, Complex);
+template double slope_residues_behind(Kernel, const Waves&, double);
+template Complex slope_residues_behind(Kernel, const Waves&, Complex);
 template double memory_of_piece_ahead(Kernel, const Waves&, double, double);
 template Complex memory_of_piece_ahead(Kernel, const Waves&, Complex, double);
 template double memory_of_piece_behind(Kernel, const Waves&, const Waves&, double, double, double);

@@ -39,6 +39,14 @@ double faded_kernel(Kernel kernel, const Waves& at);
 template <typename Rate>
 Rate memory_from_far(Kernel kernel, const Waves& from, Rate rate);
 
+/// The same integral of the kernel's derivative D'.
+template <typename Rate>
+Rate slope_memory_from_far(Kernel kernel, const Waves& from, Rate rate);
+
+/// The antiderivative of e^(-rate d) D'(a - d) at the distance a behind the load, of an odd kernel, whose derivative is even.
+template <typename Rate>
+Rate slope_residues_behind(Kernel kernel, const Waves& at, Rate rate);
+
 /// int_0^length e^(-rate d) D(p + d) dd for a piece ahead of the load.
 template <typename Rate>
 Rate memory_of_piece_ahead(Kernel kernel, const Waves& from, Rate rate, double length);

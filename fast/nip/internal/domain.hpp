@@ -14,7 +14,7 @@ struct NipShape {
 /// Half length (half-thicknesses), L/B, of the shortest contact allowed.
 inline constexpr double shortest_half_length = 1e-8;
 
-/// Units of a contact's dimensionless quantities, see HalfContact.
+/// Units of a contact's dimensionless quantities, see NipEquations.
 struct ContactUnits {
   /// `compliance`: N, or its instantaneous part, 1/stress.
   ContactUnits(const NipShape& shape, double compliance);

@@ -4,7 +4,7 @@
 namespace nipref::fast {
 
 /// Half length, in half-thicknesses, of a frictionless elastic contact of about this dimensionless load
-/// (HalfContact): between half-space and independent springs.
+/// (solved_nip.hpp): between half-space and independent springs.
 double half_length_guess(double load);
 
 /// The longest half length that is tried, in half-thicknesses: check_length_of_load refuses longer ones.

@@ -34,10 +34,10 @@ LocalSlope::LocalSlope(int points) {
   }
 }
 
-double LocalSlope::operator()(const std::function<double(double)>& f, double x, double reach) const {
+double LocalSlope::condition() const {
   double sum = 0;
-  for (const auto& [place, weight] : nodes_) sum += weight * (f(x + reach * place) - f(x - reach * place));
-  return sum / reach;
+  for (const Node& node : nodes_) sum += 2 * std::fabs(node.weight);
+  return sum;
 }
 
 Estimate place_of_zero(const PlaceFunction& f, double a, double b, double most) {

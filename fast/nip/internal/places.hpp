@@ -14,7 +14,18 @@ namespace nipref::fast {
 class LocalSlope {
  public:
   explicit LocalSlope(int points = 16);
-  [[nodiscard]] double operator()(const std::function<double(double)>& f, double x, double reach) const;
+  /// Of a function with numbers or vectors as values.
+  template <class Function>
+  [[nodiscard]] auto operator()(const Function& f, double x, double reach) const {
+    auto sum = f(x);
+    sum *= 0;
+    for (const auto& [place, weight] : nodes_)
+      sum += weight / reach * (f(x + reach * place) - f(x - reach * place));
+    return sum;
+  }
+
+  /// The sum of the weights' magnitudes: what multiplies the rounding of f over the reach.
+  [[nodiscard]] double condition() const;
 
  private:
   struct Node {

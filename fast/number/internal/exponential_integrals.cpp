@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <nipref/fast/number/internal/complex_inverse.hpp>
 #include <nipref/fast/number/internal/exponential_integrals.hpp>
 
 namespace nipref::fast::internal {
@@ -14,9 +15,10 @@ using Double = boost::math::policies::policy<boost::math::policies::promote_doub
 constexpr double asymptotic_from = 50;
 
 /// x e^x E1(x) for x = 1/step > 0, x e^-x Ei(x) for step < 0.
-double asymptotic(double step) {
-  double sum = 1;
-  for (int k = 22; k >= 1; --k) sum = 1 - k * step * sum;
+template <class Number>
+Number asymptotic(Number step) {
+  Number sum = 1;
+  for (int k = 22; k >= 1; --k) sum = 1.0 - static_cast<double>(k) * step * sum;
   return sum;
 }
 
@@ -45,6 +47,19 @@ double ein_series(double x) {
   return even - x * odd;
 }
 
+constexpr double pi = std::numbers::pi;
+
+/// gamma + ln z + sum z^k/(k k!) for a given branch of the logarithm.
+std::complex<double> ein_and_log(std::complex<double> z, std::complex<double> log) {
+  std::complex<double> sum = std::numbers::egamma + log, power = 1;
+  const double size = std::abs(z);
+  for (int k = 1; k < 30 + 2.2 * size; ++k) {
+    power *= z / static_cast<double>(k);
+    sum += power / static_cast<double>(k);
+  }
+  return sum;
+}
+
 }  // namespace
 
 double phi1(double x) { return x < 1e-17 ? 1 : -std::expm1(-x) / x; }
@@ -56,6 +71,7 @@ std::complex<double> phi1(std::complex<double> z) {
     return sum;
   }
   const double faded = std::exp(-z.real());
+  if (faded == 0) return 1.0 / z;
   const double half = std::sin(z.imag() / 2);
   return std::complex<double>(-std::expm1(-z.real()) + 2 * faded * half * half, faded * std::sin(z.imag())) /
          z;
@@ -76,6 +92,26 @@ double faded_ein_ratio(double x) {
 double scaled_E1(double x) {
   if (x >= asymptotic_from) return asymptotic(1 / x) / x;
   return std::exp(x) * boost::math::expint(1, x, Double());
+}
+
+/// By the power series or the continued fraction 1/(z + 1 - 1/(z + 3 - 4/(z + 5 - ...))), from its end. That converges like
+/// e^(-4 Re sqrt(80 z)), also in the left half plane where |z| + Re z > 3, in which scaled_Ei needs it.
+std::complex<double> scaled_E1(std::complex<double> z) {
+  if (std::abs(z) >= asymptotic_from && z.real() >= 0) return asymptotic(1.0 / z) / z;
+  if (std::abs(z) < 2.5) return std::exp(z) * -ein_and_log(-z, std::log(z));
+  std::complex<double> rest = 0;
+  for (int k = 80; k > 0; --k) rest = static_cast<double>(k) * k * inverse(z + (2.0 * k + 1) - rest);
+  return inverse(z + 1.0 - rest);
+}
+
+/// Ei(z) = i pi sign(Im z) - E1(-z). Where -z is next to the cut of E1, the terms of the power series do not cancel.
+std::complex<double> scaled_Ei(std::complex<double> z) {
+  const double size = std::abs(z);
+  const std::complex<double> beyond_cut =
+      z.imag() == 0 ? 0 : std::complex<double>(0, std::copysign(pi, z.imag())) * std::exp(-z);
+  if (size >= asymptotic_from) return asymptotic(-1.0 / z) / z + beyond_cut;
+  if (size < 2.5 || size - z.real() < 3) return std::exp(-z) * ein_and_log(z, std::log(z));
+  return beyond_cut - scaled_E1(-z);
 }
 
 }  // namespace nipref::fast::internal

@@ -6,6 +6,12 @@ namespace nipref::fast::internal {
 // Integrals of a logarithm times an exponential, scaled so that nothing overflows or cancels, for x >= 0. Relative
 // accuracy a few units in the last place.
 
+/// e^-z, without the sine and cosine of a large number where nothing is left of it.
+inline std::complex<double> faded_exp(std::complex<double> z) {
+  constexpr double underflows = 746;
+  return z.real() > underflows ? 0 : std::exp(-z);
+}
+
 /// (1 - e^-x)/x, 1 at 0.
 double phi1(double x);
 
@@ -18,7 +24,11 @@ double ein_ratio(double x);
 /// e^-x (1/x) int_0^x (e^t - 1)/t dt, 1 at 0.
 double faded_ein_ratio(double x);
 
-/// e^x E1(x), x > 0.
+/// e^x E1(x), x > 0; of complex z, Re z >= 0, a few dozen units in the last place.
 double scaled_E1(double x);
+std::complex<double> scaled_E1(std::complex<double> z);
+
+/// e^-z Ei(z), Re z >= 0, where Ei(z) = gamma + ln z + sum z^k/(k k!): a few dozen units in the last place.
+std::complex<double> scaled_Ei(std::complex<double> z);
 
 }  // namespace nipref::fast::internal

@@ -1,38 +1,47 @@
 // Limits of the converged contact, each derived apart from the solver, and approached at the rate of the
-// first term left out. Dimensionless as in fast/elastic_nip/internal/half_contact.hpp.
+// first term left out. Dimensionless as in fast/nip/internal/solved_nip.hpp.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <boost/math/quadrature/exp_sinh.hpp>
 #include <cmath>
 #include <complex>
 #include <memory>
 #include <numbers>
 
-#include <nipref/fast/elastic_nip/internal/levels.hpp>
+#include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
 #include <nipref/fast/sheet/kernels.hpp>
 
 using namespace nipref;
 using data::Friction;
-using fast::ElasticNipLadder;
-using fast::HalfContact;
 
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-ElasticNipLadder solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
-  return ElasticNipLadder::at_half_length({friction, poisson}, half_length, 1e-13);
-}
+struct Contact {
+  fast::SolvedNip solved;
 
-double indentation(const HalfContact& contact) {
-  return contact.edge_displacement + contact.half_length * contact.half_length;
+  [[nodiscard]] double half_length() const { return solved.half_length(); }
+  [[nodiscard]] fast::Estimate load() const { return solved.estimate(&fast::Solution::load); }
+  [[nodiscard]] double edge_displacement() const {
+    return solved.last().unknown(fast::ElasticEquations::edge_displacement);
+  }
+  [[nodiscard]] double indentation() const { return edge_displacement() + half_length() * half_length(); }
+  [[nodiscard]] double creep() const { return solved.last().unknown(fast::ElasticEquations::creep); }
+  [[nodiscard]] double pressure(double e) const { return solved.last().traction(e).real(); }
+  [[nodiscard]] double shear(double e) const { return solved.last().traction(e).imag(); }
+};
+
+Contact solve(double half_length, Friction friction, double poisson = 1.0 / 3) {
+  return {{std::make_shared<const fast::ElasticEquations>(friction, poisson), half_length, {}, 1e-13}};
 }
 
 /// P'(A/2) by a central difference: the pressure is smooth there.
-double slope_at_half(const HalfContact& contact) {
-  const double step = 1e-3 * contact.half_length;
-  const double e = contact.half_length / 2;
-  return -(contact.traction(e + step).pressure - contact.traction(e - step).pressure) / (2 * step);
+double slope_at_half(const Contact& contact) {
+  const double step = 1e-3 * contact.half_length();
+  const double e = contact.half_length() / 2;
+  return -(contact.pressure(e + step) - contact.pressure(e - step)) / (2 * step);
 }
 
 /// Order q of an error that falls like size^q, from its values at `size` and `size`/2 (or 2 `size` upwards).
@@ -45,13 +54,12 @@ TEST_CASE("thick sheet without friction: Hertz, and the indentation's logarithm"
   const double a = 1e-9;
   const double c = -(fast::I1(a) + std::log(a));
   const auto hertz = [&](double half_length) {
-    const auto ladder = solve(half_length, Friction::none);
-    const HalfContact& contact = ladder.last();
+    const Contact contact = solve(half_length, Friction::none);
     const double square = half_length * half_length;
-    return std::array{contact.load / (pi * square) - 1,
-                      indentation(contact) / square - (std::log(2 / half_length) + 0.5 - c),
-                      contact.traction(half_length).pressure / (2 * half_length) - 1,
-                      contact.traction(half_length / 5).pressure / (2 * half_length * 0.6) - 1};
+    return std::array{contact.load().value / (pi * square) - 1,
+                      contact.indentation() / square - (std::log(2 / half_length) + 0.5 - c),
+                      contact.pressure(half_length) / (2 * half_length) - 1,
+                      contact.pressure(half_length / 5) / (2 * half_length * 0.6) - 1};
   };
   for (const double error : hertz(1e-6)) CHECK(std::fabs(error) < 1e-11);
   const auto coarse = hertz(0.04), fine = hertz(0.02);
@@ -68,18 +76,16 @@ TEST_CASE("thick sheet without slip: the oscillating half-space solution in clos
   for (const double poisson : {-0.9, 0.0, 1.0 / 3, 0.49, 0.5}) {
     const double epsilon = std::log(3 - 4 * poisson) / (2 * pi);
     const double half_length = 1e-7;
-    const auto ladder = solve(half_length, Friction::full, poisson);
-    const HalfContact& contact = ladder.last();
-    CHECK(std::fabs(contact.creep / half_length + 4 * epsilon) < 1e-6);
-    const double middle = contact.traction(half_length).pressure;
+    const Contact contact = solve(half_length, Friction::full, poisson);
+    CHECK(std::fabs(contact.creep() / half_length + 4 * epsilon) < 1e-6);
+    const double middle = contact.pressure(half_length);
     for (const double t : {0.1, 0.5, 0.9, 0.999, 1 - 1e-6}) {
       CAPTURE(poisson);
       CAPTURE(t);
-      const fast::Traction traction = contact.traction(half_length * (1 - t));
       const double phase = -epsilon * std::log((1 - t) / (1 + t));
       const double size = middle * std::sqrt((1 - t) * (1 + t));
-      CHECK(std::fabs(traction.pressure / size - std::cos(phase)) < 3e-7);
-      CHECK(std::fabs(traction.shear / size - std::sin(phase)) < 3e-7);
+      CHECK(std::fabs(contact.pressure(half_length * (1 - t)) / size - std::cos(phase)) < 3e-7);
+      CHECK(std::fabs(contact.shear(half_length * (1 - t)) / size - std::sin(phase)) < 3e-7);
     }
   }
 }
@@ -97,21 +103,21 @@ TEST_CASE("thin sheet without friction: independent springs, with the Wiener-Hop
   };
   const double kappa = quadrature.integrate(integrand) / pi;
   const auto edge = [&](double half_length) {
-    return solve(half_length, Friction::none).last().edge_displacement / (2 * half_length) - kappa;
+    return solve(half_length, Friction::none).edge_displacement() / (2 * half_length) - kappa;
   };
   const auto load = [&](double half_length) {
-    return solve(half_length, Friction::none).last().load / std::pow(half_length, 2) - 8 * half_length / 3 -
+    return solve(half_length, Friction::none).load().value / std::pow(half_length, 2) - 8 * half_length / 3 -
            8 * kappa;
   };
   CHECK(std::fabs(edge(1e4)) < 1e-4);
   CHECK(std::fabs(load(1e4)) < 1e-3);
   CHECK(order(edge(100), edge(200)) == doctest::Approx(1).scale(0).epsilon(0.01));
   CHECK(order(load(100), load(200)) == doctest::Approx(1).scale(0).epsilon(0.01));
-  const auto ladder = solve(500, Friction::none);
-  const double u = indentation(ladder.last()) - 250 * 250;
+  const Contact contact = solve(500, Friction::none);
+  const double u = contact.indentation() - 250 * 250;
   // G(z) has no z^2: springs are exact for a parabola.
-  CHECK(ladder.last().traction(250).pressure == doctest::Approx(2 * u).scale(0).epsilon(1e-10));
-  CHECK(slope_at_half(ladder.last()) == doctest::Approx(-4 * 250).scale(0).epsilon(1e-9));
+  CHECK(contact.pressure(250) == doctest::Approx(2 * u).scale(0).epsilon(1e-10));
+  CHECK(slope_at_half(contact) == doctest::Approx(-4 * 250).scale(0).epsilon(1e-9));
 }
 
 TEST_CASE("thin compressible sheet without slip: confined springs and the shear that their slope needs") {
@@ -120,28 +126,27 @@ TEST_CASE("thin compressible sheet without slip: confined springs and the shear 
     CAPTURE(poisson);
     const double modulus = 2 * std::pow(1 - poisson, 2) / (1 - 2 * poisson);
     const auto excess = [&](double half_length) {
-      return solve(half_length, Friction::full, poisson).last().load /
+      return solve(half_length, Friction::full, poisson).load().value /
                  (4 * modulus / 3 * std::pow(half_length, 3)) -
              1;
     };
     CHECK(std::fabs(excess(1000)) < 3e-3);
     CHECK(order(excess(100), excess(200)) == doctest::Approx(1).scale(0).epsilon(0.03));
-    const auto ladder = solve(300, Friction::full, poisson);
-    CHECK(slope_at_half(ladder.last()) == doctest::Approx(-modulus * 300).scale(0).epsilon(1e-8));
-    const double shear = poisson / (1 - poisson) * slope_at_half(ladder.last());
-    CHECK(std::fabs(ladder.last().traction(150).shear - shear) < 1e-8 * modulus * 300);
+    const Contact contact = solve(300, Friction::full, poisson);
+    CHECK(slope_at_half(contact) == doctest::Approx(-modulus * 300).scale(0).epsilon(1e-8));
+    const double shear = poisson / (1 - poisson) * slope_at_half(contact);
+    CHECK(std::fabs(contact.shear(150) - shear) < 1e-8 * modulus * 300);
   }
 }
 
 TEST_CASE("thin incompressible sheet without slip: a squeezed film, P = (A^2 - y^2)^2/8") {
   // (2/3) P'' = X - D + y^2 from the parabolic profile across the film, P = P' = 0 at the ends.
   const auto excess = [&](double half_length) {
-    const auto ladder = solve(half_length, Friction::full, 0.5);
-    return std::array{
-        ladder.last().load / (2 * std::pow(half_length, 5) / 15) - 1,
-        ladder.last().traction(half_length).pressure / (std::pow(half_length, 4) / 8) - 1,
-        ladder.last().traction(half_length / 2).pressure / (9 * std::pow(half_length, 4) / 128) - 1,
-        (indentation(ladder.last()) - ladder.last().creep) / std::pow(half_length, 2) * 3 - 1};
+    const Contact contact = solve(half_length, Friction::full, 0.5);
+    return std::array{contact.load().value / (2 * std::pow(half_length, 5) / 15) - 1,
+                      contact.pressure(half_length) / (std::pow(half_length, 4) / 8) - 1,
+                      contact.pressure(half_length / 2) / (9 * std::pow(half_length, 4) / 128) - 1,
+                      (contact.indentation() - contact.creep()) / std::pow(half_length, 2) * 3 - 1};
   };
   for (const double error : excess(1000)) CHECK(std::fabs(error) < 4e-3);
   const auto thick = excess(100), thin = excess(200);
@@ -152,9 +157,7 @@ TEST_CASE("thin incompressible sheet without slip: a squeezed film, P = (A^2 - y
 TEST_CASE("pressure with full friction is the frictionless one where the coupling vanishes") {
   // Incompressible: the coupling is smooth. What of it is linear in the distance stretches the sheet evenly,
   // which the creep takes up; the cubic rest acts from pressure to shear and back: A^6.
-  const auto load = [](const ElasticNipLadder& ladder) {
-    return ladder.estimate([](const HalfContact& contact) { return contact.load; });
-  };
+  const auto load = [](const Contact& contact) { return contact.load(); };
   const auto difference = [&](double half_length) {
     return load(solve(half_length, Friction::full, 0.5)).value /
                load(solve(half_length, Friction::none)).value -
@@ -166,7 +169,6 @@ TEST_CASE("pressure with full friction is the frictionless one where the couplin
   CHECK(order(difference(0.16), difference(0.08)) == doctest::Approx(6).scale(0).epsilon(0.02));
   const auto with = solve(1e-3, Friction::full, 0.5), without = solve(1e-3, Friction::none);
   for (const double x : {0.01, 0.3, 0.9}) {
-    CHECK(with.last().traction(x * 1e-3).pressure ==
-          doctest::Approx(without.last().traction(x * 1e-3).pressure).scale(0).epsilon(1e-10));
+    CHECK(with.pressure(x * 1e-3) == doctest::Approx(without.pressure(x * 1e-3)).scale(0).epsilon(1e-10));
   }
 }

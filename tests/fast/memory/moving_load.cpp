@@ -52,7 +52,7 @@ double I2_as_kernel(double alpha, Accuracy) { return I2(alpha); }
 double steady_I1(double alpha, double rate, Accuracy accuracy = {}) {
   using internal::Kernel;
   return internal::steady_memory(Kernel::I1, internal::surface_point({alpha, 0}, accuracy),
-                                 internal::fade({rate, 0}, {Kernel::I1}, accuracy), accuracy);
+                                 internal::fade(internal::Two{rate, 0}, {Kernel::I1}, accuracy), accuracy);
 }
 
 }  // namespace

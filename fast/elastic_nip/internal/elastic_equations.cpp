@@ -1,0 +1,136 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/fast/elastic_nip/internal/elastic_equations.hpp>
+#include <nipref/fast/nip/internal/length_search.hpp>
+#include <nipref/fast/number/internal/bisection.hpp>
+#include <nipref/fast/sheet/field.hpp>
+
+namespace nipref::fast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+using Alphas = std::span<const double>;
+
+double coupling(double i3, double alpha, double beta) {
+  return (i3 - beta * std::copysign(pi / 2, alpha)) / pi;
+}
+
+/// What an end causes fades like e^(-decay e). Without friction the kernel's transform 2 sinh^2 k/(k (sinh 2k + 2k)) is 0
+/// at k = pi i. With full friction the determinant of the transforms is 0 where a sheet with clamped faces has a free
+/// field: (3 - 4 poisson) sinh 2k = 2k, at k = i decay with 0 <= 2 decay < pi.
+double decay_of_ends(bool grips, double poisson) {
+  if (!grips) return pi;
+  const double ratio = 1 / (3 - 4 * poisson);
+  return internal::last_that([&](double x) { return std::sin(x) >= ratio * x; }, 0.0, pi) / 2;
+}
+
+}  // namespace
+
+ElasticEquations::ElasticEquations(data::Friction friction, double poisson)
+    : grips_(friction == data::Friction::full),
+      beta_((1 - 2 * poisson) / (2 * (1 - poisson))),
+      decay_(decay_of_ends(grips_, poisson)) {}
+
+Resolution ElasticEquations::resolution(double nats) const { return {nats, decay_, grips_ ? 5 : 2, {}}; }
+
+Tractions::Kernel ElasticEquations::normal(CountedKernels& kernels) const {
+  return {1, !grips_, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const std::vector<double> i1 = kernels.I1(alpha),
+                                      i3 = grips_ ? kernels.I3(alpha) : std::vector<double>();
+            on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resize(1, on_p.cols());
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              on_p(static_cast<Eigen::Index>(i)) = i1[i] / pi;
+              if (grips_) on_q(static_cast<Eigen::Index>(i)) = -coupling(i3[i], alpha[i], beta_);
+            }
+          }};
+}
+
+Tractions::Kernel ElasticEquations::tangential(CountedKernels& kernels) const {
+  return {1, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const std::vector<double> i3 = kernels.I3(alpha),
+                                      i6 = grips_ ? kernels.I6(alpha) : std::vector<double>();
+            on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resize(1, on_p.cols());
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              on_p(static_cast<Eigen::Index>(i)) = coupling(i3[i], alpha[i], beta_);
+              if (grips_) on_q(static_cast<Eigen::Index>(i)) = i6[i] / pi;
+            }
+          }};
+}
+
+/// N/2 times the stress along the face, of which the load itself makes a part at its own place only.
+Tractions::Kernel ElasticEquations::strain() const {
+  return {
+      1, !grips_, {}, [this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+        constexpr double nearest = 1e-299;  // the field's own domain
+        on_p.resize(1, static_cast<Eigen::Index>(alpha.size()));
+        on_q.resize(1, on_p.cols());
+        for (std::size_t i = 0; i < alpha.size(); ++i) {
+          const double place = std::copysign(std::max(std::fabs(alpha[i]), nearest), alpha[i]);
+          on_p(static_cast<Eigen::Index>(i)) = sheet_stresses(place, 1, data::SheetLoad::normal).along / 2;
+          if (grips_)
+            on_q(static_cast<Eigen::Index>(i)) = sheet_stresses(place, 1, data::SheetLoad::shear).along / 2;
+        }
+      }};
+}
+
+/// Both displacements at once.
+Tractions::Kernel ElasticEquations::matching(CountedKernels& kernels) const {
+  if (!grips_) return normal(kernels);
+  return {2, false, {}, [&kernels, this](Alphas alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const std::vector<double> i1 = kernels.I1(alpha), i3 = kernels.I3(alpha), i6 = kernels.I6(alpha);
+            on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
+            on_q.resize(2, on_p.cols());
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              const auto column = static_cast<Eigen::Index>(i);
+              on_p(1, column) = coupling(i3[i], alpha[i], beta_);
+              on_q(0, column) = -on_p(1, column);
+              on_p(0, column) = i1[i] / pi;
+              on_q(1, column) = i6[i] / pi;
+            }
+          }};
+}
+
+Solution ElasticEquations::solve(double half_length, const std::vector<Panel>& panels, double tolerance,
+                                 CountedKernels& kernels) const {
+  std::vector<Panel> fitted = panels;
+  fitted.back().right = 2 * half_length - fitted.back().left;
+  const Tractions tractions(half_length, fitted, grips_, {0.5, grips_ ? -std::atanh(beta_) / pi : 0});
+  const std::vector<double> points = tractions.matching_points(1);
+  const int each = grips_ ? 2 : 1;
+  const auto rows = static_cast<Eigen::Index>(points.size()) * each;
+  Equations equations{tractions.rows(points, false, matching(kernels), tolerance),
+                      Eigen::MatrixXd::Zero(rows, each),
+                      Eigen::VectorXd::Zero(rows),
+                      {}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double e = points[i];
+    const auto row = static_cast<Eigen::Index>(i) * each;
+    equations.on_unknowns(row, edge_displacement) = -1;
+    equations.right(row) = e * (2 * half_length - e);
+    if (grips_) equations.on_unknowns(row + 1, creep) = -(half_length - e);
+  }
+  return {tractions, equations};
+}
+
+std::vector<AccuracyTarget> ElasticEquations::accuracy_targets(const Solution& solution) const {
+  const double half_length = solution.half_length();
+  const double middle = solution.traction(half_length).real();
+  std::vector<AccuracyTarget> targets{{solution.of_unknown(edge_displacement), half_length * half_length}};
+  for (const Panel& panel : solution.tractions().panels()) {
+    const double at = panel.about_middle && !panel.at_end ? half_length : panel.left + 0.2 * panel.width();
+    const Eigen::MatrixXd both = solution.tractions().values(at);
+    targets.push_back({solution.of_tractions(both.row(0)), middle});
+    if (grips_) targets.push_back({solution.of_tractions(both.row(1)), middle});
+  }
+  if (grips_) targets.push_back({solution.of_unknown(creep), half_length});
+  return targets;
+}
+
+double ElasticEquations::half_length_guess(double load) const { return fast::half_length_guess(load); }
+
+}  // namespace nipref::fast

@@ -1,0 +1,57 @@
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/fast/memory/internal/smooth_part.hpp>
+#include <nipref/fast/number/internal/complex_inverse.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/sheet/kernels.hpp>
+
+namespace nipref::fast::internal {
+
+const SmoothPart& SmoothPart::of(Kernel kernel) {
+  static const SmoothPart of_I1(Kernel::I1), of_I3(Kernel::I3);
+  return kernel == Kernel::I1 ? of_I1 : of_I3;
+}
+
+SmoothPart::SmoothPart(Kernel kernel) {
+  const auto value = [kernel](double w) {
+    return kernel == Kernel::I1 ? I1(w) + std::log(std::fabs(w)) : I3(w);
+  };
+  for (std::size_t k = 0; k < points; ++k) {
+    for (std::size_t j = 0; j < points; ++j) {
+      const double angle = (static_cast<double>(j) + 0.5) * std::numbers::pi / points;
+      coefficients_[0][k] +=
+          2.0 / points * value(half * std::cos(angle)) * std::cos(static_cast<double>(k) * angle);
+    }
+  }
+  for (std::size_t order = 1; order < coefficients_.size(); ++order) {
+    // c'_(k-1) = c'_(k+1) + 2 k c_k; the first coefficients count twice.
+    const auto& now = coefficients_[order - 1];
+    auto& next = coefficients_[order];
+    for (std::size_t k = points - 1; k > 0; --k)
+      next[k - 1] = next[k + 1] + 2 * static_cast<double>(k) * now[k] / half;
+  }
+}
+
+double SmoothPart::operator()(int order, double w) const {
+  const auto& c = coefficients_[static_cast<std::size_t>(order)];
+  const double t = w / half;
+  double above = 0, here = 0;
+  for (std::size_t k = points - 1; k > 0; --k) above = std::exchange(here, 2 * t * here - above + c[k]);
+  return t * here - above + c[0] / 2;
+}
+
+Complex smooth_memory_by_parts(Kernel kernel, int first, double w, Complex rate) {
+  constexpr double negligible = 1e-20;
+  const SmoothPart& smooth = SmoothPart::of(kernel);
+  const Complex kept = faded_exp(rate * (nearest - w)), step = inverse(rate);
+  Complex sum = 0, power = step;
+  for (int order = first; order <= SmoothPart::derivatives; ++order, power *= step) {
+    sum += (kept == 0.0 ? smooth(order, w) : smooth(order, w) - kept * smooth(order, nearest)) * power;
+    if (std::norm(power) < negligible * negligible * std::norm(step)) break;
+  }
+  return sum;
+}
+
+}  // namespace nipref::fast::internal

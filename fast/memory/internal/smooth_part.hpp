@@ -1,0 +1,32 @@
+#pragma once
+#include <array>
+
+#include <nipref/fast/memory/internal/waves.hpp>
+
+namespace nipref::fast::internal {
+
+/// The part of a kernel that is analytic but for |Im w| >= 2: I1(w) + ln |w|, or I3(w). With its derivatives on [-1, 1],
+/// which are those of a polynomial through Chebyshev points.
+class SmoothPart {
+ public:
+  static constexpr int derivatives = 7;
+
+  /// Kernel::I1 or Kernel::I3.
+  static const SmoothPart& of(Kernel kernel);
+  /// The derivative of that order, from 0 on.
+  [[nodiscard]] double operator()(int order, double w) const;
+
+ private:
+  explicit SmoothPart(Kernel kernel);
+
+  static constexpr std::size_t points = 36;  ///< even, so that none is at 0
+  static constexpr double half = 1.25;
+  std::array<std::array<double, points + 1>, derivatives + 1> coefficients_{};
+};
+
+/// int_0^(1 - w) e^(-rate x) f(w + x) dx, f the smooth part from its derivative of order `first` on, by parts: for complex
+/// rates above by_parts_from. Their k-th term is about k!/(2 rate)^k of the whole, 2e-17 of it where they end.
+inline constexpr double by_parts_from = 400;
+Complex smooth_memory_by_parts(Kernel kernel, int first, double w, Complex rate);
+
+}  // namespace nipref::fast::internal

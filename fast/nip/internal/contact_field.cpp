@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/data/bad_input.hpp>
+#include <nipref/fast/nip/internal/contact_field.hpp>
+#include <nipref/fast/nip/internal/domain.hpp>
+
+namespace nipref::fast {
+namespace {
+
+/// On the leading half with e from its end, or on the other. Without symmetry g is the even and the odd part of the
+/// pressure.
+FaceTraction face_traction(const Solution& solution, bool is_symmetric, bool right, double e) {
+  const std::complex<double> g = solution.traction(std::min(e, solution.half_length()));
+  if (is_symmetric) return {g.real(), right ? g.imag() : -g.imag()};
+  return {right ? g.real() + g.imag() : g.real() - g.imag(), 0};
+}
+
+/// The largest pressure, and the largest errors of both components of the tractions together, at some places of each panel.
+std::pair<double, double> peak_and_error(const SolvedNip& nip) {
+  double peak = 0, error = 0;
+  const Solution& solution = nip.last();
+  for (const Panel& panel : solution.tractions().panels()) {
+    for (const double part : {0.02, 0.2, 0.47, 0.96}) {
+      const double e = std::min(panel.left + part * panel.width(), solution.half_length());
+      const auto component = [e](int row) {
+        return [e, row](const Solution& s) {
+          return s.of_tractions(s.tractions().values(std::min(e, s.half_length())).row(row));
+        };
+      };
+      const Estimate real = nip.estimate(component(0));
+      peak = std::max(peak, std::fabs(real.value));
+      double both = real.error;
+      if (solution.tractions().components() == 2) both += nip.estimate(component(1)).error;
+      error = std::max(error, both);
+    }
+  }
+  return {peak, error};
+}
+
+}  // namespace
+
+ContactField::ContactField(const SolvedNip& nip, bool is_symmetric, double middle, double ends)
+    : is_symmetric_(is_symmetric),
+      middle_(middle),
+      // The tractions are those of the last solution, whose halves fit together in its own middle.
+      half_length_(nip.last().half_length()),
+      ends_(ends),
+      field_(half_length_, is_symmetric,
+             [&](bool right, double e) { return face_traction(nip.last(), is_symmetric, right, e); }) {
+  std::tie(peak_, traction_error_) = peak_and_error(nip);
+}
+
+double ContactField::error_at(const SheetPoint& place, bool of_many) const {
+  const double beside = std::fabs(std::fabs(place.alpha) - half_length_);
+  const double outside = std::max(0.0, std::fabs(place.alpha) - half_length_),
+               deep = 1 - std::fabs(place.depth);
+  // Stresses are at most of this part of the tractions that make them: the whole load at their distance.
+  const double part = std::min(1.0, half_length_ / std::hypot(outside, deep));
+  const double unsure = ends_ + 4e-16 * (half_length_ + std::fabs(place.alpha));
+  const double away = std::max(unsure, std::hypot(beside, deep));
+  const double of_ends = peak_ * unsure * std::min(1.0, half_length_ / away) / std::sqrt(away * half_length_);
+  return of_ends + part * (4 * traction_error_ + peak_ * field_.rounding(of_many));
+}
+
+std::vector<InnerStresses> ContactField::at(const std::vector<SheetPoint>& places) const {
+  constexpr std::size_t few = 48;
+  std::vector<SheetPoint> moved;
+  for (const SheetPoint& place : places) moved.push_back({place.alpha - middle_, place.depth});
+  const std::vector<SheetStresses> stresses = field_.at(moved);
+  std::vector<InnerStresses> result;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double error = error_at(moved[i], places.size() > few);
+    result.push_back({{stresses[i].across, error}, {stresses[i].along, error}, {stresses[i].shear, error}});
+  }
+  return result;
+}
+
+GreatestShear ContactField::greatest() const {
+  const double reach = std::min(1.0, half_length_);
+  const auto shear_at = [&](const SheetPoint& place) {
+    const SheetStresses s = field_.at(place);
+    return std::hypot((s.across - s.along) / 2, s.shear);
+  };
+  SheetPoint best{0, 1};
+  double largest = shear_at(best);
+  const auto look = [&](const SheetPoint& place) {
+    const double here = shear_at(place);
+    if (!(here > largest)) return false;
+    largest = here;
+    best = place;
+    return true;
+  };
+  // The grid is denser at the ends, beside which full friction may cause the largest shear.
+  constexpr int steps = 24;
+  for (int i = is_symmetric_ ? 0 : -steps; i <= steps; ++i) {
+    const double alpha = half_length_ * std::sin(std::numbers::pi / 2 * i / steps);
+    for (int j = 0; j <= steps; ++j) look({alpha, 1 - std::min(1.0, 2.5 * reach) * j / steps});
+  }
+  const auto smooth_about = [&](const SheetPoint& place) {
+    return std::min(reach, std::hypot(half_length_ - std::fabs(place.alpha), 1 - place.depth));
+  };
+  double step = reach / steps;
+  while (step > 1e-9 * smooth_about(best) && step > 1e-14 * reach) {
+    const double back = best.alpha - step;
+    const bool moved = look({best.alpha + step, best.depth}) ||
+                       look({is_symmetric_ ? std::fabs(back) : back, best.depth}) ||
+                       look({best.alpha, std::min(1.0, best.depth + step)}) ||
+                       look({best.alpha, std::fabs(best.depth - step)});
+    if (!moved) step /= 2;
+  }
+  const SheetPoint place{best.alpha + middle_, best.depth};
+  const Estimate value = at({place}).front().maximum_shear();
+  // About its maximum the shear is a parabola on the scale of the contact or of the sheet.
+  const double unsure = smooth_about(best) * (1e-7 + 4 * std::sqrt(value.error / value.value));
+  return {value, {place.alpha, unsure}, {place.depth, unsure}};
+}
+
+SheetPoint checked_point(const InnerPoint& point, double unit) {
+  check_position(point.y);
+  if (!(std::fabs(point.depth) <= 1))
+    throw data::BadInput("depth", point.depth, "must satisfy -1 <= depth <= 1");
+  return {point.y / unit, point.depth};
+}
+
+InnerStresses in_unit(double unit, const InnerStresses& s) {
+  return {times(unit, s.across), times(unit, s.along), times(unit, s.shear)};
+}
+
+}  // namespace nipref::fast

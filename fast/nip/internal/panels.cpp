@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <nipref/fast/nip/internal/panels.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+
+/// Up to here one expansion over the whole contact needs fewer terms than panels.
+constexpr double longest_whole = 3;
+/// Radians and nats over the whole contact that its one expansion holds.
+constexpr double most_over_whole = 8;
+/// Of the first panel, half-thicknesses.
+constexpr double widest_at_end = 2;
+constexpr int most_terms = 40;
+constexpr double nats_of_double = 37;
+
+/// The factor, as a logarithm, by which Chebyshev coefficients fall a degree on a panel.
+double log_fall(double left, double right, double half_length, bool is_whole) {
+  const double middle = (left + right) / 2, half = (right - left) / 2;
+  std::vector<Complex> singular{{0, 2}};
+  if (left > 0) singular.push_back(0);
+  if (!is_whole) singular.push_back(2 * half_length);
+  double least = 1e300;
+  for (const Complex& place : singular) {
+    const Complex z = (place - middle) / half;
+    const Complex root = std::sqrt(z * z - 1.0);
+    least = std::min(least, std::log(std::max(std::abs(z + root), std::abs(z - root))));
+  }
+  return least;
+}
+
+/// The degree from which on the coefficients of e^(-rate x) on a panel, e^(-rate middle) I_n(rate half), are below e^-nats
+/// and fall as the error statement takes it, or are less than rounding: by the leading term of their uniform expansion in n.
+int degree_of_exponential(Complex rate, double left, double right, double nats) {
+  const Complex z = rate * (right - left) / 2.0;
+  const double middle = rate.real() * (left + right) / 2;
+  for (int n = 1; n < 4 * most_terms; ++n) {
+    const Complex root = std::sqrt(static_cast<double>(n) * n + z * z);
+    const Complex ratio = z / (static_cast<double>(n) + root);
+    const double size = (root + static_cast<double>(n) * std::log(ratio)).real() - middle;
+    if (size < -nats_of_double || (size < -nats && std::abs(ratio) < 1 / least_fall)) return n;
+  }
+  return 4 * most_terms;
+}
+
+class Layout {
+ public:
+  Layout(double half_length, const Resolution& resolution)
+      : half_length_(half_length), resolution_(resolution) {}
+
+  [[nodiscard]] std::vector<Panel> panels() const {
+    if (is_one()) return {panel(0, 2 * half_length_)};
+    std::vector<Panel> result;
+    double left = 0;
+    for (int count = 0; count < most_panels; ++count) {
+      const double right = left == 0 ? std::min(widest_at_end, half_length_ / 2) : left + width_after(left);
+      if (left > 0 && (is_near_middle(right) || is_forgotten(left))) break;
+      result.push_back(panel(left, right));
+      left = right;
+    }
+    result.push_back(panel(left, 2 * half_length_ - left));
+    return result;
+  }
+
+ private:
+  static constexpr int most_panels = 100;
+
+  [[nodiscard]] bool is_one() const {
+    return half_length_ <= longest_whole && std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
+             return std::abs(rate) * 2 * half_length_ < most_over_whole;
+           });
+  }
+  /// Panels double up to where the end is forgotten, but hold no more radians of what oscillates and has not decayed than the whole contact would.
+  [[nodiscard]] double width_after(double left) const {
+    const double forgotten = 1.001 * nats_of_double / resolution_.decay;
+    double width = left < forgotten ? std::min(left, std::max(forgotten - left, left / 4)) : left;
+    for (const Complex& rate : resolution_.rates) {
+      if (rate.real() * left < nats_of_double && std::abs(rate.imag()) > 0)
+        width = std::min(width, 2 * most_over_whole / std::abs(rate.imag()));
+    }
+    return width;
+  }
+  [[nodiscard]] bool is_near_middle(double right) const {
+    return right > half_length_ / 1.9 && holds_exponentials(right);
+  }
+  /// So far that what is left, which a wide panel about the middle does not resolve, is less than rounding.
+  [[nodiscard]] bool is_forgotten(double left) const {
+    return resolution_.decay * left >= nats_of_double && holds_exponentials(left);
+  }
+  /// Whether a panel about the middle from here on resolves the exponentials.
+  [[nodiscard]] bool holds_exponentials(double left) const {
+    if (left >= half_length_) return true;
+    return std::ranges::all_of(resolution_.rates, [&](const Complex& rate) {
+      return degree_of_exponential(rate, left, 2 * half_length_ - left, resolution_.nats) < most_terms;
+    });
+  }
+  [[nodiscard]] Panel panel(double left, double right) const {
+    const bool about_middle = right > half_length_, is_whole = about_middle && left == 0;
+    const double nats = std::max(resolution_.nats - resolution_.decay * left, 0.0);
+    double degree =
+        std::max<double>(nats / log_fall(left, right, half_length_, is_whole), resolution_.polynomial);
+    if (left > 0 && !about_middle && resolution_.decay > 0)
+      degree =
+          std::max<double>(degree, degree_of_exponential(resolution_.decay, left, right, resolution_.nats));
+    for (const Complex& rate : resolution_.rates) {
+      const bool as_layer = left == 0 && !is_whole && std::abs(rate) * right > 1;
+      if (!as_layer && rate != 0.0)
+        degree = std::max<double>(degree, degree_of_exponential(rate, left, right, resolution_.nats));
+    }
+    // The last three terms are to show that the others suffice.
+    const int terms = 4 + static_cast<int>(std::ceil(about_middle ? degree / 2 : degree));
+    return {left, right, left == 0, about_middle, std::min(terms, most_terms)};
+  }
+
+  double half_length_;
+  const Resolution& resolution_;
+};
+
+}  // namespace
+
+std::vector<Panel> panels(double half_length, const Resolution& resolution) {
+  return Layout(half_length, resolution).panels();
+}
+
+bool is_layer(Complex rate, const std::vector<Panel>& panels) {
+  return !panels.front().about_middle && std::abs(rate) * panels.front().right > 1;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,82 @@
+#pragma once
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <vector>
+
+#include <nipref/fast/nip/internal/tractions.hpp>
+#include <nipref/fast/number/estimate.hpp>
+
+namespace nipref::fast {
+
+/// Linear equations for the tractions of a contact and further unknowns.
+struct Equations {
+  Eigen::MatrixXd on_tractions;  ///< columns of Tractions
+  Eigen::MatrixXd on_unknowns;
+  Eigen::VectorXd right;
+  /// The coefficients of the layers' columns: a column for each further unknown, and a last one that is constant.
+  Eigen::MatrixXd layers;
+  int memories =
+      0;  ///< last equations, whose numbers are memories of kernels, right to eight units in the last place
+};
+
+/// A linear functional of a solution, plus a constant.
+struct Functional {
+  Eigen::RowVectorXd on_tractions, on_unknowns;
+  double constant = 0;
+  double cancelled = 0;  ///< size of what cancels in it for this solution, for its rounding
+};
+
+/// The solution x of M x = r by elimination, refined once.
+///
+/// The error of a number J(x). Let c_l be the coefficients of the true tractions beyond the terms that are solved for, and
+/// M_l their columns. The terms solved for are wrong by M^-1 sum M_l c_l, so that with the adjoint solution z,
+/// M^T z = J, the number is wrong by
+///     sum_l c_l (J_l - z . M_l).
+/// Of each expansion the next two columns are known. Coefficients of functions that are analytic on and around a panel fall
+/// geometrically, and panels.hpp chooses panels on which they fall by 1.6 or more a term: the next coefficient is at most
+/// the largest of |c_(n-k)|/1.6^k, k = 1, 2, 3, and twice that covers all that follow.
+/// Rounding: the elimination with one step of refinement solves a system whose numbers differ from those given by a few
+/// units in the last place (Skeel 1980), and these numbers have such an error themselves. As the kernels are right to two
+/// units, weights and rates to about as many, and the kernels' memories to eight, in all d_i = 8 u, or 16 u with memories. As
+/// independent random numbers (Higham and Mary 2019) they change the number by
+///     (sum_i d_i^2 z_i^2 (sum_k (M_ik x_k)^2 + r_i^2))^(1/2),
+/// and the evaluation of J by 16 u times what the sizes of its terms add up to, and where these underflow.
+class Solution {
+ public:
+  Solution(Tractions tractions, const Equations& equations);
+
+  [[nodiscard]] const Tractions& tractions() const { return tractions_; }
+  [[nodiscard]] double half_length() const { return tractions_.half_length(); }
+  [[nodiscard]] double unknown(int number) const { return unknowns_(number); }
+  /// The integrals of Re g and of y Im g over the contact: the load and, in rolling, the moment.
+  [[nodiscard]] Functional load() const { return of_tractions(integrals_.row(0)); }
+  [[nodiscard]] Functional moment() const { return of_tractions(integrals_.row(1)); }
+  /// A functional of one further unknown, and one of the tractions alone.
+  [[nodiscard]] Functional of_unknown(int number) const;
+  [[nodiscard]] Functional of_tractions(Eigen::RowVectorXd row) const;
+  /// g at 0 <= e <= A, see Tractions.
+  [[nodiscard]] std::complex<double> traction(double e) const { return tractions_.value(e, coefficients_); }
+  [[nodiscard]] double value(const Functional& functional) const;
+  [[nodiscard]] Estimate estimate(const Functional& functional) const;
+  /// The part of the error that is rounding.
+  [[nodiscard]] double rounding(const Functional& functional) const;
+  [[nodiscard]] int size() const { return static_cast<int>(elimination_.rows()); }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd adjoint(const Functional& functional) const;
+  [[nodiscard]] double rounding(const Functional& functional, const Eigen::VectorXd& adjoint) const;
+  void take_tails();
+
+  Tractions tractions_;
+  Eigen::MatrixXd integrals_;
+  std::vector<int> solved_, left_out_;  ///< columns
+  Eigen::MatrixXd layers_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> elimination_;
+  Eigen::MatrixXd left_out_columns_;
+  Eigen::VectorXd coefficients_;  ///< of all columns, 0 of those left out
+  Eigen::VectorXd unknowns_;
+  Eigen::RowVectorXd tails_;  ///< of each column that is left out
+  Eigen::VectorXd equation_errors_;
+};
+
+}  // namespace nipref::fast

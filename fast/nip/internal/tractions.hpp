@@ -1,0 +1,109 @@
+#pragma once
+#include <Eigen/Core>
+#include <complex>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include <nipref/fast/nip/internal/layer.hpp>
+#include <nipref/fast/number/internal/double_exponential.hpp>
+
+namespace nipref::fast {
+
+/// left <= e <= right on half a contact, e the distance from the contact's end; the panel about the middle reaches as far
+/// into the other half: right = 2A - left.
+struct Panel {
+  double left, right;
+  bool at_end;        ///< left == 0
+  bool about_middle;  ///< the last one
+  int terms;          ///< of each real component
+
+  [[nodiscard]] double width() const { return right - left; }
+};
+
+/// The tractions of a contact of half length A (half-thicknesses) as a complex function g with g(-y) = conj g(y):
+///   without friction     g is the pressure;
+///   with full friction   g = pressure + i shear;
+///   in rolling           g = even + i odd part of the pressure: pressure(y) = Re g + Im g at y >= 0, Re g - Im g at -y.
+/// Panels cover 0 <= e <= A, e = A - y. On each g is a factor times a sum of terms (a_k + i b_k) T_k; the factor is
+/// (e/right)^exponent at the end and 1 beyond. About the middle the sum is a_k T_2k(t) + i b_k T_2k+1(t) with
+/// t = y/(A - left), and the factor is 1, or (e/A)^exponent (2 - e/A)^conj(exponent) if the panel is the whole contact.
+/// Layers are functions of their own on the leading half of the panel at the end: LayerPressure of their rates, each
+/// with two columns, its real part and minus its imaginary part.
+class Tractions {
+ public:
+  Tractions(double half_length, std::vector<Panel> panels, bool is_complex, std::complex<double> exponent,
+            const std::vector<std::complex<double>>& layers = {});
+
+  /// Terms of each panel and component beyond those that are solved for. Their columns are known, so that the effect of
+  /// leaving them out is.
+  static constexpr int left_out = 2;
+
+  [[nodiscard]] double half_length() const { return half_length_; }
+  [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
+  [[nodiscard]] std::vector<std::complex<double>> layer_rates() const;
+  [[nodiscard]] int components() const { return is_complex_ ? 2 : 1; }
+  /// Columns: for each panel and component its terms and those left out, then the layers.
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int column(std::size_t panel, int component) const {
+    return first_[panel] + component * (panels_[panel].terms + left_out);
+  }
+  [[nodiscard]] std::size_t panel_of(double e) const;
+
+  /// A line load at the distance alpha acts on a functional: `on_p`, `on_q` per unit of Re g and Im g, a row a functional.
+  /// alpha = y - y' is the place of the functional less that of the load.
+  struct Kernel {
+    int functionals = 1;
+    bool decays = true;  ///< there is nothing beyond the reach
+    std::vector<std::complex<double>>
+        rates;  ///< with which it decays next to alpha = 0, beside half-thicknesses
+    std::function<void(std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q)> at;
+  };
+  /// A row of columns for each place and functional: places slow. Places: e <= A, negative ones outside the contact.
+  /// `trailing`: the places are on the other half, -y.
+  [[nodiscard]] Eigen::MatrixXd rows(std::span<const double> places, bool trailing, const Kernel& kernel,
+                                     double tolerance) const;
+  /// Re g and Im g at 0 <= e <= A: two rows of columns; and their values for given coefficients of all columns.
+  [[nodiscard]] Eigen::MatrixXd values(double e) const;
+  [[nodiscard]] std::complex<double> value(double e, const Eigen::VectorXd& coefficients) const;
+  /// The integrals of Re g and of y Im g over the contact: two rows.
+  [[nodiscard]] Eigen::MatrixXd integrals() const;
+  /// Matching points of the panels, as many as terms, and `more` at the end.
+  [[nodiscard]] std::vector<double> matching_points(int more) const;
+
+ private:
+  /// Nodes on one panel, those on the half of the place first.
+  struct Nodes {
+    std::vector<double> e, other;  ///< distances from the end of this half and of the other
+    std::vector<double> weight, alpha;
+    std::size_t on_this_half = 0;
+
+    void clear();
+    void grow(std::size_t count);
+  };
+  /// The ends of the pieces into which the layers cut the panel at the end.
+  void cut_for_layers(const Panel& panel, std::vector<double>& ends) const;
+  void append_panel(const Panel& panel, double singular, bool mirrored, const Kernel& kernel, double reach,
+                    const std::vector<UnitNode>& rule, double tolerance, Nodes& nodes) const;
+  void append_piece(double from, double to, double singular, bool mirrored, const std::vector<UnitNode>& rule,
+                    double tolerance, Nodes& nodes) const;
+  /// Basis at the nodes.
+  struct Basis {
+    Eigen::ArrayXd real, imaginary;  ///< of the factor
+    Eigen::MatrixXd even, odd;       ///< polynomials of the components, a row a node
+    Eigen::MatrixXd layers;          ///< values on the leading half
+  };
+  [[nodiscard]] Basis basis(std::size_t panel, const Nodes& nodes) const;
+  void add_rows(std::size_t panel, const Nodes& nodes, const Kernel& kernel, bool trailing,
+                Eigen::Ref<Eigen::MatrixXd> rows) const;
+
+  double half_length_;
+  std::vector<Panel> panels_;
+  bool is_complex_;
+  std::complex<double> exponent_;
+  std::vector<LayerPressure> layers_;
+  std::vector<int> first_;  ///< column of each panel, and of the layers
+  int columns_;
+};
+
+}  // namespace nipref::fast

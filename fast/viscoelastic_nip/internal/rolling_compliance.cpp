@@ -1,0 +1,69 @@
+#include <nipref/fast/material/internal/polynomial.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using internal::OctupleComplex;
+
+OctupleComplex exactly(std::complex<double> z) { return {z.real(), z.imag()}; }
+
+std::complex<double> rounded(const OctupleComplex& z) {
+  return {static_cast<double>(z.re), static_cast<double>(z.im)};
+}
+
+/// p times (rate + z)
+std::vector<OctupleComplex> times_linear(const std::vector<OctupleComplex>& p, std::complex<double> rate) {
+  std::vector<OctupleComplex> result(p.size() + 1);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    result[i] = result[i] + exactly(rate) * p[i];
+    result[i + 1] = result[i + 1] + p[i];
+  }
+  return result;
+}
+
+/// That of N over the product of all s_k + z. The imaginary parts of its coefficients cancel.
+internal::Polynomial numerator(const std::vector<Memory>& terms) {
+  std::vector<OctupleComplex> whole{{1, 0}};
+  for (const Memory& term : terms) whole = times_linear(whole, term.rate);
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    std::vector<OctupleComplex> others{exactly(terms[k].amplitude)};
+    for (std::size_t l = 0; l < terms.size(); ++l)
+      if (l != k) others = times_linear(others, terms[l].rate);
+    for (std::size_t i = 0; i < others.size(); ++i) whole[i] = whole[i] + others[i];
+  }
+  internal::Polynomial result;
+  for (const OctupleComplex& c : whole) result.push_back(c.re);
+  return result;
+}
+
+}  // namespace
+
+/// m_j = 1/N'(-r_j). Differences of rates are taken in the roots' own precision.
+RollingCompliance rolling_compliance(std::vector<Memory> terms) {
+  RollingCompliance result{std::move(terms), {}, {}};
+  if (result.terms.empty()) return result;
+  for (const OctupleComplex& root : internal::paired_roots_of(numerator(result.terms))) {
+    OctupleComplex slope;
+    std::vector<OctupleComplex> ratios;
+    for (const Memory& term : result.terms) {
+      const OctupleComplex difference = root + exactly(term.rate);
+      ratios.push_back(exactly(term.amplitude) / difference);
+      slope = slope - ratios.back() / difference;
+    }
+    const OctupleComplex amplitude = OctupleComplex{1, 0} / slope;
+    result.inverse.push_back({rounded(amplitude), -rounded(root)});
+    std::vector<std::complex<double>>& row = result.closure.emplace_back();
+    for (const OctupleComplex& ratio : ratios) row.push_back(-rounded(amplitude * ratio));
+  }
+  // The zero z of a pair with Im z > 0 is minus the rate with Im < 0.
+  for (std::size_t j = 0; j + 1 < result.inverse.size(); ++j) {
+    if (!(result.inverse[j].rate.imag() < 0)) continue;
+    std::swap(result.inverse[j], result.inverse[j + 1]);
+    std::swap(result.closure[j], result.closure[j + 1]);
+    ++j;
+  }
+  return result;
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,23 @@
+#pragma once
+#include <complex>
+#include <vector>
+
+namespace nipref::fast {
+
+/// amplitude e^(-rate x): a memory over the distance x that the material has moved, half-thicknesses.
+struct Memory {
+  std::complex<double> amplitude, rate;
+};
+
+/// The compliance of a rolling sheet in units of what gives way at once, and its inverse: with D = d/dx along the
+/// material's way their transforms are N = 1 + sum n_k/(D + s_k) and 1/N = 1 + sum m_j/(D + r_j).
+struct RollingCompliance {
+  std::vector<Memory> terms;    ///< n_k, s_k; conjugate pairs complete
+  std::vector<Memory> inverse;  ///< m_j, r_j, the zeros of N; each pair together, that with Im rate > 0 first
+  /// m_j n_k/(r_j - s_k), a row for each j. r_j may be next to s_k.
+  std::vector<std::vector<std::complex<double>>> closure;
+};
+
+RollingCompliance rolling_compliance(std::vector<Memory> terms);
+
+}  // namespace nipref::fast

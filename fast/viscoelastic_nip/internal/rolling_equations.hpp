@@ -1,0 +1,66 @@
+#pragma once
+#include <memory>
+#include <vector>
+
+#include <nipref/fast/nip/internal/solved_nip.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
+
+namespace nipref::fast {
+
+/// The contact of a viscoelastic sheet in steady frictionless rolling, as that of an elastic one.
+///
+/// With D = d/dx along the way of the material, x the distance behind the leading end, the surface's displacement is
+/// u = N(D) f, f = K p the displacement of an elastic sheet. So in the contact, where u is the roller's,
+///     K p = f = u + sum_j m_j (int_0^x e^(-r_j (x - s)) u(s) ds + e^(-r_j x) w_j),
+/// with m_j, r_j of the inverse of N and the numbers w_j = int_0^inf e^(-r_j s) u(-s) ds, which is what the sheet brings
+/// along. Since N(-r_j) = 0 they follow from the memories of f at the leading end,
+///     w_j = sum_k n_k/(r_j - s_k) f_k,  f_k = int_0^inf e^(-s_k x) f(-x) dx,
+/// which are integrals of the pressure; n_k, s_k are the terms of N. The surface follows u = u_m - y^2 - 2 offset y, y the
+/// place from the middle of the contact towards the leading end. Unknowns are u_m, the offset and the coefficients of the
+/// exponentials, real and imaginary part of those of a conjugate pair. Everything is split into its even and its odd part
+/// in y, which K does not mix.
+/// Where a memory is long, f is evaluated as it stands and H_j = m_j w_j is the unknown. Where it is short, what e^(-r_j x)
+/// brings into the pressure next to the leading end is a layer, known in closed form (layer.hpp). Then f is taken apart into
+/// a polynomial and h_j e^(-r_j x), so that nothing large cancels: by parts, with sum_k n_k/(r_j - s_k) = 1,
+///     h_j = m_j/r_j sum_k n_k/(r_j - s_k) (s_k f_k - f(0)) + 2 m_j (offset + A + 1/r_j)/r_j^2,
+///     s_k f_k - f(0) = int_0^inf e^(-s_k x) d/dx f(-x) dx.
+class RollingEquations : public NipEquations {
+ public:
+  explicit RollingEquations(RollingSheet sheet);
+
+  static constexpr int middle_displacement = 0, offset = 1;  ///< numbers of the unknowns
+  [[nodiscard]] const RollingSheet& sheet() const { return sheet_; }
+
+  [[nodiscard]] Resolution resolution(double nats) const override;
+  [[nodiscard]] Solution solve(double half_length, const std::vector<Panel>& panels, double tolerance,
+                               CountedKernels& kernels) const override;
+  [[nodiscard]] std::vector<AccuracyTarget> accuracy_targets(const Solution& solution) const override;
+  [[nodiscard]] double half_length_guess(double load) const override;
+  /// The compliance with which a contact acts over its whole length, over what acts at once.
+  [[nodiscard]] double softening_over(double half_length) const;
+
+ private:
+  /// One rate of the inverse, or a conjugate pair by that with Im > 0.
+  struct Mode {
+    Memory memory;
+    std::size_t number;  ///< in the inverse
+    int columns;         ///< 1, or 2 of a pair
+    int unknown;         ///< the first of H or h
+    int layer;           ///< number of its layer, or -1
+  };
+  [[nodiscard]] std::vector<Mode> modes(const std::vector<Panel>& panels) const;
+  void add_matching(const std::vector<Mode>& modes, double half_length, double e, Eigen::Index row,
+                    Equations& equations) const;
+  void add_layers(const std::vector<Mode>& modes, Equations& equations) const;
+  void add_closure(const std::vector<Mode>& modes, const Tractions& tractions, double tolerance,
+                   CountedKernels& kernels, Equations& equations) const;
+
+  RollingSheet sheet_;
+};
+
+/// R/b times the coefficient of rolling resistance: the distance of the pressure's resultant from the line through the
+/// centres, offset + int y p dy/load; and its linearised change.
+double eccentricity(const Solution& solution);
+Functional linearised_eccentricity(const Solution& solution);
+
+}  // namespace nipref::fast

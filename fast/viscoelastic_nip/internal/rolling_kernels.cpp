@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <nipref/fast/memory/internal/smooth_part.hpp>
+#include <nipref/fast/nip/internal/stretch.hpp>
+#include <nipref/fast/number/internal/exponential_integrals.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/rolling_kernels.hpp>
+
+namespace nipref::fast {
+namespace {
+
+using Complex = std::complex<double>;
+using internal::Two;
+
+constexpr double pi = std::numbers::pi;
+
+/// A number and the size of what may cancel in it.
+struct Sized {
+  double value = 0, size = 0;
+
+  void add(double part) {
+    value += part;
+    size += std::fabs(part);
+  }
+};
+
+/// A kernel that is the same for both parts of the pressure, over pi, and its size as a second functional.
+template <class AtAlpha>
+Tractions::Kernel for_both_parts(std::vector<Complex> rates, const AtAlpha& at) {
+  return {2, false, std::move(rates),
+          [at](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            on_p.resize(2, static_cast<Eigen::Index>(alpha.size()));
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              const Sized here = at(alpha[i]);
+              on_p.col(static_cast<Eigen::Index>(i)) << here.value / pi, here.size / pi;
+            }
+            on_q = on_p;
+          }};
+}
+
+/// Nearer than any node that counts, the kernels' logarithms would overflow.
+internal::SurfacePoint point(double alpha) {
+  constexpr double nearest = 1e-299;
+  return internal::surface_point({std::copysign(std::max(std::fabs(alpha), nearest), alpha), 0}, Accuracy());
+}
+
+}  // namespace
+
+RollingKernels::RollingKernels(const RollingSheet& sheet, CountedKernels& kernels)
+    : sheet_(sheet), kernels_(kernels) {
+  const auto kernels_of_memory = {internal::Kernel::I1, internal::Kernel::I3};
+  for (const auto& [amplitude, rate] : sheet.normal.terms) {
+    if (rate.imag() == 0)
+      fades_.emplace_back(internal::fade(Two{rate.real(), 0}, kernels_of_memory, Accuracy()));
+    else
+      fades_.emplace_back(internal::fade(rate, kernels_of_memory, Accuracy()));
+  }
+}
+
+template <class Sum, class MemoryOf>
+void RollingKernels::add_terms(Sum& sum, const MemoryOf& memory) const {
+  for (std::size_t k = 0; k < fades_.size(); ++k) {
+    const auto& [amplitude, rate] = sheet_.normal.terms[k];
+    if (rate.imag() < 0) continue;
+    const double terms = rate.imag() > 0 ? 2 : 1;
+    const Complex part =
+        terms * amplitude * std::visit([&](const auto& fade) -> Complex { return memory(fade); }, fades_[k]);
+    sum.value += part.real();
+    sum.size += std::abs(part);
+  }
+}
+
+std::vector<Complex> RollingKernels::rates() const {
+  std::vector<Complex> result;
+  for (const Memory& term : sheet_.normal.terms)
+    if (term.rate != 0.0 && !(term.rate.imag() < 0)) result.push_back(term.rate);
+  return result;
+}
+
+Tractions::Kernel RollingKernels::elastic() const {
+  return {1, true, {}, [this](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            const std::vector<double> i1 = kernels_.I1(alpha);
+            on_p = Eigen::Map<const Eigen::RowVectorXd>(i1.data(), static_cast<Eigen::Index>(i1.size())) / pi;
+            on_q = on_p;
+          }};
+}
+
+Tractions::Kernel RollingKernels::normal() const {
+  return for_both_parts(rates(), [this](double alpha) {
+    const internal::SurfacePoint at = point(alpha);
+    Sized sum;
+    sum.add(internal::kernel_at(internal::Kernel::I1, at, Accuracy()));
+    add_terms(sum, [&](const auto& fade) {
+      return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
+    });
+    return sum;
+  });
+}
+
+/// I3 and its memory act in N, I2 and its memory in theta2; I2 is pi/2 times the sign of alpha.
+Tractions::Kernel RollingKernels::tangential() const {
+  return for_both_parts(rates(), [this](double alpha) {
+    const internal::SurfacePoint at = point(alpha);
+    Sized sum;
+    sum.add(internal::kernel_at(internal::Kernel::I3, at, Accuracy()));
+    add_terms(sum, [&](const auto& fade) {
+      return internal::steady_memory_beside_limit(internal::Kernel::I3, at, fade, Accuracy());
+    });
+    sum.add(-std::copysign(pi / 2, alpha) * sheet_.theta2_at_once);
+    for (const auto& [amplitude, rate] : sheet_.theta2) {
+      if (alpha < 0) sum.add(-pi * (amplitude * alpha * internal::phi1(-alpha * rate)).real());
+    }
+    return sum;
+  });
+}
+
+Tractions::Kernel RollingKernels::strain() const {
+  return for_both_parts(rates(), [this](double alpha) {
+    const internal::SurfacePoint at = point(alpha);
+    Sized sum;
+    sum.add(pi * stretch_over_pi(alpha));
+    add_terms(sum, [&](const auto& fade) {
+      return internal::steady_memory_of_slope(internal::Kernel::I3, at, fade, Accuracy());
+    });
+    // Slopes for complex rates that are not large are differences of numbers of the size of I3.
+    for (const auto& [amplitude, rate] : sheet_.normal.terms)
+      if (rate.imag() != 0 && std::abs(rate) <= internal::by_parts_from)
+        sum.size += std::abs(amplitude) * pi / 2;
+    for (const auto& [amplitude, rate] : sheet_.theta2) {
+      if (alpha < 0) sum.add(-pi * (amplitude * std::exp(rate * alpha)).real());
+    }
+    return sum;
+  });
+}
+
+/// `memory` of a point and a rate, real and imaginary part as two functionals.
+template <class MemoryOf>
+Tractions::Kernel RollingKernels::of_term(std::size_t term, const MemoryOf& memory) const {
+  return {2, true, rates(),
+          [this, term, memory](std::span<const double> alpha, Eigen::MatrixXd& on_p, Eigen::MatrixXd& on_q) {
+            on_p = Eigen::MatrixXd::Zero(2, static_cast<Eigen::Index>(alpha.size()));
+            for (std::size_t i = 0; i < alpha.size(); ++i) {
+              const internal::SurfacePoint at = point(alpha[i]);
+              const auto of_rate = [&](const auto& fade) { return memory(at, fade); };
+              const Complex value = std::visit(of_rate, fades_[term]);
+              on_p(0, static_cast<Eigen::Index>(i)) = value.real() / pi;
+              on_p(1, static_cast<Eigen::Index>(i)) = value.imag() / pi;
+            }
+            on_q = on_p;
+          }};
+}
+
+Tractions::Kernel RollingKernels::ahead(std::size_t term) const {
+  return of_term(term, [](const internal::SurfacePoint& at, const auto& fade) -> Complex {
+    return internal::steady_memory(internal::Kernel::I1, at, fade, Accuracy());
+  });
+}
+
+Tractions::Kernel RollingKernels::slope_ahead(std::size_t term) const {
+  return of_term(term, [](const internal::SurfacePoint& at, const auto& fade) -> Complex {
+    return internal::steady_memory_of_slope(internal::Kernel::I1, at, fade, Accuracy());
+  });
+}
+
+}  // namespace nipref::fast

@@ -1,0 +1,53 @@
+#pragma once
+#include <complex>
+#include <variant>
+#include <vector>
+
+#include <nipref/fast/memory/internal/fading.hpp>
+#include <nipref/fast/nip/internal/counted_kernels.hpp>
+#include <nipref/fast/nip/internal/tractions.hpp>
+#include <nipref/fast/viscoelastic_nip/internal/rolling_compliance.hpp>
+
+namespace nipref::fast {
+
+/// The compliances of a rolling sheet, over N at once and by half-thicknesses of way instead of time.
+struct RollingSheet {
+  RollingCompliance normal;  ///< N
+  double theta2_at_once;
+  std::vector<Memory> theta2;  ///< its rates are among those of N
+};
+
+/// What a line load that moves steadily does to the surface at a distance alpha, > 0 ahead of it: the elastic kernels and
+/// their memories, since the load has come from infinitely far. The kernels of the pressure's even and odd part are equal.
+class RollingKernels {
+ public:
+  /// Both live as long as this.
+  RollingKernels(const RollingSheet& sheet, CountedKernels& kernels);
+
+  [[nodiscard]] Tractions::Kernel elastic() const;  ///< normal displacement, I1/pi, of what gives way at once
+  /// Each with the size of the parts that may cancel in it as a second functional: the normal displacement that N gives, the
+  /// displacement along the sheet beside what it is far ahead, and its derivative less theta2 at once times the pressure at
+  /// the place.
+  [[nodiscard]] Tractions::Kernel normal() const;
+  [[nodiscard]] Tractions::Kernel tangential() const;
+  [[nodiscard]] Tractions::Kernel strain() const;
+  /// int_0^inf e^(-rate x) I1(alpha + x) dx/pi for a term of N, real and imaginary part as two functionals.
+  [[nodiscard]] Tractions::Kernel ahead(std::size_t term) const;
+  /// The same with the derivative I1'.
+  [[nodiscard]] Tractions::Kernel slope_ahead(std::size_t term) const;
+
+ private:
+  /// Adds amplitude times `memory` for all terms; of a conjugate pair one is evaluated.
+  template <class Sum, class MemoryOf>
+  void add_terms(Sum& sum, const MemoryOf& memory) const;
+
+  [[nodiscard]] std::vector<std::complex<double>> rates() const;
+  template <class MemoryOf>
+  [[nodiscard]] Tractions::Kernel of_term(std::size_t term, const MemoryOf& memory) const;
+
+  const RollingSheet& sheet_;
+  CountedKernels& kernels_;
+  std::vector<std::variant<internal::Fade, internal::OscillatingFade>> fades_;  ///< of each term
+};
+
+}  // namespace nipref::fast
