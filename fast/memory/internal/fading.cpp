@@ -113,8 +113,10 @@ auto beside_limit(Kernel kernel, const SurfacePoint& start, const Rate& rate, Ac
          faded(rate, way) * memory_from_far(kernel, end.waves, plain);
 }
 
-/// int_0^(1 - w) e^(-rate x) K'(w + x) dx of the smooth part of K: by Gauss's rule, and for rates that oscillate by parts.
+/// int_0^(1 - w) e^(-rate x) K'(w + x) dx of the smooth part of K: by parts for large rates, which those that oscillate
+/// are here, otherwise by Gauss's rule.
 double smooth_slope_memory(Kernel kernel, double w, double rate) {
+  if (rate > by_parts_from) return smooth_memory_by_parts(kernel, 1, w, rate).real();
   static const GaussRule rule = gauss_legendre(32);
   const SmoothPart& smooth = SmoothPart::of(kernel);
   const double length = std::min(nearest - w, 40 / rate);

@@ -24,8 +24,8 @@ class SmoothPart {
   std::array<std::array<double, points + 1>, derivatives + 1> coefficients_{};
 };
 
-/// int_0^(1 - w) e^(-rate x) f(w + x) dx, f the smooth part from its derivative of order `first` on, by parts: for complex
-/// rates above by_parts_from. Their k-th term is about k!/(2 rate)^k of the whole, 2e-17 of it where they end.
+/// int_0^(1 - w) e^(-rate x) f(w + x) dx, f the smooth part from its derivative of order `first` on, by parts: for rates
+/// above by_parts_from. Their k-th term is about k!/(2 rate)^k of the whole, 2e-17 of it where they end.
 inline constexpr double by_parts_from = 400;
 Complex smooth_memory_by_parts(Kernel kernel, int first, double w, Complex rate);
 
