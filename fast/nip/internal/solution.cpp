@@ -44,7 +44,8 @@ Solution::Solution(Tractions tractions, const Equations& equations)
   coefficients_(solved_) = solution.head(terms);
   if (layers_.size() > 0)
     coefficients_.tail(layers_.rows()) = layers_.leftCols(unknowns) * unknowns_ + layers_.col(unknowns);
-  equation_errors_ = 8 * unit_roundoff *
+  unit_ = (equations.memories > 0 ? 2 : 1) * unit_roundoff;
+  equation_errors_ = 8 * unit_ *
                      (matrix.array().square().matrix() * solution.array().square().matrix() +
                       right.array().square().matrix())
                          .cwiseSqrt();
@@ -96,8 +97,7 @@ Eigen::VectorXd Solution::adjoint(const Functional& f) const {
 double Solution::rounding(const Functional& f, const Eigen::VectorXd& adjoint) const {
   const double of_terms = std::fabs(f.constant) + f.on_tractions.cwiseAbs().dot(coefficients_.cwiseAbs()) +
                           f.on_unknowns.cwiseAbs().dot(unknowns_.cwiseAbs());
-  return equation_errors_.cwiseProduct(adjoint).norm() + 16 * unit_roundoff * (of_terms + f.cancelled) +
-         underflow;
+  return equation_errors_.cwiseProduct(adjoint).norm() + 16 * unit_ * (of_terms + f.cancelled) + underflow;
 }
 
 double Solution::rounding(const Functional& f) const { return rounding(f, adjoint(f)); }
